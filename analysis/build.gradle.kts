@@ -1,0 +1,11 @@
+plugins {
+    alias(libs.plugins.kotlin.jvm)
+    `java-library`
+}
+kotlin { explicitApi() }
+dependencies {
+    api(project(":core"))
+    implementation(libs.lets.plot.kotlin)
+    implementation(libs.lets.plot.batik)
+    testRuntimeOnly(libs.slf4j.nop)
+}

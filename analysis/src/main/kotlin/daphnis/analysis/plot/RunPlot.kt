@@ -1,0 +1,96 @@
+package daphnis.analysis.plot
+
+import org.apache.batik.transcoder.SVGAbstractTranscoder
+import org.apache.batik.transcoder.TranscoderInput
+import org.apache.batik.transcoder.TranscoderOutput
+import org.apache.batik.transcoder.image.PNGTranscoder
+import org.jetbrains.letsPlot.Figure
+import org.jetbrains.letsPlot.awt.plot.PlotSvgExport
+import org.jetbrains.letsPlot.geom.geomLine
+import org.jetbrains.letsPlot.gggrid
+import org.jetbrains.letsPlot.ggsize
+import org.jetbrains.letsPlot.intern.Plot
+import org.jetbrains.letsPlot.intern.toSpec
+import org.jetbrains.letsPlot.label.labs
+import org.jetbrains.letsPlot.letsPlot
+import org.jetbrains.letsPlot.scale.scaleYLog10
+import org.jetbrains.letsPlot.themes.themeMinimal
+import java.io.StringReader
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The plot at the end of a run: granular temperature, and collisions of a sphere in a unit of time, over time. Needs no display. */
+public object RunPlot {
+    /**
+     * Draws the time series in the file [series] into `run.svg` and `run.png` in [directory], which is made.
+     *
+     * @throws IllegalArgumentException when the series has fewer than two rows
+     */
+    public fun write(series: Path, directory: Path) {
+        val rows = read(series)
+        require(rows.size >= 2) { "the time series has ${rows.size} rows; two are needed" }
+        val figure = gggrid(listOf(temperature(rows), collisions(rows)), ncol = 1) + ggsize(WIDTH, HEIGHT)
+        val svg = svg(figure)
+        Files.createDirectories(directory)
+        Files.writeString(directory.resolve("run.svg"), svg)
+        Files.write(directory.resolve("run.png"), png(svg))
+    }
+
+    private class Row(val time: Double, val particles: Double, val collisions: Double, val temperature: Double)
+
+    private fun read(series: Path): List<Row> {
+        val lines = Files.readAllLines(series)
+        val names = lines.first().split(',')
+        fun column(name: String) = names.indexOf(name).also { require(it >= 0) { "the time series has no column $name" } }
+        val time = column("time")
+        val particles = column("particles")
+        val collisions = column("collisions")
+        val temperature = column("granular_temperature")
+        val all = lines.drop(1).map { it.split(',') }.map { Row(it[time].toDouble(), it[particles].toDouble(), it[collisions].toDouble(), it[temperature].toDouble()) }
+        // More points than pixels only cost: keep every k-th, and the last.
+        val stride = maxOf(1, all.size / MOST_POINTS)
+        return all.filterIndexed { k, _ -> k % stride == 0 || k == all.lastIndex }
+    }
+
+    private fun temperature(rows: List<Row>): Plot {
+        val data = mapOf("time" to rows.map { it.time }, "temperature" to rows.map { it.temperature })
+        val plot = letsPlot(data) + geomLine(color = INK, size = LINE) { x = "time"; y = "temperature" } +
+            labs(x = "time", y = "granular temperature ⟨c²⟩/3") + look()
+        val positive = rows.all { it.temperature > 0 }
+        val spread = positive && rows.maxOf { it.temperature } > LOG_FROM * rows.minOf { it.temperature }
+        return if (spread) plot + scaleYLog10() else plot
+    }
+
+    private fun collisions(rows: List<Row>): Plot {
+        val pairs = rows.zipWithNext().filter { (a, b) -> b.time > a.time && b.particles > 0 }
+        val data = mapOf(
+            "time" to pairs.map { (a, b) -> (a.time + b.time) / 2 },
+            // Every collision is one of each of its two spheres.
+            "rate" to pairs.map { (a, b) -> 2 * (b.collisions - a.collisions) / b.particles / (b.time - a.time) },
+        )
+        return letsPlot(data) + geomLine(color = ACCENT, size = LINE) { x = "time"; y = "rate" } +
+            labs(x = "time", y = "collisions of a sphere per unit time") + look()
+    }
+
+    private fun look() = themeMinimal()
+
+    private fun svg(figure: Figure): String = PlotSvgExport.buildSvgImageFromRawSpecs(figure.toSpec())
+
+    private fun png(svg: String): ByteArray {
+        val transcoder = PNGTranscoder()
+        transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_WIDTH, (WIDTH * PNG_SCALE).toFloat())
+        transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_HEIGHT, (HEIGHT * PNG_SCALE).toFloat())
+        val bytes = java.io.ByteArrayOutputStream()
+        transcoder.transcode(TranscoderInput(StringReader(svg)), TranscoderOutput(bytes))
+        return bytes.toByteArray()
+    }
+
+    private const val WIDTH = 800
+    private const val HEIGHT = 640
+    private const val PNG_SCALE = 2
+    private const val MOST_POINTS = 2000
+    private const val LOG_FROM = 5.0
+    private const val LINE = 0.9
+    private const val INK = "#1f4e79"
+    private const val ACCENT = "#b3541e"
+}

@@ -1,0 +1,94 @@
+package daphnis.core
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.force.Force
+import daphnis.core.population.Population
+
+/**
+ * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, carried on a step at a time.
+ *
+ * ```
+ * val simulation = Simulation(population, boundary, CollisionForcing(BridgesRestitution()), FixedTimeStep(0.1))
+ * simulation.use { while (it.time < 30.0) it.advance() }
+ * ```
+ *
+ * One step: forces act for its first half · spheres drift with every collision in time order · boundary conditions ·
+ * forces act for its second half · outputs look. Not thread-safe: one thread calls; an engine may use more within [advance].
+ *
+ * @param collisions null for spheres that pass through one another
+ * @param forces act in this order before the drift and in the reverse order after it
+ */
+public class Simulation(
+    public val population: Population,
+    public val boundary: BoundaryConditions,
+    public val collisions: CollisionForcing?,
+    private val timeStep: TimeStep,
+    private val forces: List<Force> = emptyList(),
+    private val outputs: List<Output> = emptyList(),
+    startTime: Double = 0.0,
+    startStep: Long = 0,
+) : AutoCloseable {
+    /** Time at the end of the last step. With a fixed step it is the start plus a whole number of steps, without accumulated round-off. */
+    public var time: Double = startTime
+        private set
+
+    /** Number of steps since the start of the run, across resumes. */
+    public var step: Long = startStep
+        private set
+
+    private var opened = false
+    private val origin = if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else 0.0
+
+    init {
+        require(time.isFinite()) { "start time is $startTime; it must be finite" }
+    }
+
+    /**
+     * Carries the simulation on by one step.
+     *
+     * @throws IllegalStateException when the state is no longer finite
+     */
+    public fun advance() {
+        open()
+        val start = time
+        val duration = timeStep.next(population)
+        for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
+        if (collisions != null) collisions.advance(population, boundary, start, duration) else drift(duration)
+        step++
+        time = if (timeStep is FixedTimeStep) origin + step * duration else start + duration
+        boundary.endStep(population, time)
+        for (k in forces.indices.reversed()) forces[k].afterDrift(population, start, duration)
+        checkFinite()
+        for (k in outputs.indices) outputs[k].write(this)
+    }
+
+    /** Shows the initial state to the outputs; done by the first [advance] if nobody asked before. */
+    public fun open() {
+        if (opened) return
+        opened = true
+        if (step == 0L) for (k in outputs.indices) outputs[k].write(this)
+    }
+
+    /** Ends the threads of the engine. */
+    override fun close() {
+        collisions?.close()
+    }
+
+    private fun drift(duration: Double) {
+        val p = population
+        for (k in 0 until p.size) {
+            p.x[k] += p.vx[k] * duration
+            p.y[k] += p.vy[k] * duration
+            p.z[k] += p.vz[k] * duration
+        }
+    }
+
+    /** One sum over everything is NaN or infinite as soon as one number is; cheap against a step. */
+    private fun checkFinite() {
+        val p = population
+        var sum = 0.0
+        for (k in 0 until p.size) sum += (p.x[k] + p.y[k] + p.z[k] + p.vx[k] + p.vy[k] + p.vz[k]) * 0.0
+        check(sum == 0.0) { "the state is no longer finite after step $step at time $time" }
+    }
+}

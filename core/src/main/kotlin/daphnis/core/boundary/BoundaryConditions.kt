@@ -1,0 +1,62 @@
+package daphnis.core.boundary
+
+import daphnis.core.population.Population
+
+/**
+ * What happens at the faces of the box. See [Box] for the axes.
+ *
+ * Two moments matter. **Within a step** spheres move on straight paths and may stick out of the box; [contactFaces] and [shear]
+ * tell the contact search which images a sphere can hit, and walls reflect. **After the step** [endStep] brings everybody back.
+ * A boundary of your own needs [box] and [endStep] alone: contacts are then searched inside only.
+ */
+public interface BoundaryConditions {
+    /** The box; infinite bounds on open axes. */
+    public val box: Box
+
+    /** What the contact search does at the two faces across [axis] (0 = x, 1 = y, 2 = z). */
+    public fun contactFaces(axis: Int): ContactFaces = ContactFaces.OPEN
+
+    /** How images slide against one another, or null when they stand still. */
+    public val shear: ImageShear? get() = null
+
+    /** Whether the boundary drives a mean flow v_x(y), which a granular temperature has to leave out. */
+    public val isSheared: Boolean get() = shear != null
+
+    /** Coefficient of restitution of walls, in [0, 1]; used where [contactFaces] says [ContactFaces.WALL]. */
+    public val wallRestitution: Double get() = 1.0
+
+    /**
+     * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and velocities and
+     * may remove spheres. Must depend on each sphere's own state and [time] alone, so that the array order cannot matter.
+     */
+    public fun endStep(population: Population, time: Double)
+}
+
+/** What a sphere that moves through a face can hit within the step. */
+public enum class ContactFaces {
+    /** Nothing: there are no images beyond the face. */
+    OPEN,
+
+    /** The periodic images of the spheres on the other side. */
+    PERIODIC,
+
+    /** The face itself, which reflects it when its surface arrives there. */
+    WALL,
+}
+
+/**
+ * Images across the faces of [normalAxis] slide along [slideAxis]: the one at `+m` boxes is displaced by `m · offset(t)` and
+ * moves with `m · velocity` against its original.
+ */
+public class ImageShear(
+    public val normalAxis: Int,
+    public val slideAxis: Int,
+    public val velocity: Double,
+    private val slideLength: Double,
+) {
+    /** Displacement of the image at +1 at [time], reduced to [0, length along the slide axis). A pure function of time. */
+    public fun offset(time: Double): Double {
+        val raw = (velocity * time) % slideLength
+        return if (raw < 0) raw + slideLength else raw
+    }
+}

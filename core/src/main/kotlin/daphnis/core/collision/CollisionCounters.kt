@@ -1,0 +1,22 @@
+package daphnis.core.collision
+
+/**
+ * What an engine counted since the start of the run. The first three belong to the trajectory and are the same for every engine;
+ * the others tell how the engine got there.
+ */
+public class CollisionCounters {
+    /** Collisions between two spheres. */
+    public var collisions: Long = 0
+
+    /** Reflections at walls. */
+    public var wallCollisions: Long = 0
+
+    /** Collisions that the collapse guard made elastic. */
+    public var guardActivations: Long = 0
+
+    /** Steps restored and redone because a sphere outran the bound on its reach. */
+    public var redoneSteps: Long = 0
+
+    /** Steps replayed because a parallel engine noticed a violation of the order of time. */
+    public var causalityReplays: Long = 0
+}

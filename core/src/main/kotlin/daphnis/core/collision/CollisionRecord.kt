@@ -1,0 +1,74 @@
+package daphnis.core.collision
+
+/**
+ * The collisions of one step in the order (time, lower id, higher id), as a structure of arrays of [size] entries. Filled by the engine
+ * when somebody asks for it; valid until the next step.
+ *
+ * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher id.
+ */
+public class CollisionRecord {
+    /** Number of collisions. */
+    public var size: Int = 0
+        private set
+
+    /** Time from the start of the step. */
+    public var time: DoubleArray = DoubleArray(INITIAL)
+        private set
+
+    /** Lower id. */
+    public var lower: IntArray = IntArray(INITIAL)
+        private set
+
+    /** Higher id. */
+    public var higher: IntArray = IntArray(INITIAL)
+        private set
+
+    /** Impact speed, coefficient, impulse, separation x y z: six numbers a collision. */
+    public var data: DoubleArray = DoubleArray(INITIAL * WIDTH)
+        private set
+
+    public fun impactSpeed(k: Int): Double = data[k * WIDTH]
+
+    public fun coefficient(k: Int): Double = data[k * WIDTH + 1]
+
+    /** Momentum exchanged along the normal, > 0. */
+    public fun impulse(k: Int): Double = data[k * WIDTH + 2]
+
+    /** Component [axis] of the vector between the centres. */
+    public fun separation(k: Int, axis: Int): Double = data[k * WIDTH + 3 + axis]
+
+    public fun clear() {
+        size = 0
+    }
+
+    /** Appends the collision that [law] has just processed between the spheres with ids [first] and [second]. */
+    public fun add(time: Double, first: Int, second: Int, law: CollisionLaw) {
+        if (size == this.time.size) grow()
+        val k = size++
+        val swap = first > second
+        this.time[k] = time
+        lower[k] = if (swap) second else first
+        higher[k] = if (swap) first else second
+        val p = k * WIDTH
+        val sign = if (swap) -1.0 else 1.0
+        data[p] = law.impactSpeed
+        data[p + 1] = law.coefficient
+        data[p + 2] = law.impulse
+        data[p + 3] = sign * law.separationX
+        data[p + 4] = sign * law.separationY
+        data[p + 5] = sign * law.separationZ
+    }
+
+    private fun grow() {
+        val n = size * 2
+        time = time.copyOf(n)
+        lower = lower.copyOf(n)
+        higher = higher.copyOf(n)
+        data = data.copyOf(n * WIDTH)
+    }
+
+    private companion object {
+        const val INITIAL = 1024
+        const val WIDTH = 6
+    }
+}

@@ -1,0 +1,58 @@
+package daphnis.core.engine
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.population.Population
+
+/**
+ * Carries a population through one step of straight paths and collisions. All engines give the same state, bit for bit: the one that
+ * processes the collisions in the order (time, lower id, higher id), none missed, with every sphere changed at its own
+ * collisions and at the end of the step only. [SerialEngine] is the specification.
+ */
+public interface CollisionEngine : AutoCloseable {
+    /** The name it is chosen by. */
+    public val name: String
+
+    /** How many threads work. */
+    public val threads: Int
+
+    /**
+     * Brings every sphere of the step's population from its start to its end. Boundaries are not applied at the end; that is
+     * the caller's. When this throws, the population is as it was before.
+     *
+     * @throws CollapseException when collisions follow one another without time going on
+     * @throws IllegalArgumentException when the boundary cannot be searched for so long a step
+     */
+    public fun advance(step: CollisionStep)
+
+    /** Ends the engine's threads, if it has any. Closing twice is allowed. */
+    override fun close(): Unit = Unit
+}
+
+/**
+ * One step's work. The object is reused from step to step.
+ *
+ * @property law the physics of a collision
+ * @property counters where the engine adds what it counted, once the step has succeeded
+ * @property record where collisions are to be written in order, or null when nobody wants them
+ */
+public class CollisionStep(
+    public val population: Population,
+    public val boundary: BoundaryConditions,
+    public val law: CollisionLaw,
+    public val counters: CollisionCounters,
+) {
+    /** Time at the start of the step. */
+    public var start: Double = 0.0
+
+    /** Length of the step, > 0. */
+    public var duration: Double = 0.0
+    public var record: CollisionRecord? = null
+}
+
+/** Inelastic collapse: very many collisions in no time. A collapse guard would have ended it. */
+public class CollapseException(
+    message: String,
+) : RuntimeException(message)

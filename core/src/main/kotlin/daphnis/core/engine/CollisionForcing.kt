@@ -1,0 +1,45 @@
+package daphnis.core.engine
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.collision.CollapseGuard
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.NoGuard
+import daphnis.core.collision.Restitution
+import daphnis.core.population.Population
+
+/**
+ * The collisional forcing: moves the population through a step with every collision in time order.
+ *
+ * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
+ */
+public class CollisionForcing(
+    restitution: Restitution,
+    guard: CollapseGuard = NoGuard,
+    public val engine: CollisionEngine = SerialEngine(),
+    recordCollisions: Boolean = false,
+) : AutoCloseable {
+    private val law = CollisionLaw(restitution, guard)
+    private var step: CollisionStep? = null
+
+    /** What has been counted since the start of the run. */
+    public val counters: CollisionCounters = CollisionCounters()
+
+    /** The collisions of the last step, in order; null when they are not kept. */
+    public val record: CollisionRecord? = if (recordCollisions) CollisionRecord() else null
+
+    /** Moves [population] from [start] over [duration]; boundaries at the end are the caller's. See [CollisionEngine.advance]. */
+    public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
+        val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
+            ?: CollisionStep(population, boundary, law, counters).also { step = it }
+        step.start = start
+        step.duration = duration
+        step.record = record
+        engine.advance(step)
+    }
+
+    override fun close() {
+        engine.close()
+    }
+}

@@ -1,0 +1,139 @@
+package daphnis.core.engine
+
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.StepRows.Companion.STRIDE
+import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.collision.WallContact
+import daphnis.core.queue.BucketEventQueue
+import daphnis.core.queue.EventQueue
+import daphnis.core.search.Grid
+import daphnis.core.search.Reach
+import kotlin.math.abs
+
+/**
+ * The specification: section 2 of Lewis & Massingill on one thread.
+ *
+ * 1. Bound how far anybody can go in the step, build a grid for that bound, copy the spheres in cell order.
+ * 2. Queue every potential collision of the step.
+ * 3. Take the earliest. Bring its two spheres, and nobody else, to the moment of contact and change their velocities. Drop what
+ *    the two had queued; find and queue what they can now hit. Repeat until the queue is empty.
+ * 4. Bring every sphere to the end of the step.
+ *
+ * **No contact is missed.** The grid finds every pair that can touch as long as nobody goes farther from where it started than
+ * the bound. Paths between collisions are straight, so it is enough to look, after each collision, at where the sphere
+ * would be at the end of the step. When that is beyond the bound, the step is abandoned, the bound enlarged and the step redone
+ * from the population, which has not been written yet.
+ *
+ * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere sees its
+ * collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.
+ */
+public class SerialEngine(
+    private val queue: EventQueue = BucketEventQueue(),
+) : CollisionEngine {
+    override val name: String get() = "serial"
+    override val threads: Int get() = 1
+
+    private val grid = Grid()
+    private val rows = StepRows()
+    private val reach = Reach()
+    private val walls = WallContact()
+    private val search = NeighbourSearch(rows, grid, queue)
+    private val progress = ProgressWatch()
+
+    // Counted within the step, added to the run's counters once it has succeeded.
+    private var collisions = 0L
+    private var wallCollisions = 0L
+    private var guarded = 0L
+
+    override fun advance(step: CollisionStep) {
+        reach.measure(step.population, step.duration)
+        walls.prepare(step.boundary)
+        while (!attempt(step)) step.counters.redoneSteps++
+        rows.store(step.population, step.duration)
+        step.counters.collisions += collisions
+        step.counters.wallCollisions += wallCollisions
+        step.counters.guardActivations += guarded
+    }
+
+    /** @return false when somebody outran the bound, which is now larger */
+    private fun attempt(step: CollisionStep): Boolean {
+        val population = step.population
+        collisions = 0
+        wallCollisions = 0
+        guarded = 0
+        step.record?.clear()
+        grid.build(population, step.boundary, step.start, step.duration, reach.bound)
+        rows.load(population, grid.order, step.law.guard.needsLastCollision)
+        queue.reset(step.duration, rows.id, rows.size)
+        search.prepare(step.duration)
+        progress.start(rows.size, step.duration)
+        search.queueStart()
+        if (walls.present) for (slot in 0 until rows.size) queueWalls(slot, step.duration)
+        while (queue.pop()) {
+            progress.check(queue.time, step.start)
+            if (!process(step)) return false
+        }
+        return true
+    }
+
+    /** @return false when one of the two outran the bound */
+    private fun process(step: CollisionStep): Boolean {
+        val time = queue.time
+        val first = queue.first
+        val second = queue.second
+        if (second < 0) {
+            walls.reflect(rows, first, WallContact.face(second), time)
+            wallCollisions++
+            queue.removeAllOf(first)
+            return requeue(step, first, time, NOBODY)
+        }
+        val law = step.law
+        if (law.collide(rows, first, second, queue.image, grid.images, time)) {
+            collisions++
+            if (law.guarded) guarded++
+            step.record?.add(time, rows.id[first], rows.id[second], law)
+        }
+        // The pair itself is searched once, from the first; the second leaves it out.
+        queue.removeAllOf(first)
+        queue.removeAllOf(second)
+        return requeue(step, first, time, NOBODY) && requeue(step, second, time, first)
+    }
+
+    private fun requeue(step: CollisionStep, slot: Int, time: Double, except: Int): Boolean {
+        if (isOutrun(step, slot, time)) return false
+        search.queueAll(slot, time, except)
+        if (walls.present) queueWalls(slot, step.duration)
+        return true
+    }
+
+    private fun queueWalls(slot: Int, duration: Double) {
+        for (face in 0 until WallContact.FACES) {
+            val t = walls.time(rows, slot, face)
+            if (t <= duration) queue.add(t, slot, WallContact.partner(face), 0)
+        }
+    }
+
+    private fun isOutrun(step: CollisionStep, slot: Int, time: Double): Boolean {
+        val state = rows.state
+        val p = slot * STRIDE
+        val ux = abs(state[p + VX])
+        val uy = abs(state[p + VX + 1])
+        val uz = abs(state[p + VX + 2])
+        val speed = reach.speed
+        // Nearly always nobody is faster than the bound on speed, and where the sphere started need not be looked up.
+        if (ux <= speed[0] && uy <= speed[1] && uz <= speed[2]) return false
+        val k = rows.origin[slot]
+        val rest = step.duration - time
+        val population = step.population
+        val bound = reach.bound
+        val outrun = abs(state[p] + state[p + VX] * rest - population.x[k]) > bound[0] ||
+            abs(state[p + 1] + state[p + VX + 1] * rest - population.y[k]) > bound[1] ||
+            abs(state[p + 2] + state[p + VX + 2] * rest - population.z[k]) > bound[2]
+        if (outrun) reach.enlarge(ux, uy, uz, step.duration)
+        return outrun
+    }
+
+    private companion object {
+        const val NOBODY = -1
+    }
+}

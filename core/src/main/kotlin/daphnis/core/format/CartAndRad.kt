@@ -1,0 +1,61 @@
+package daphnis.core.format
+
+import daphnis.core.population.Population
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.channels.Channels
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius. Spheres
+ * in the order of their ids; ids and masses are not kept.
+ */
+public object CartAndRad {
+    /** Writes [population] to [path], replacing it. */
+    public fun write(population: Population, path: Path) {
+        val ids = (0 until population.idBound).filter { population.indexOf(it) >= 0 }
+        Files.newOutputStream(path).buffered(1 shl 16).use { stream ->
+            val channel = Channels.newChannel(stream)
+            val buffer = ByteBuffer.allocate(ROW).order(ByteOrder.LITTLE_ENDIAN)
+            buffer.putInt(ids.size).flip()
+            channel.write(buffer)
+            for (id in ids) {
+                val k = population.indexOf(id)
+                buffer.clear()
+                buffer.putDouble(population.x[k]).putDouble(population.y[k]).putDouble(population.z[k])
+                buffer.putDouble(population.vx[k]).putDouble(population.vy[k]).putDouble(population.vz[k])
+                channel.write(buffer.flip())
+            }
+            for (id in ids) {
+                buffer.clear()
+                channel.write(buffer.putDouble(population.radius[population.indexOf(id)]).flip())
+            }
+        }
+    }
+
+    /**
+     * Reads [path]; ids are 0, 1, 2, …
+     *
+     * @param density mass per volume, since the file has no masses
+     * @throws FormatException when the length is not what N says, or a number is not finite, or a radius is not positive
+     */
+    public fun read(path: Path, density: Double = 1.0): Population {
+        val size = Files.size(path)
+        if (size < 4 || size > Int.MAX_VALUE) throw FormatException("$path: $size bytes is no CartAndRad file")
+        val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN)
+        val n = buffer.getInt()
+        if (n < 0 || size != 4L + (ROW + 8L) * n) throw FormatException("$path: says $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+        val columns = Array(6) { DoubleArray(n) }
+        for (k in 0 until n) for (c in columns) c[k] = buffer.getDouble()
+        val radius = DoubleArray(n) { buffer.getDouble() }
+        val mass = DoubleArray(n) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
+        return try {
+            Population(columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], radius, mass)
+        } catch (e: IllegalArgumentException) {
+            throw FormatException("$path: ${e.message}")
+        }
+    }
+
+    private const val ROW = 48
+}

@@ -1,0 +1,64 @@
+package daphnis.core.format
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Open
+import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.population.Population
+
+/**
+ * The state at one time as files hold it: spheres in the order of their ids, one entry each in every array.
+ *
+ * @property lengths edges of the box along x, y, z; NaN on open axes
+ * @property periodic whether the box repeats along x, y, z
+ * @property shearOffset displacement along x of the image at +L_y, for Lees–Edwards boundaries; else 0
+ */
+public class Frame(
+    public val step: Long,
+    public val time: Double,
+    public val lengths: DoubleArray,
+    public val periodic: BooleanArray,
+    public val shearOffset: Double,
+    public val id: IntArray,
+    public val position: Array<DoubleArray>,
+    public val velocity: Array<DoubleArray>,
+    public val radius: DoubleArray,
+    public val mass: DoubleArray,
+) {
+    /** Number of spheres. */
+    public val size: Int get() = id.size
+
+    /** The frame as a population, ids kept. */
+    public fun population(): Population = Population(
+        position[0].copyOf(), position[1].copyOf(), position[2].copyOf(),
+        velocity[0].copyOf(), velocity[1].copyOf(), velocity[2].copyOf(),
+        radius.copyOf(), mass.copyOf(), id.copyOf(),
+    )
+
+    public companion object {
+        /** Copies [population] as it is at [step] and [time]. */
+        public fun of(population: Population, boundary: BoundaryConditions, step: Long, time: Double): Frame {
+            val order = IntArray(population.size)
+            var n = 0
+            for (id in 0 until population.idBound) {
+                val k = population.indexOf(id)
+                if (k >= 0) order[n++] = k
+            }
+            fun pick(a: DoubleArray) = DoubleArray(n) { a[order[it]] }
+            val wrapped = boundary is ShearedPeriodic
+            return Frame(
+                step,
+                time,
+                DoubleArray(3) { if (boundary === Open) Double.NaN else boundary.box.length(it) },
+                BooleanArray(3) { wrapped || boundary.contactFaces(it) == ContactFaces.PERIODIC },
+                if (boundary is LeesEdwards) boundary.shear.offset(time) else 0.0,
+                IntArray(n) { population.id[order[it]] },
+                arrayOf(pick(population.x), pick(population.y), pick(population.z)),
+                arrayOf(pick(population.vx), pick(population.vy), pick(population.vz)),
+                pick(population.radius),
+                pick(population.mass),
+            )
+        }
+    }
+}

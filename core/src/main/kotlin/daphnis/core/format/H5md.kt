@@ -1,0 +1,94 @@
+package daphnis.core.format
+
+import io.jhdf.HdfFile
+import io.jhdf.api.DatasetCreationOptions
+import io.jhdf.api.WritableGroup
+import io.jhdf.exceptions.HdfException
+import java.nio.file.Path
+
+/**
+ * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView read. One
+ * particle group `all`: position and velocity as `{step, time, value[T][N][3]}`; id, mass and radius as plain datasets, radius
+ * being an addition of ours; `box/edges` along the axes of a box centred on the origin. Units are the scenario's.
+ */
+public object H5md {
+    /**
+     * Writes [frames], all of the same spheres, to [path]. Holds all of them in memory.
+     *
+     * @param version the version of daphnis to name as creator
+     */
+    public fun write(frames: List<Frame>, path: Path, version: String) {
+        require(frames.isNotEmpty()) { "no frame to write" }
+        val first = frames.first()
+        for (frame in frames) require(frame.id.contentEquals(first.id)) { "spheres differ between steps ${first.step} and ${frame.step}; H5MD needs the same in every frame" }
+        HdfFile.write(path).use { file ->
+            val h5md = file.putGroup("h5md")
+            h5md.putAttribute("version", intArrayOf(1, 1))
+            h5md.putGroup("author").putAttribute("name", System.getProperty("user.name") ?: "unknown")
+            val creator = h5md.putGroup("creator")
+            creator.putAttribute("name", "daphnis")
+            creator.putAttribute("version", version)
+            val all = file.putGroup("particles").putGroup("all")
+            val box = all.putGroup("box")
+            box.putAttribute("dimension", 3)
+            box.putAttribute("boundary", Array(3) { if (first.periodic[it]) "periodic" else "none" })
+            if (first.lengths.none { it.isNaN() }) box.putDataset("edges", first.lengths)
+            element(all, "position", frames) { it.position }
+            element(all, "velocity", frames) { it.velocity }
+            all.putDataset("id", first.id)
+            all.putDataset("mass", first.mass)
+            all.putDataset("radius", first.radius)
+            val parameters = file.putGroup("parameters")
+            parameters.putDataset("shear_offset", DoubleArray(frames.size) { frames[it].shearOffset })
+        }
+    }
+
+    private fun element(group: WritableGroup, name: String, frames: List<Frame>, of: (Frame) -> Array<DoubleArray>) {
+        val element = group.putGroup(name)
+        element.putDataset("step", LongArray(frames.size) { frames[it].step })
+        element.putDataset("time", DoubleArray(frames.size) { frames[it].time })
+        val value = Array(frames.size) { t ->
+            val v = of(frames[t])
+            Array(frames[t].size) { k -> doubleArrayOf(v[0][k], v[1][k], v[2][k]) }
+        }
+        val options = DatasetCreationOptions.builder().chunkDimensions(1, minOf(frames.first().size, CHUNK), 3).shuffle().deflate(DEFLATE).build()
+        element.putDataset("value", value, options)
+    }
+
+    /**
+     * Reads every frame of a file that [write] wrote.
+     *
+     * @throws FormatException when it is no such file
+     */
+    public fun read(path: Path): List<Frame> = try {
+        HdfFile(path).use { file ->
+            fun data(name: String): Any = (file.getDatasetByPath("/particles/all/$name")).data
+            val steps = data("position/step") as LongArray
+            val times = data("position/time") as DoubleArray
+            val positions = cube(data("position/value"))
+            val velocities = cube(data("velocity/value"))
+            val box = file.getByPath("/particles/all/box") as io.jhdf.api.Group
+            val edges = box.children["edges"]?.let { (it as io.jhdf.api.Dataset).data as DoubleArray } ?: DoubleArray(3) { Double.NaN }
+            @Suppress("UNCHECKED_CAST")
+            val boundary = box.getAttribute("boundary").data as Array<String>
+            val offset = file.getDatasetByPath("/parameters/shear_offset").data as DoubleArray
+            val id = data("id") as IntArray
+            val mass = data("mass") as DoubleArray
+            val radius = data("radius") as DoubleArray
+            steps.indices.map { t ->
+                fun columns(v: Array<Array<DoubleArray>>) = Array(3) { axis -> DoubleArray(id.size) { v[t][it][axis] } }
+                Frame(steps[t], times[t], edges, BooleanArray(3) { boundary[it] == "periodic" }, offset[t], id, columns(positions), columns(velocities), radius, mass)
+            }
+        }
+    } catch (e: HdfException) {
+        throw FormatException("$path: is not an H5MD file of daphnis: ${e.message}")
+    } catch (e: RuntimeException) {
+        throw FormatException("$path: is not an H5MD file of daphnis: ${e.message ?: e.javaClass.simpleName}")
+    }
+
+    @Suppress("UNCHECKED_CAST")
+    private fun cube(data: Any) = data as Array<Array<DoubleArray>>
+
+    private const val CHUNK = 32_768
+    private const val DEFLATE = 4
+}

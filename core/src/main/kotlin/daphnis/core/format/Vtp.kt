@@ -1,0 +1,80 @@
+package daphnis.core.format
+
+import java.io.DataOutputStream
+import java.io.OutputStream
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** VTK PolyData (`.vtp`, XML with raw appended data) for ParaView, one file a frame, and the `.pvd` index that gives them their times. */
+public object Vtp {
+    /** Writes one [frame]: points, one vertex a sphere, point data radius, velocity, mass, id, and the time as field data. */
+    public fun write(frame: Frame, path: Path) {
+        val n = frame.size
+        val blocks = ArrayList<ByteBuffer>()
+        var offset = 0L
+        fun block(bytes: Int, fill: (ByteBuffer) -> Unit): Long {
+            val at = offset
+            val buffer = ByteBuffer.allocate(Math.addExact(bytes, HEADER)).order(ByteOrder.LITTLE_ENDIAN)
+            buffer.putLong(bytes.toLong())
+            fill(buffer)
+            blocks += buffer
+            offset += bytes + HEADER
+            return at
+        }
+        val time = block(8) { it.putDouble(frame.time) }
+        val points = block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(frame.position[axis][k]) }
+        val velocity = block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(frame.velocity[axis][k]) }
+        val radius = block(8 * n) { b -> for (r in frame.radius) b.putDouble(r) }
+        val mass = block(8 * n) { b -> for (m in frame.mass) b.putDouble(m) }
+        val id = block(4 * n) { b -> for (i in frame.id) b.putInt(i) }
+        val connectivity = block(4 * n) { b -> for (k in 0 until n) b.putInt(k) }
+        val offsets = block(4 * n) { b -> for (k in 0 until n) b.putInt(k + 1) }
+        Files.newOutputStream(path).buffered(1 shl 16).use { out ->
+            text(
+                out,
+                """
+                <?xml version="1.0"?>
+                <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+                <PolyData>
+                <FieldData><DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="appended" offset="$time"/></FieldData>
+                <Piece NumberOfPoints="$n" NumberOfVerts="$n" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
+                <PointData Scalars="radius" Vectors="velocity">
+                <DataArray type="Float64" Name="velocity" NumberOfComponents="3" format="appended" offset="$velocity"/>
+                <DataArray type="Float64" Name="radius" format="appended" offset="$radius"/>
+                <DataArray type="Float64" Name="mass" format="appended" offset="$mass"/>
+                <DataArray type="Int32" Name="id" format="appended" offset="$id"/>
+                </PointData>
+                <Points><DataArray type="Float64" Name="Points" NumberOfComponents="3" format="appended" offset="$points"/></Points>
+                <Verts>
+                <DataArray type="Int32" Name="connectivity" format="appended" offset="$connectivity"/>
+                <DataArray type="Int32" Name="offsets" format="appended" offset="$offsets"/>
+                </Verts>
+                </Piece>
+                </PolyData>
+                <AppendedData encoding="raw">
+                """.trimIndent() + "\n_",
+            )
+            val data = DataOutputStream(out)
+            for (block in blocks) data.write(block.array())
+            data.flush()
+            text(out, "\n</AppendedData>\n</VTKFile>\n")
+        }
+    }
+
+    /** Writes the index of [files], given as file name and time. */
+    public fun writeIndex(files: List<Pair<String, Double>>, path: Path) {
+        val entries = files.joinToString("") { (name, time) -> "<DataSet timestep=\"$time\" group=\"\" part=\"0\" file=\"$name\"/>\n" }
+        Files.writeString(
+            path,
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n$entries</Collection>\n</VTKFile>\n",
+        )
+    }
+
+    private fun text(out: OutputStream, text: String) {
+        out.write(text.toByteArray(Charsets.UTF_8))
+    }
+
+    private const val HEADER = 8
+}

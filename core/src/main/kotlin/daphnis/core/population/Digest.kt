@@ -1,0 +1,32 @@
+package daphnis.core.population
+
+import java.nio.ByteBuffer
+import java.security.MessageDigest
+import java.util.HexFormat
+
+/**
+ * The state digest: SHA-256 over x y z vx vy vz of all spheres in the order of their ids, as big-endian IEEE doubles.
+ *
+ * Two runs with the same digest have the same trajectory to the last bit. Independent of the order in which the arrays are kept.
+ *
+ * @return 64 hexadecimal digits
+ */
+public fun stateDigest(population: Population): String {
+    val sha = MessageDigest.getInstance("SHA-256")
+    val block = ByteBuffer.allocate(BYTES_PER_SPHERE * SPHERES_PER_BLOCK)
+    for (id in 0 until population.idBound) {
+        val k = population.indexOf(id)
+        if (k < 0) continue
+        block.putDouble(population.x[k]).putDouble(population.y[k]).putDouble(population.z[k])
+        block.putDouble(population.vx[k]).putDouble(population.vy[k]).putDouble(population.vz[k])
+        if (!block.hasRemaining()) {
+            sha.update(block.array())
+            block.clear()
+        }
+    }
+    sha.update(block.array(), 0, block.position())
+    return HexFormat.of().formatHex(sha.digest())
+}
+
+private const val BYTES_PER_SPHERE = 48
+private const val SPHERES_PER_BLOCK = 512

@@ -1,0 +1,34 @@
+package daphnis.core.queue
+
+/**
+ * Potential collisions of one step, handed out in the order (time, lower id, higher id, image).
+ *
+ * A step goes: [reset]; any number of [add]; then [pop] until it answers false, each time followed by [removeAllOf] for the spheres
+ * that the collision changed and by [add] for what they can now hit. Times lie in `[0, duration]`; an event added while another is
+ * processed is not earlier than that one. Spheres are addressed by slot; ids only break ties. Single-threaded.
+ */
+public interface EventQueue {
+    /** Time of the event that [pop] handed out, from the start of the step. */
+    public val time: Double
+
+    /** One slot of the event that [pop] handed out. */
+    public val first: Int
+
+    /** The other slot, or the negative partner number of a wall. */
+    public val second: Int
+
+    /** Image code of [second] as seen from [first]. */
+    public val image: Int
+
+    /** Forgets everything and prepares for a step of [duration] with [count] slots whose ids are `ids[slot]`. */
+    public fun reset(duration: Double, ids: IntArray, count: Int)
+
+    /** Queues the potential collision of [first] with [second] (a slot, or a negative partner number). */
+    public fun add(time: Double, first: Int, second: Int, image: Int)
+
+    /** Removes the earliest event and puts it into [time], [first], [second], [image]; false when none is left. */
+    public fun pop(): Boolean
+
+    /** Drops every queued event that involves [slot]. */
+    public fun removeAllOf(slot: Int)
+}

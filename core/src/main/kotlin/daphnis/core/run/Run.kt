@@ -1,0 +1,248 @@
+package daphnis.core.run
+
+import daphnis.core.Simulation
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.engine.CollapseException
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.EngineFactory
+import daphnis.core.engine.Engines
+import daphnis.core.population.Conserved
+import daphnis.core.population.granularTemperature
+import daphnis.core.population.stateDigest
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.PlacementSpec
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.search.Overlap
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption
+
+/** Watches a run from outside. */
+public fun interface RunObserver {
+    /** Called after every step, in the thread of the run. [wallSeconds] since the run (or its resume) began. */
+    public fun afterStep(simulation: Simulation, until: Double, wallSeconds: Double)
+}
+
+/** A run failed through no fault of the input; the message is one line. */
+public class RunException(
+    message: String,
+) : RuntimeException(message)
+
+/**
+ * A scenario being carried out in a run directory: made by [start] or [resume], done by [execute]. One thread.
+ *
+ * @property resumedFrom the step it goes on from; 0 at a start
+ * @property notices what a user should know, a line each, such as a damaged checkpoint that was passed over
+ */
+public class Run private constructor(
+    public val directory: RunDirectory,
+    private val scenario: Scenario,
+    public val simulation: Simulation,
+    private val lengths: Map<String, Long>?,
+    private val secondsBefore: Double,
+    private val lock: AutoCloseable,
+    public val notices: List<String>,
+) : AutoCloseable {
+    public val resumedFrom: Long = simulation.step
+
+    /** Time at which it ends. */
+    public val until: Double get() = scenario.until
+
+    /**
+     * Advances to the end.
+     *
+     * @param cancelled asked before every step; when true the run ends with a checkpoint and a summary that says unfinished
+     * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stands
+     */
+    public fun execute(observer: RunObserver = RunObserver { _, _, _ -> }, cancelled: () -> Boolean = { false }): Summary {
+        val begin = System.nanoTime()
+        fun seconds() = (System.nanoTime() - begin) * 1e-9
+        try {
+            RunOutputs(directory, scenario.output, lengths).use { outputs ->
+                if (simulation.step == 0L) outputs.write(simulation)
+                if (lengths == null) checkpoint(outputs, 0.0)
+                var finished = isDone()
+                while (!finished && !cancelled()) {
+                    simulation.advance()
+                    outputs.write(simulation)
+                    observer.afterStep(simulation, until, seconds())
+                    finished = isDone()
+                    val every = scenario.output.checkpointEvery
+                    if (!finished && every > 0 && simulation.step % every == 0L) checkpoint(outputs, secondsBefore + seconds())
+                }
+                if (finished && !Files.exists(directory.snapshot(simulation.step))) outputs.writeSnapshot(simulation)
+                checkpoint(outputs, secondsBefore + seconds())
+                return summary(finished, secondsBefore + seconds()).also { it.write(directory.summary) }
+            }
+        } catch (e: CollapseException) {
+            throw RunException(e.message.orEmpty())
+        } catch (e: IllegalStateException) {
+            throw RunException(e.message.orEmpty())
+        } catch (e: IllegalArgumentException) {
+            throw RunException("step ${simulation.step + 1}: ${e.message}")
+        } catch (e: IOException) {
+            throw RunException("cannot write to ${directory.path}: ${RunDirectory.reason(e)}; what was written before stands, go on with resume when there is room")
+        }
+    }
+
+    /** A whole number of fixed steps can fall short of the end by round-off; that is not another step. */
+    private fun isDone(): Boolean {
+        val step = scenario.timeStep
+        val slack = if (step is TimeStepSpec.Fixed) step.dt * END_SLACK else 0.0
+        return simulation.time >= until - slack
+    }
+
+    private fun checkpoint(outputs: RunOutputs, wallSeconds: Double) {
+        val lengths = outputs.force()
+        val c = simulation.collisions?.counters ?: CollisionCounters()
+        val meta = CheckpointMeta(
+            simulation.step, simulation.time, c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays, wallSeconds, lengths,
+        )
+        // The one before stays until the new one is whole on the disk. Killed between the two moves, there is the previous one only.
+        val fresh = directory.path.resolve("checkpoint.new")
+        writeAtomically(fresh) { Checkpoint.write(meta, simulation.population, it) }
+        if (Files.exists(directory.checkpoint)) Files.move(directory.checkpoint, directory.previousCheckpoint, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING)
+        Files.move(fresh, directory.checkpoint, StandardCopyOption.ATOMIC_MOVE)
+        forceDirectory(directory.path)
+    }
+
+    private fun summary(finished: Boolean, seconds: Double): Summary {
+        val population = simulation.population
+        val sums = Conserved.of(population)
+        val c = simulation.collisions?.counters ?: CollisionCounters()
+        val engine = simulation.collisions?.engine
+        return Summary(
+            stateDigest = stateDigest(population),
+            finished = finished,
+            scenario = scenario.name,
+            particles = population.size,
+            steps = simulation.step,
+            time = simulation.time,
+            collisions = c.collisions,
+            wallCollisions = c.wallCollisions,
+            engine = engine?.name ?: "none",
+            threads = engine?.threads ?: 1,
+            wallSeconds = seconds,
+            stepsPerSecond = if (seconds > 0) simulation.step / seconds else 0.0,
+            maxOverlap = Overlap.deepest(population, simulation.boundary, simulation.time).depth,
+            guardActivations = c.guardActivations,
+            redoneSteps = c.redoneSteps,
+            causalityReplays = c.causalityReplays,
+            energy = sums.kineticEnergy,
+            temperature = granularTemperature(population, simulation.boundary.isSheared),
+            momentum = listOf(sums.momentumX, sums.momentumY, sums.momentumZ),
+            version = Version.text,
+            jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
+        )
+    }
+
+    override fun close() {
+        simulation.use { lock.close() }
+    }
+
+    public companion object {
+        private const val END_SLACK = 1e-6
+
+        /**
+         * Makes the run directory [path] and the initial state.
+         *
+         * @param source what to call the scenario in messages
+         * @throws InputException for wrong input
+         */
+        public fun start(scenario: Scenario, source: String, path: Path, force: Boolean = false, engines: EngineFactory = Engines): Run {
+            val setup = ScenarioSetup.of(scenario, source)
+            val simulation = simulation(setup, null, source, engines)
+            val directory = RunDirectory(path)
+            directory.create(force)
+            val lock = directory.lock()
+            try {
+                val resolved = keepParticleFile(setup.scenario, directory)
+                writeAtomically(directory.scenario) { Files.writeString(it, ScenarioJson.write(resolved)) }
+                return Run(directory, resolved, simulation, null, 0.0, lock, emptyList())
+            } catch (e: IOException) {
+                lock.close()
+                throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
+            }
+        }
+
+        /** The run directory keeps the particles it started from, so that its scenario means the same wherever it goes. */
+        private fun keepParticleFile(scenario: Scenario, directory: RunDirectory): Scenario {
+            val placement = scenario.placement as? PlacementSpec.File ?: return scenario
+            val original = Path.of(placement.path)
+            val copy = directory.initial(original)
+            Files.copy(original, copy, StandardCopyOption.REPLACE_EXISTING)
+            return scenario.copy(placement = PlacementSpec.File(copy.fileName.toString()))
+        }
+
+        /**
+         * Goes on with the run in [path] from its last good checkpoint, or from the start when it was killed before the first.
+         *
+         * @param until a new end, or null for the scenario's
+         * @throws InputException when there is no run, or no checkpoint can be used
+         */
+        public fun resume(path: Path, until: Double? = null, engines: EngineFactory = Engines): Run {
+            val directory = RunDirectory(path)
+            directory.requireRun()
+            val lock = directory.lock()
+            try {
+                val read = ScenarioJson.read(directory.scenario).atHome(path)
+                if (until != null && !(until > 0 && until.isFinite())) throw InputException("--until", null, "is $until; it must be > 0")
+                val scenario = read.copy(until = until ?: read.until)
+                val notices = ArrayList<String>()
+                val checkpoint = lastGood(directory, notices)
+                val setup = ScenarioSetup.of(scenario, directory.scenario.toString(), checkpoint?.population)
+                val simulation = simulation(setup, checkpoint?.meta, directory.scenario.toString(), engines)
+                // Snapshots after the checkpoint are written again, to the same bits; the summary is of a run that goes on.
+                Files.deleteIfExists(directory.summary)
+                Files.createDirectories(directory.snapshots)
+                return Run(directory, scenario, simulation, checkpoint?.meta?.fileLengths, checkpoint?.meta?.wallSeconds ?: 0.0, lock, notices)
+            } catch (e: RuntimeException) {
+                lock.close()
+                throw e
+            } catch (e: IOException) {
+                lock.close()
+                throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
+            }
+        }
+
+        private fun lastGood(directory: RunDirectory, notices: MutableList<String>): Checkpoint? {
+            val files = listOf(directory.checkpoint, directory.previousCheckpoint).filter { Files.exists(it) }
+            for (file in files) {
+                try {
+                    return Checkpoint.read(file).also { if (notices.isNotEmpty()) notices += "going on from $file, step ${it.meta.step}" }
+                } catch (e: OtherVersionException) {
+                    throw InputException("", null, e.message.orEmpty())
+                } catch (e: CheckpointException) {
+                    notices += e.message.orEmpty()
+                }
+            }
+            if (files.isEmpty()) return null
+            throw InputException("", null, notices.joinToString("; ") + "; no checkpoint is left to go on from, run the scenario again")
+        }
+
+        private fun simulation(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory): Simulation {
+            val spec = setup.scenario.engine
+            val engine = engines.create(spec.name, spec.threads) ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${Engines.names.joinToString()}")
+            if (engine.threads != spec.threads) throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")
+            val forcing = CollisionForcing(setup.restitution, setup.guard, engine, setup.scenario.output.collisionLog)
+            if (meta != null) {
+                forcing.counters.collisions = meta.collisions
+                forcing.counters.wallCollisions = meta.wallCollisions
+                forcing.counters.guardActivations = meta.guardActivations
+                forcing.counters.redoneSteps = meta.redoneSteps
+                forcing.counters.causalityReplays = meta.causalityReplays
+            }
+            return Simulation(setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, startTime = meta?.time ?: 0.0, startStep = meta?.step ?: 0)
+        }
+    }
+}
+
+/** The scenario with a relative particle file taken from [home]. */
+public fun Scenario.atHome(home: Path): Scenario {
+    val placement = placement as? PlacementSpec.File ?: return this
+    return copy(placement = PlacementSpec.File(home.resolve(placement.path).toString()))
+}

@@ -1,0 +1,18 @@
+package daphnis.core.scenario
+
+/** The scenarios that come with daphnis, as the JSON text a user would start from. */
+public object BuiltIn {
+    /** Names, the paper's first. The first of all is what `daphnis run` runs when nothing is named. */
+    public val names: List<String> = listOf("paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "shear-cell")
+
+    /** The text of the scenario [name], comments and all; null when there is none. */
+    public fun text(name: String): String? {
+        if (name !in names) return null
+        val stream = BuiltIn::class.java.getResourceAsStream("/daphnis/scenarios/$name.json") ?: error("scenario $name is missing from the jar")
+        return stream.use { String(it.readAllBytes(), Charsets.UTF_8) }
+    }
+
+    /** The scenario [name], with `path=value` [settings] applied. */
+    public fun scenario(name: String, settings: List<String> = emptyList()): Scenario =
+        ScenarioJson.parse(text(name) ?: throw InputException(name, null, "no built-in scenario; known: ${names.joinToString()}"), name, settings)
+}

@@ -1,0 +1,197 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.Box
+import daphnis.core.format.CartAndRad
+import daphnis.core.format.FormatException
+import daphnis.core.format.ParticleCsv
+import daphnis.core.population.Population
+import daphnis.core.setup.EqualSizes
+import daphnis.core.setup.GaussianVelocities
+import daphnis.core.setup.Lattice
+import daphnis.core.setup.LatticePlacement
+import daphnis.core.setup.ListedSizes
+import daphnis.core.setup.LogNormalSizes
+import daphnis.core.setup.PlacementException
+import daphnis.core.setup.PowerLawSizes
+import daphnis.core.setup.RandomPlacement
+import daphnis.core.setup.SeededRandom
+import daphnis.core.setup.SizeDistribution
+import daphnis.core.setup.UniformVelocities
+import daphnis.core.setup.fillingFactor
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so that changing one leaves the others. */
+internal class InitialState(
+    private val scenario: Scenario,
+    private val box: Box,
+    private val check: ValueCheck,
+) {
+    fun population(): Population {
+        val placement = scenario.placement
+        if (placement is PlacementSpec.File) return fromFile(placement)
+        val spec = scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
+        val radii = radii(spec)
+        val positions = try {
+            val method = if (placement is PlacementSpec.Lattice) LatticePlacement(lattice(placement)) else RandomPlacement()
+            method.place(radii, box, walled(), stream(PLACES))
+        } catch (e: PlacementException) {
+            check.fail(if (spec.fillingFactor != null) "particles.fillingFactor" else "particles.count", "is ${spec.fillingFactor ?: spec.count}; ${e.message}")
+        }
+        val velocities = velocities(radii.size, positions.y)
+        return Population(positions.x, positions.y, positions.z, velocities[0], velocities[1], velocities[2], radii, masses(spec, radii))
+    }
+
+    private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
+
+    private fun lattice(spec: PlacementSpec.Lattice) =
+        if (spec.lattice == LatticeName.CUBIC) Lattice.SIMPLE_CUBIC else Lattice.FACE_CENTRED_CUBIC
+
+    private fun walled(): BooleanArray {
+        val boundary = scenario.boundary
+        return BooleanArray(3) { boundary is BoundarySpec.Walls && "xyz"[it] in boundary.axes || boundary is BoundarySpec.Open }
+    }
+
+    private fun radii(spec: ParticlesSpec): DoubleArray {
+        check.that("particles", "given", (spec.count == null) != (spec.fillingFactor == null)) { "needs exactly one of count and fillingFactor" }
+        val sizes = sizes(spec.sizes)
+        spec.count?.let { count ->
+            check.that("particles.count", count, count in 1..MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
+            checkMemory("particles.count", count.toDouble())
+            val radii = sizes.radii(count, stream(SIZES))
+            val filling = fillingFactor(radii, box)
+            check.that("particles.count", count, filling < CLOSEST_PACKING) { "gives a filling factor of $filling; it must be below $CLOSEST_PACKING" }
+            return radii
+        }
+        val filling = spec.fillingFactor!!
+        check.that("particles.fillingFactor", filling, filling > 0 && filling < CLOSEST_PACKING) { "must be in (0, $CLOSEST_PACKING), the closest packing" }
+        return fill(sizes, filling)
+    }
+
+    /** As many spheres as come closest to [filling] in the order they are drawn. */
+    private fun fill(sizes: SizeDistribution, filling: Double): DoubleArray {
+        val wanted = filling * box.volume
+        if (sizes is EqualSizes) {
+            val count = Math.rint(wanted / volume(sizes.radius))
+            check.that("particles.fillingFactor", filling, count >= 1) { "is less than one sphere in this box" }
+            checkMemory("particles.fillingFactor", count)
+            return DoubleArray(count.toInt()) { sizes.radius }
+        }
+        val random = stream(SIZES)
+        var radii = DoubleArray(1024)
+        var count = 0
+        var volume = 0.0
+        while (true) {
+            val r = sizes.draw(random)
+            if (volume + volume(r) / 2 > wanted) break
+            if (count == radii.size) {
+                checkMemory("particles.fillingFactor", 2.0 * count)
+                radii = radii.copyOf(2 * count)
+            }
+            radii[count++] = r
+            volume += volume(r)
+        }
+        check.that("particles.fillingFactor", filling, count >= 1) { "is less than one sphere in this box" }
+        return radii.copyOf(count)
+    }
+
+    private fun sizes(spec: SizesSpec): SizeDistribution = try {
+        when (spec) {
+            is SizesSpec.Equal -> EqualSizes(spec.radius)
+            is SizesSpec.PowerLaw -> PowerLawSizes(spec.minimum, spec.maximum, spec.exponent)
+            is SizesSpec.LogNormal -> LogNormalSizes(spec.median, spec.sigma, spec.minimum, spec.maximum)
+            is SizesSpec.Listed -> ListedSizes(spec.radii.toDoubleArray())
+        }
+    } catch (e: IllegalArgumentException) {
+        check.fail("particles.sizes", e.message.orEmpty())
+    }
+
+    private fun checkMemory(key: String, count: Double) {
+        check.that(key, count, count <= MOST_PARTICLES) { "spheres are too many; it must be at most $MOST_PARTICLES" }
+        val needed = count * BYTES_PER_SPHERE
+        val heap = Runtime.getRuntime().maxMemory()
+        check.that(key, count.toLong(), needed < heap) {
+            "spheres need about ${"%.1f".format(java.util.Locale.ROOT, needed / (1 shl 30))} GiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
+        }
+    }
+
+    private fun masses(spec: ParticlesSpec, radii: DoubleArray): DoubleArray {
+        check.positive("particles.density", spec.density)
+        spec.mass?.let { mass ->
+            check.positive("particles.mass", mass)
+            return DoubleArray(radii.size) { mass }
+        }
+        for (r in radii) {
+            val mass = spec.density * volume(r)
+            check.that("particles.density", spec.density, mass > 0 && mass.isFinite()) { "gives a sphere of radius $r the mass $mass" }
+        }
+        return DoubleArray(radii.size) { spec.density * volume(radii[it]) }
+    }
+
+    private fun velocities(count: Int, y: DoubleArray): Array<DoubleArray> {
+        val spec = scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
+        val field = when (spec) {
+            is VelocitiesSpec.Rest -> GaussianVelocities(0.0)
+            is VelocitiesSpec.Uniform -> {
+                check.that("velocities.halfWidth", spec.halfWidth, spec.halfWidth >= 0) { "must be >= 0" }
+                UniformVelocities(spec.halfWidth)
+            }
+            is VelocitiesSpec.Gaussian -> {
+                check.that("velocities.sigma", spec.sigma, spec.sigma >= 0) { "must be >= 0" }
+                GaussianVelocities(spec.sigma)
+            }
+        }
+        val random = stream(VELOCITIES)
+        val v = Array(3) { DoubleArray(count) }
+        val drawn = DoubleArray(3)
+        for (k in 0 until count) {
+            field.draw(random, drawn)
+            for (axis in 0..2) v[axis][k] = drawn[axis]
+        }
+        if (spec.zeroMomentum) for (component in v) subtractMean(component)
+        if (spec.shearProfile) for (k in 0 until count) v[0][k] += shearRate() * y[k]
+        return v
+    }
+
+    /** For spheres of different mass this takes out the mean velocity, not the momentum; drawn velocities do not depend on mass. */
+    private fun subtractMean(component: DoubleArray) {
+        if (component.size < 2) return
+        val mean = component.sum() / component.size
+        for (k in component.indices) component[k] -= mean
+    }
+
+    private fun shearRate(): Double = when (val boundary = scenario.boundary) {
+        is BoundarySpec.LeesEdwards -> boundary.shearRate
+        is BoundarySpec.ShearedPeriodic -> boundary.velocityJump / box.length(1)
+        else -> check.fail("velocities.shearProfile", "is true; it needs a sheared boundary (lees-edwards or sheared-periodic)")
+    }
+
+    private fun fromFile(spec: PlacementSpec.File): Population {
+        val key = "placement.path"
+        check.that("particles", "given", scenario.particles == null) { "must be left out when the placement is a file" }
+        check.that("velocities", "given", scenario.velocities == null) { "must be left out when the placement is a file, which holds them" }
+        val path = Path.of(spec.path)
+        check.that(key, spec.path, Files.isRegularFile(path)) { "no such file" }
+        val population = try {
+            if (spec.path.endsWith(".CartAndRad", ignoreCase = true) || spec.path.endsWith(".bin")) CartAndRad.read(path) else ParticleCsv.read(path)
+        } catch (e: FormatException) {
+            check.fail(key, e.message.orEmpty())
+        }
+        check.that(key, spec.path, population.size > 0) { "holds no particle" }
+        return population
+    }
+
+    private fun volume(radius: Double) = 4.0 / 3.0 * Math.PI * radius * radius * radius
+
+    private companion object {
+        const val STREAMS = 4L
+        const val SIZES = 0L
+        const val PLACES = 1L
+        const val VELOCITIES = 2L
+        const val CLOSEST_PACKING = 0.7405
+        const val MOST_PARTICLES = 200_000_000
+
+        /** Population, packed rows, grid and queue together, measured; see docs/performance.md. */
+        const val BYTES_PER_SPHERE = 260.0
+    }
+}

@@ -1,0 +1,268 @@
+package daphnis.core.scenario
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+/**
+ * A simulation as a user writes it: a JSON file with comments and trailing commas allowed. `docs/scenario.md` explains every key.
+ *
+ * Lengths, times and masses are in whatever units the author chose; [units] says how many cm/s one unit of speed is, for
+ * restitution laws that were measured in cm/s.
+ */
+@Serializable
+public data class Scenario(
+    public val name: String = "unnamed",
+    public val description: String = "",
+    public val seed: Long = 1,
+    public val units: UnitsSpec = UnitsSpec(),
+    public val box: BoxSpec,
+    public val boundary: BoundarySpec,
+    public val particles: ParticlesSpec? = null,
+    public val placement: PlacementSpec = PlacementSpec.Random(),
+    public val velocities: VelocitiesSpec? = null,
+    public val restitution: RestitutionSpec,
+    public val guard: GuardSpec? = null,
+    public val forces: List<ForceSpec> = emptyList(),
+    public val timeStep: TimeStepSpec,
+    public val until: Double,
+    public val engine: EngineSpec = EngineSpec(),
+    public val output: OutputSpec = OutputSpec(),
+)
+
+/** @property speedInCmPerSecond how many cm/s one unit of speed is */
+@Serializable
+public class UnitsSpec(
+    public val speedInCmPerSecond: Double = 1.0,
+)
+
+/** @property lengths edges along x, y, z; the box is centred on the origin */
+@Serializable
+public class BoxSpec(
+    public val lengths: List<Double>,
+)
+
+@Serializable
+public sealed interface BoundarySpec {
+    /** No faces. The box only says where spheres are put at the start. */
+    @Serializable
+    @SerialName("open")
+    public class Open : BoundarySpec
+
+    @Serializable
+    @SerialName("periodic")
+    public class Periodic : BoundarySpec
+
+    /** Reflecting walls across the axes named in [axes]; the other axes are periodic. */
+    @Serializable
+    @SerialName("walls")
+    public class Walls(
+        public val axes: String = "xyz",
+        public val restitution: Double = 1.0,
+    ) : BoundarySpec
+
+    /** The paper's sheared periodic box. */
+    @Serializable
+    @SerialName("sheared-periodic")
+    public class ShearedPeriodic(
+        public val velocityJump: Double,
+    ) : BoundarySpec
+
+    @Serializable
+    @SerialName("lees-edwards")
+    public class LeesEdwards(
+        public val shearRate: Double,
+    ) : BoundarySpec
+}
+
+/**
+ * Exactly one of [count] and [fillingFactor]; masses from [density] unless [mass] gives every sphere the same.
+ */
+@Serializable
+public class ParticlesSpec(
+    public val count: Int? = null,
+    public val fillingFactor: Double? = null,
+    public val sizes: SizesSpec,
+    public val density: Double = 1.0,
+    public val mass: Double? = null,
+)
+
+@Serializable
+public sealed interface SizesSpec {
+    @Serializable
+    @SerialName("equal")
+    public class Equal(
+        public val radius: Double,
+    ) : SizesSpec
+
+    @Serializable
+    @SerialName("power-law")
+    public class PowerLaw(
+        public val minimum: Double,
+        public val maximum: Double,
+        public val exponent: Double,
+    ) : SizesSpec
+
+    @Serializable
+    @SerialName("log-normal")
+    public class LogNormal(
+        public val median: Double,
+        public val sigma: Double,
+        public val minimum: Double,
+        public val maximum: Double,
+    ) : SizesSpec
+
+    @Serializable
+    @SerialName("list")
+    public class Listed(
+        public val radii: List<Double>,
+    ) : SizesSpec
+}
+
+@Serializable
+public sealed interface PlacementSpec {
+    @Serializable
+    @SerialName("random")
+    public class Random : PlacementSpec
+
+    /** @property lattice `fcc` or `cubic` */
+    @Serializable
+    @SerialName("lattice")
+    public class Lattice(
+        public val lattice: LatticeName = LatticeName.FCC,
+    ) : PlacementSpec
+
+    /** Positions, velocities, radii (and masses, ids) from a CSV file with a header, or a CartAndRad file; relative to the scenario. */
+    @Serializable
+    @SerialName("file")
+    public class File(
+        public val path: String,
+    ) : PlacementSpec
+}
+
+@Serializable
+public enum class LatticeName {
+    @SerialName("fcc")
+    FCC,
+
+    @SerialName("cubic")
+    CUBIC,
+}
+
+/** [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] takes out the mean velocity that the drawing left. */
+@Serializable
+public sealed interface VelocitiesSpec {
+    public val shearProfile: Boolean
+    public val zeroMomentum: Boolean
+
+    @Serializable
+    @SerialName("rest")
+    public class Rest(
+        override val shearProfile: Boolean = false,
+        override val zeroMomentum: Boolean = true,
+    ) : VelocitiesSpec
+
+    /** Every component uniform in ±[halfWidth]. */
+    @Serializable
+    @SerialName("uniform")
+    public class Uniform(
+        public val halfWidth: Double,
+        override val shearProfile: Boolean = false,
+        override val zeroMomentum: Boolean = true,
+    ) : VelocitiesSpec
+
+    /** Every component normal with standard deviation [sigma]. */
+    @Serializable
+    @SerialName("gaussian")
+    public class Gaussian(
+        public val sigma: Double,
+        override val shearProfile: Boolean = false,
+        override val zeroMomentum: Boolean = true,
+    ) : VelocitiesSpec
+}
+
+@Serializable
+public sealed interface RestitutionSpec {
+    @Serializable
+    @SerialName("constant")
+    public class Constant(
+        public val coefficient: Double,
+    ) : RestitutionSpec
+
+    @Serializable
+    @SerialName("bridges")
+    public class Bridges(
+        public val prefactor: Double = 0.34,
+        public val exponent: Double = -0.234,
+    ) : RestitutionSpec
+
+    /** @property criticalSpeed in cm/s */
+    @Serializable
+    @SerialName("borderies")
+    public class Borderies(
+        public val criticalSpeed: Double,
+    ) : RestitutionSpec
+}
+
+@Serializable
+public sealed interface GuardSpec {
+    @Serializable
+    @SerialName("none")
+    public class None : GuardSpec
+
+    /** ε = 1 below an impact speed: exactly one of [speed], in units of speed, and [relative], in initial rms speeds. */
+    @Serializable
+    @SerialName("floor-speed")
+    public class FloorSpeed(
+        public val speed: Double? = null,
+        public val relative: Double? = null,
+    ) : GuardSpec
+
+    /** The TC rule: ε = 1 within [duration], in units of time, of a sphere's last collision. */
+    @Serializable
+    @SerialName("contact-duration")
+    public class ContactDuration(
+        public val duration: Double,
+    ) : GuardSpec
+}
+
+@Serializable
+public sealed interface ForceSpec {
+    @Serializable
+    @SerialName("uniform-acceleration")
+    public class UniformAcceleration(
+        public val acceleration: List<Double>,
+    ) : ForceSpec
+}
+
+@Serializable
+public sealed interface TimeStepSpec {
+    @Serializable
+    @SerialName("fixed")
+    public class Fixed(
+        public val dt: Double,
+    ) : TimeStepSpec
+
+    /** The fastest sphere crosses at most [fraction] of [cell] (default: mean distance between spheres); never longer than [longest]. */
+    @Serializable
+    @SerialName("cell-crossing")
+    public class CellCrossing(
+        public val fraction: Double = 0.5,
+        public val cell: Double? = null,
+        public val longest: Double,
+    ) : TimeStepSpec
+}
+
+@Serializable
+public class EngineSpec(
+    public val name: String = "serial",
+    public val threads: Int = 1,
+)
+
+/** How often to write, in steps; 0 means never (checkpoints: only at the end). */
+@Serializable
+public class OutputSpec(
+    public val seriesEvery: Int = 1,
+    public val snapshotEvery: Int = 0,
+    public val checkpointEvery: Int = 100,
+    public val collisionLog: Boolean = false,
+)

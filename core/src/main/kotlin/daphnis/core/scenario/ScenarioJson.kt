@@ -1,0 +1,105 @@
+package daphnis.core.scenario
+
+import kotlinx.serialization.ExperimentalSerializationApi
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import java.io.IOException
+import java.nio.charset.CharacterCodingException
+import java.nio.file.Files
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+
+/** Reads and writes [Scenario]s as JSON. Everything wrong with the text is an [InputException]. */
+public object ScenarioJson {
+    @OptIn(ExperimentalSerializationApi::class)
+    private val json = Json {
+        allowComments = true
+        allowTrailingComma = true
+        encodeDefaults = true
+        explicitNulls = false
+        prettyPrint = true
+    }
+
+    /**
+     * Parses [text].
+     *
+     * @param source what to call it in messages
+     * @param settings `path=value` pairs that replace keys, as on the command line
+     */
+    public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario {
+        var tree = parseTree(text, source)
+        for (setting in settings) tree = set(tree, setting)
+        SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
+        return try {
+            json.decodeFromJsonElement(Scenario.serializer(), tree)
+        } catch (e: SerializationException) {
+            throw InputException(source, null, e.message.orEmpty())
+        } catch (e: IllegalArgumentException) {
+            throw InputException(source, null, e.message.orEmpty())
+        }
+    }
+
+    /** Reads the file [path]. */
+    public fun read(path: Path, settings: List<String> = emptyList()): Scenario {
+        val text = try {
+            if (Files.size(path) > LARGEST) throw InputException(path.toString(), null, "is larger than $LARGEST bytes, which is no scenario")
+            Files.readString(path)
+        } catch (e: NoSuchFileException) {
+            throw InputException(path.toString(), null, "no such file")
+        } catch (e: CharacterCodingException) {
+            throw InputException(path.toString(), null, "is not UTF-8 text")
+        } catch (e: IOException) {
+            throw InputException(path.toString(), null, "cannot be read: ${e.message}")
+        }
+        return parse(text, path.toString(), settings)
+    }
+
+    /** The whole scenario, every default written out. */
+    public fun write(scenario: Scenario): String = json.encodeToString(Scenario.serializer(), scenario) + "\n"
+
+    private fun parseTree(text: String, source: String): JsonElement = try {
+        json.parseToJsonElement(text)
+    } catch (e: SerializationException) {
+        throw malformed(e, text, source)
+    } catch (e: StackOverflowError) {
+        throw InputException(source, null, "is nested too deeply")
+    }
+
+    private fun malformed(e: SerializationException, text: String, source: String): InputException {
+        val message = e.message.orEmpty()
+        val offset = Regex("""offset (-?\d+)""").find(message)?.groupValues?.get(1)?.toInt()?.coerceIn(0, text.length)
+        val problem = message.substringAfter(": ").lineSequence().first().substringBefore(" at path").trim()
+        if (offset == null) return InputException(source, null, "malformed JSON: $problem")
+        val line = text.substring(0, offset).count { it == '\n' } + 1
+        val column = offset - (text.lastIndexOf('\n', offset - 1) + 1) + 1
+        return InputException("$source:$line:$column", null, "malformed JSON: $problem")
+    }
+
+    private fun set(tree: JsonElement, setting: String): JsonElement {
+        val path = setting.substringBefore('=')
+        if ('=' !in setting || path.isBlank()) throw InputException("--set", setting, "must have the form path=value, such as timeStep.dt=0.05")
+        val text = setting.substringAfter('=')
+        val value = try {
+            json.parseToJsonElement(text).let { if (it is JsonPrimitive && !it.isString && !isLiteral(it.content)) JsonPrimitive(text) else it }
+        } catch (e: SerializationException) {
+            JsonPrimitive(text)
+        } catch (e: StackOverflowError) {
+            throw InputException("--set", path, "is nested too deeply")
+        }
+        return put(tree, path.split('.'), value, setting)
+    }
+
+    private fun isLiteral(text: String) = text == "true" || text == "false" || text == "null" || text.toDoubleOrNull() != null
+
+    private fun put(tree: JsonElement?, path: List<String>, value: JsonElement, setting: String): JsonElement {
+        if (path.isEmpty()) return value
+        if (tree != null && tree !is JsonObject) throw InputException("--set", setting, "'${path.first()}' is looked for inside something that is no object")
+        val fields = tree ?: JsonObject(emptyMap())
+        return JsonObject(fields + (path.first() to put(fields[path.first()], path.drop(1), value, setting)))
+    }
+
+    private const val LARGEST = 64L shl 20
+}

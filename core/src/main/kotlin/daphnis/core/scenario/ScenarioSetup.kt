@@ -1,0 +1,183 @@
+package daphnis.core.scenario
+
+import daphnis.core.CellCrossingTimeStep
+import daphnis.core.FixedTimeStep
+import daphnis.core.TimeStep
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Open
+import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.boundary.Walls
+import daphnis.core.collision.BorderiesRestitution
+import daphnis.core.collision.BridgesRestitution
+import daphnis.core.collision.CollapseGuard
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.collision.ContactDurationGuard
+import daphnis.core.collision.FloorSpeedGuard
+import daphnis.core.collision.NoGuard
+import daphnis.core.collision.Restitution
+import daphnis.core.force.Force
+import daphnis.core.force.UniformAcceleration
+import daphnis.core.population.Population
+import kotlin.math.sqrt
+
+/**
+ * What a [Scenario] means: the objects of a simulation, made and checked.
+ *
+ * Everything here is a pure function of the scenario (and of the particle file it may name), so a scenario gives the same initial state
+ * on every machine.
+ *
+ * @property scenario with every default that depends on others written out, so that it means the same again
+ */
+public class ScenarioSetup private constructor(
+    public val scenario: Scenario,
+    public val population: Population,
+    public val boundary: BoundaryConditions,
+    public val restitution: Restitution,
+    public val guard: CollapseGuard,
+    public val forces: List<Force>,
+    public val timeStep: TimeStep,
+) {
+    public companion object {
+        /**
+         * Makes and checks everything.
+         *
+         * @param source what to call the scenario in messages
+         * @param state the population to go on with, or null for the initial state that the scenario describes
+         * @throws InputException for whatever is wrong
+         */
+        public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup {
+            val check = ValueCheck(source)
+            checkRun(scenario, check)
+            val box = box(scenario, check)
+            val boundary = boundary(scenario, box, check)
+            val restitution = restitution(scenario, check)
+            val forces = scenario.forces.mapIndexed { k, f -> force(f, "forces[$k]", check) }
+            val population = state ?: InitialState(scenario, box, check).population()
+            val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
+            val timeStepSpec = resolve(scenario.timeStep, box, population)
+            val timeStep = timeStep(timeStepSpec, check)
+            if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
+            val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec)
+            return ScenarioSetup(resolved, population, boundary, restitution, guard(guardSpec, check), forces, timeStep)
+        }
+
+        private fun checkRun(scenario: Scenario, check: ValueCheck) {
+            check.positive("until", scenario.until)
+            check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
+            check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 1..MOST_THREADS) { "must be in 1..$MOST_THREADS" }
+            val output = scenario.output
+            check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) { "must be >= 0 (0 for never)" }
+            check.that("output.snapshotEvery", output.snapshotEvery, output.snapshotEvery >= 0) { "must be >= 0 (0 for never)" }
+            check.that("output.checkpointEvery", output.checkpointEvery, output.checkpointEvery >= 0) { "must be >= 0 (0 for the end only)" }
+        }
+
+        private fun box(scenario: Scenario, check: ValueCheck): Box {
+            val lengths = scenario.box.lengths
+            check.that("box.lengths", lengths, lengths.size == 3) { "must be three numbers, the edges along x, y and z" }
+            lengths.forEachIndexed { k, length -> check.positive("box.lengths[$k]", length) }
+            val box = Box.centred(lengths[0], lengths[1], lengths[2])
+            check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) { "give a volume of ${box.volume}; it must be positive and finite" }
+            return box
+        }
+
+        private fun boundary(scenario: Scenario, box: Box, check: ValueCheck): BoundaryConditions = when (val spec = scenario.boundary) {
+            is BoundarySpec.Open -> Open
+            is BoundarySpec.Periodic -> Periodic(box)
+            is BoundarySpec.Walls -> {
+                val known = spec.axes.isNotEmpty() && spec.axes.all { it in "xyz" } && spec.axes.toSet().size == spec.axes.length
+                check.that("boundary.axes", spec.axes, known) { "must name axes, such as xyz or z" }
+                check.fraction("boundary.restitution", spec.restitution)
+                Walls(box, spec.restitution, BooleanArray(3) { "xyz"[it] in spec.axes })
+            }
+            is BoundarySpec.ShearedPeriodic -> ShearedPeriodic(box, spec.velocityJump)
+            is BoundarySpec.LeesEdwards -> LeesEdwards(box, spec.shearRate)
+        }
+
+        private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
+            val unit = scenario.units.speedInCmPerSecond
+            return when (val spec = scenario.restitution) {
+                is RestitutionSpec.Constant -> {
+                    check.fraction("restitution.coefficient", spec.coefficient)
+                    ConstantRestitution(spec.coefficient)
+                }
+                is RestitutionSpec.Bridges -> {
+                    check.positive("restitution.prefactor", spec.prefactor)
+                    check.that("restitution.exponent", spec.exponent, spec.exponent <= 0) { "must be <= 0" }
+                    BridgesRestitution(spec.prefactor, spec.exponent, unit)
+                }
+                is RestitutionSpec.Borderies -> {
+                    check.positive("restitution.criticalSpeed", spec.criticalSpeed)
+                    BorderiesRestitution(spec.criticalSpeed, unit)
+                }
+            }
+        }
+
+        private fun force(spec: ForceSpec, key: String, check: ValueCheck): Force = when (spec) {
+            is ForceSpec.UniformAcceleration -> {
+                val a = spec.acceleration
+                check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
+                UniformAcceleration(a[0], a[1], a[2])
+            }
+        }
+
+        /** A constant ε < 1 can collapse, so it gets a guard far below any speed that matters; the other laws are elastic at low speed. */
+        private fun defaultGuard(restitution: RestitutionSpec): GuardSpec =
+            if (restitution is RestitutionSpec.Constant && restitution.coefficient < 1) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
+
+        /** A floor speed given in initial rms speeds becomes one in units of speed. */
+        private fun resolve(spec: GuardSpec, population: Population, check: ValueCheck): GuardSpec {
+            if (spec !is GuardSpec.FloorSpeed) return spec
+            check.that("guard", "floor-speed", (spec.speed == null) != (spec.relative == null)) { "needs exactly one of speed and relative" }
+            val relative = spec.relative ?: return spec
+            check.that("guard.relative", relative, relative >= 0) { "must be >= 0" }
+            return GuardSpec.FloorSpeed(speed = relative * rmsSpeed(population))
+        }
+
+        private fun guard(spec: GuardSpec, check: ValueCheck): CollapseGuard = when (spec) {
+            is GuardSpec.None -> NoGuard
+            is GuardSpec.ContactDuration -> {
+                check.positive("guard.duration", spec.duration)
+                ContactDurationGuard(spec.duration)
+            }
+            is GuardSpec.FloorSpeed -> {
+                val speed = spec.speed ?: 0.0
+                check.that("guard.speed", speed, speed >= 0 && speed.isFinite()) { "must be >= 0" }
+                FloorSpeedGuard(speed)
+            }
+        }
+
+        /** A cell that was left out becomes the mean distance between spheres. */
+        private fun resolve(spec: TimeStepSpec, box: Box, population: Population): TimeStepSpec =
+            if (spec !is TimeStepSpec.CellCrossing || spec.cell != null) spec else TimeStepSpec.CellCrossing(spec.fraction, StrictMath.cbrt(box.volume / population.size), spec.longest)
+
+        private fun timeStep(spec: TimeStepSpec, check: ValueCheck): TimeStep = when (spec) {
+            is TimeStepSpec.Fixed -> {
+                check.positive("timeStep.dt", spec.dt)
+                FixedTimeStep(spec.dt)
+            }
+            is TimeStepSpec.CellCrossing -> {
+                check.positive("timeStep.fraction", spec.fraction)
+                check.positive("timeStep.longest", spec.longest)
+                val cell = spec.cell ?: 0.0
+                check.positive("timeStep.cell", cell)
+                CellCrossingTimeStep(spec.fraction, cell, spec.longest)
+            }
+        }
+
+        private fun rmsSpeed(population: Population): Double {
+            var sum = 0.0
+            for (id in 0 until population.idBound) {
+                val k = population.indexOf(id)
+                if (k < 0) continue
+                sum += population.vx[k] * population.vx[k] + population.vy[k] * population.vy[k] + population.vz[k] * population.vz[k]
+            }
+            return if (population.size == 0) 0.0 else sqrt(sum / population.size)
+        }
+
+        private const val DEFAULT_FLOOR = 1e-6
+        private const val MOST_THREADS = 1024
+    }
+}

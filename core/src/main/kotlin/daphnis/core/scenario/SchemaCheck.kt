@@ -1,0 +1,132 @@
+package daphnis.core.scenario
+
+import kotlinx.serialization.ExperimentalSerializationApi
+import kotlinx.serialization.descriptors.PolymorphicKind
+import kotlinx.serialization.descriptors.PrimitiveKind
+import kotlinx.serialization.descriptors.SerialDescriptor
+import kotlinx.serialization.descriptors.SerialKind
+import kotlinx.serialization.descriptors.StructureKind
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/**
+ * Compares a JSON tree with what a serializer expects and names the first thing that is wrong by its path: an unknown key with the
+ * nearest known one, a missing key, a value of the wrong kind, a number that is not finite.
+ */
+@OptIn(ExperimentalSerializationApi::class)
+internal class SchemaCheck(
+    private val source: String,
+) {
+    fun check(tree: JsonElement, descriptor: SerialDescriptor) {
+        check(tree, descriptor, "")
+    }
+
+    private fun check(element: JsonElement, descriptor: SerialDescriptor, path: String) {
+        if (element is JsonNull) {
+            if (descriptor.isNullable) return
+            fail(path, "is null; ${expected(descriptor)}")
+        }
+        when (descriptor.kind) {
+            StructureKind.CLASS, StructureKind.OBJECT -> checkObject(element, descriptor, path, emptySet())
+            StructureKind.LIST -> {
+                if (element !is JsonArray) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
+                element.forEachIndexed { k, e -> check(e, descriptor.getElementDescriptor(0), "$path[$k]") }
+            }
+            PolymorphicKind.SEALED -> checkSealed(element, descriptor, path)
+            SerialKind.ENUM -> {
+                val name = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
+                if (name !in descriptor.names()) fail(path, "is ${shown(element)}; ${choices(name.orEmpty(), descriptor.names())}")
+            }
+            else -> checkPrimitive(element, descriptor, path)
+        }
+    }
+
+    private fun checkObject(element: JsonElement, descriptor: SerialDescriptor, path: String, alsoAllowed: Set<String>) {
+        if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
+        val known = descriptor.names()
+        for (key in element.keys) {
+            if (key !in known && key !in alsoAllowed) fail(join(path, key), "unknown key; ${choices(key, known)}")
+        }
+        for (k in 0 until descriptor.elementsCount) {
+            val name = descriptor.getElementName(k)
+            val child = element[name]
+            if (child != null) {
+                check(child, descriptor.getElementDescriptor(k), join(path, name))
+            } else if (!descriptor.isElementOptional(k)) {
+                fail(join(path, name), "is missing; ${expected(descriptor.getElementDescriptor(k))}")
+            }
+        }
+    }
+
+    private fun checkSealed(element: JsonElement, descriptor: SerialDescriptor, path: String) {
+        if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
+        val types = descriptor.getElementDescriptor(1)
+        val type = element["type"] ?: fail(join(path, "type"), "is missing; it must be one of ${types.names().joinToString()}")
+        val name = (type as? JsonPrimitive)?.takeIf { it.isString }?.content
+        if (name == null || name !in types.names()) fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
+        checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, setOf("type"))
+    }
+
+    private fun checkPrimitive(element: JsonElement, descriptor: SerialDescriptor, path: String) {
+        val primitive = element as? JsonPrimitive ?: fail(path, "is ${shown(element)}; ${expected(descriptor)}")
+        val ok = when (descriptor.kind) {
+            PrimitiveKind.STRING -> primitive.isString
+            PrimitiveKind.BOOLEAN -> !primitive.isString && (primitive.content == "true" || primitive.content == "false")
+            PrimitiveKind.INT -> !primitive.isString && primitive.content.toIntOrNull() != null
+            PrimitiveKind.LONG -> !primitive.isString && primitive.content.toLongOrNull() != null
+            else -> !primitive.isString && JSON_NUMBER.matches(primitive.content) && primitive.content.toDouble().isFinite()
+        }
+        if (!ok) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
+    }
+
+    private fun expected(descriptor: SerialDescriptor): String = "it must be " + when (descriptor.kind) {
+        PrimitiveKind.STRING -> "a string"
+        PrimitiveKind.BOOLEAN -> "true or false"
+        PrimitiveKind.INT -> "a whole number below 2147483648"
+        PrimitiveKind.LONG -> "a whole number of at most 64 bits"
+        PrimitiveKind.DOUBLE -> "a finite number"
+        StructureKind.LIST -> "a list"
+        PolymorphicKind.SEALED -> "an object whose type is one of ${descriptor.getElementDescriptor(1).names().joinToString()}"
+        SerialKind.ENUM -> "one of ${descriptor.names().joinToString()}"
+        else -> "an object with ${descriptor.names().joinToString()}"
+    }
+
+    private fun choices(word: String, known: List<String>): String {
+        val given = word.take(MOST_SHOWN)
+        if (known.isEmpty()) return "no key is known here"
+        val nearest = known.minBy { editDistance(given, it) }
+        val meant = if (editDistance(given, nearest) <= maxOf(2, nearest.length / 2)) "did you mean '$nearest'? " else ""
+        return "${meant}known: ${known.joinToString()}"
+    }
+
+    private fun SerialDescriptor.names(): List<String> = (0 until elementsCount).map { getElementName(it) }
+
+    private fun shown(element: JsonElement): String = element.toString().replace(Regex("\\s+"), " ").let { if (it.length > MOST_SHOWN) it.take(MOST_SHOWN) + "…" else it }
+
+    private fun join(path: String, key: String) = if (path.isEmpty()) key else "$path.$key"
+
+    private fun fail(path: String, problem: String): Nothing = throw InputException(source, path.ifEmpty { null }, problem)
+
+    private companion object {
+        const val MOST_SHOWN = 40
+        val JSON_NUMBER = Regex("""-?\d+(\.\d+)?([eE][+-]?\d+)?""")
+    }
+}
+
+/** Levenshtein's distance, ignoring case. */
+internal fun editDistance(a: String, b: String): Int {
+    var previous = IntArray(b.length + 1) { it }
+    for (i in a.indices) {
+        val row = IntArray(b.length + 1)
+        row[0] = i + 1
+        for (j in b.indices) {
+            val change = if (a[i].equals(b[j], ignoreCase = true)) 0 else 1
+            row[j + 1] = minOf(previous[j] + change, previous[j + 1] + 1, row[j] + 1)
+        }
+        previous = row
+    }
+    return previous[b.length]
+}

@@ -1,0 +1,79 @@
+package daphnis.core.scenario
+
+import daphnis.core.TimeStep
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.Images
+import daphnis.core.population.Population
+import daphnis.core.search.Overlap
+import kotlin.math.abs
+
+/** Whether a population can start in its box: inside, wide enough for its images, nobody in anybody's place. */
+internal class StartCheck(
+    private val scenario: Scenario,
+    private val population: Population,
+    private val boundary: BoundaryConditions,
+    private val check: ValueCheck,
+) {
+    fun check(timeStep: TimeStep) {
+        val box = boundary.box
+        val largest = population.radius.max()
+        for (axis in 0..2) {
+            val length = box.length(axis)
+            val key = "box.lengths[$axis]"
+            when (boundary.contactFaces(axis)) {
+                ContactFaces.PERIODIC -> {
+                    check.that(key, length, length > 2 * largest) { "must exceed the diameter of the largest sphere, ${2 * largest}, or it would touch its own image" }
+                    checkCrossings(axis, largest, timeStep)
+                }
+                ContactFaces.WALL -> check.that(key, length, length > 2 * largest) { "must exceed the diameter of the largest sphere, ${2 * largest}" }
+                ContactFaces.OPEN -> check.that(key, length, length > 2 * largest) { "is thinner than the largest sphere, ${2 * largest}" }
+            }
+            checkInside(axis)
+        }
+        checkSlide(timeStep)
+        val overlap = Overlap.deepest(population, boundary, 0.0)
+        val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
+        check.that(key, "given", overlap.depth <= TOLERANCE) {
+            "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; nobody may overlap at the start"
+        }
+    }
+
+    private fun checkInside(axis: Int) {
+        val p = if (axis == 0) population.x else if (axis == 1) population.y else population.z
+        val box = boundary.box
+        val wall = boundary.contactFaces(axis) == ContactFaces.WALL
+        for (k in 0 until population.size) {
+            val margin = if (wall) population.radius[k] * (1 - TOLERANCE) else 0.0
+            val inside = p[k] - margin >= box.lower(axis) && p[k] + margin <= box.upper(axis)
+            val name = "xyz"[axis]
+            check.that("placement", "given", inside) {
+                "particle ${population.id[k]} at $name = ${p[k]} is outside the box, $name from ${box.lower(axis)} to ${box.upper(axis)}"
+            }
+        }
+    }
+
+    private fun checkCrossings(axis: Int, largest: Double, timeStep: TimeStep) {
+        val v = if (axis == 0) population.vx else if (axis == 1) population.vy else population.vz
+        var fastest = 0.0
+        for (u in v) fastest = maxOf(fastest, abs(u))
+        val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
+        check.that("timeStep", "given", range < boundary.box.length(axis) * (Images.FARTHEST - 2)) {
+            "is so long that the fastest sphere passes many times through the box along ${"xyz"[axis]}; take a smaller dt"
+        }
+    }
+
+    /** Images that slide by many boxes in a step would each have to be searched. */
+    private fun checkSlide(timeStep: TimeStep) {
+        val shear = boundary.shear ?: return
+        val slide = abs(shear.velocity) * timeStep.next(population)
+        check.that("timeStep", "given", slide < boundary.box.length(shear.slideAxis) * MOST_SLIDE) {
+            "is so long that images slide by $slide in a step; take a smaller dt or shear rate"
+        }
+    }
+
+    private companion object {
+        const val TOLERANCE = 1e-9
+        const val MOST_SLIDE = 50
+    }
+}

@@ -1,0 +1,20 @@
+package daphnis.core.scenario
+
+/** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
+internal class ValueCheck(
+    private val source: String,
+) {
+    inline fun that(key: String, value: Any?, ok: Boolean, problem: () -> String) {
+        if (!ok) fail(key, "is $value; ${problem()}")
+    }
+
+    fun positive(key: String, value: Double) {
+        that(key, value, value > 0 && value.isFinite()) { "must be > 0" }
+    }
+
+    fun fraction(key: String, value: Double) {
+        that(key, value, value in 0.0..1.0) { "must be in [0, 1]" }
+    }
+
+    fun fail(key: String, problem: String): Nothing = throw InputException(source, key, problem)
+}

@@ -1,0 +1,90 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import daphnis.analysis.plot.RunPlot
+import daphnis.core.run.Run
+import daphnis.core.run.Summary
+import java.util.Locale
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+
+/** Carries out what [start] makes, with progress, a plot and the closing lines; Ctrl-C ends it with a checkpoint. */
+internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
+    val interruption = Interruption()
+    try {
+        start().use { run ->
+            for (notice in run.notices) System.err.println("daphnis: $notice")
+            val directory = run.directory.path
+            if (!quiet) {
+                val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else ""
+                println("${run.simulation.population.size} spheres, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
+            }
+            val progress = Progress(quiet)
+            interruption.armed = true
+            val summary = run.execute(progress) { interruption.requested }
+            progress.close()
+            if (!summary.finished) {
+                println("interrupted after step ${summary.steps}; go on with: daphnis resume $directory")
+                throw ProgramResult(EXIT_INTERRUPTED)
+            }
+            if (run.directory.series.toFile().length() > 0) {
+                try {
+                    RunPlot.write(run.directory.series, run.directory.plots)
+                } catch (e: RuntimeException) {
+                    // The numbers are safe; a missing plot is no reason to call the run failed.
+                    System.err.println("daphnis: no plot: ${e.message}")
+                }
+            }
+            report(summary)
+        }
+    } finally {
+        interruption.done()
+    }
+}
+
+private fun report(summary: Summary) {
+    fun say(format: String, vararg values: Any) = println(String.format(Locale.ROOT, format, *values))
+    say("%d steps to time %.6g in %.1f s, %d collisions", summary.steps, summary.time, summary.wallSeconds, summary.collisions)
+    say("temperature %.6g, energy %.6g, deepest overlap %.2g", summary.temperature, summary.energy, summary.maxOverlap)
+    if (summary.guardActivations > 0) say("the collapse guard made %d collisions elastic", summary.guardActivations)
+    println("state digest ${summary.stateDigest}")
+}
+
+/**
+ * Turns Ctrl-C and a polite kill into a request that the run sees between two steps. The JVM ends as soon as its hooks have, so
+ * the hook waits until the run has written its checkpoint.
+ */
+private class Interruption {
+    @Volatile
+    var requested = false
+
+    /** Whether there is a run that can end with a checkpoint. */
+    @Volatile
+    var armed = false
+
+    private val finished = CountDownLatch(1)
+    private val hook = Thread {
+        requested = true
+        if (armed && finished.await(LONGEST_WAIT_MINUTES, TimeUnit.MINUTES)) Runtime.getRuntime().halt(EXIT_INTERRUPTED)
+    }
+
+    init {
+        Runtime.getRuntime().addShutdownHook(hook)
+    }
+
+    fun done() {
+        System.out.flush()
+        finished.countDown()
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook)
+        } catch (e: IllegalStateException) {
+            // The hook runs already: it will end the process; nothing may be returned to the shell before.
+            Thread.currentThread().join()
+        }
+    }
+
+    private companion object {
+        const val LONGEST_WAIT_MINUTES = 10L
+    }
+}

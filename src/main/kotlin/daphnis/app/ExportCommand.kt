@@ -1,0 +1,74 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.required
+import com.github.ajalt.clikt.parameters.types.choice
+import com.github.ajalt.clikt.parameters.types.double
+import daphnis.core.format.CartAndRad
+import daphnis.core.format.ExtendedXyz
+import daphnis.core.format.Frame
+import daphnis.core.format.H5md
+import daphnis.core.format.Vtp
+import daphnis.core.run.RunDirectory
+import daphnis.core.run.Version
+import daphnis.core.scenario.InputException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** `daphnis export`: the snapshots of a run in a format of the community. */
+class ExportCommand : CliktCommand(name = "export") {
+    private val directory by argument("dir", help = "run directory")
+    private val format by option("--format", help = "xyz (OVITO, ASE), vtp (ParaView), h5md (h5py, MDAnalysis) or cartandrad (SwiftVis)").choice("xyz", "vtp", "h5md", "cartandrad").required()
+    private val out by option("--out", metavar = "dir", help = "where to write (default: DIR/export)")
+    private val scale by option("--scale", help = "factor on lengths in xyz (default: 1, or 1 / mean radius for boxes no longer than 4)").double()
+
+    override fun help(context: Context) = "Write the snapshots of a run as xyz, vtp, h5md or cartandrad."
+
+    override fun run() {
+        val run = RunDirectory(Path.of(directory))
+        if (!Files.exists(run.scenario)) throw InputException(directory, null, "is no run directory")
+        val steps = run.snapshotSteps()
+        if (steps.isEmpty()) throw InputException(directory, null, "has no snapshots; run with --set output.snapshotEvery=10, say")
+        val target = out?.let { Path.of(it) } ?: run.path.resolve("export")
+        Files.createDirectories(target)
+        val frames = steps.asSequence().map { H5md.read(run.snapshot(it)).first() }
+        val written = when (format) {
+            "xyz" -> xyz(frames, target)
+            "vtp" -> vtp(frames, target)
+            "h5md" -> target.resolve("trajectory.h5").also { H5md.write(frames.toList(), it, Version.text) }
+            else -> cartAndRad(frames, target)
+        }
+        println("${steps.size} snapshots to $written")
+    }
+
+    private fun xyz(frames: Sequence<Frame>, target: Path): Path {
+        scale?.let { if (!(it > 0 && it.isFinite())) throw InputException("--scale", null, "is $it; it must be > 0") }
+        val file = target.resolve("trajectory.xyz")
+        var factor = scale
+        Files.newBufferedWriter(file).use { out ->
+            for (frame in frames) {
+                if (factor == null) factor = ExtendedXyz.suitableScale(frame)
+                ExtendedXyz.write(frame, out, factor)
+            }
+        }
+        if (factor != 1.0) println("lengths and velocities are multiplied by $factor (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them")
+        return file
+    }
+
+    private fun vtp(frames: Sequence<Frame>, target: Path): Path {
+        val names = frames.map { frame ->
+            val name = "%010d.vtp".format(java.util.Locale.ROOT, frame.step)
+            Vtp.write(frame, target.resolve(name))
+            name to frame.time
+        }.toList()
+        return target.resolve("trajectory.pvd").also { Vtp.writeIndex(names, it) }
+    }
+
+    private fun cartAndRad(frames: Sequence<Frame>, target: Path): Path {
+        for (frame in frames) CartAndRad.write(frame.population(), target.resolve("CartAndRad.${frame.step}.bin"))
+        return target
+    }
+}

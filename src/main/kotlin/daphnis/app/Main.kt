@@ -1,0 +1,64 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.CliktError
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.parse
+import com.github.ajalt.clikt.core.subcommands
+import com.github.ajalt.clikt.parameters.options.versionOption
+import daphnis.core.format.FormatException
+import daphnis.core.run.RunException
+import daphnis.core.run.Version
+import daphnis.core.scenario.InputException
+import java.io.IOException
+import kotlin.system.exitProcess
+
+/** `daphnis`, the command line: see `daphnis --help` and docs/guide.md. */
+class Daphnis : CliktCommand(name = "daphnis") {
+    init {
+        versionOption(Version.text)
+    }
+
+    override fun help(context: Context) = "Event-driven simulation of very many colliding spheres: planetary rings, granular flow, hard-sphere gases."
+
+    override fun run() = Unit
+}
+
+fun main(args: Array<String>) {
+    exitProcess(runDaphnis(args))
+}
+
+/** Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted after a checkpoint. Never a stack trace for a user's mistake. */
+internal fun runDaphnis(args: Array<String>): Int {
+    val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), ScenariosCommand(), DescribeCommand())
+    return try {
+        command.parse(args)
+        EXIT_DONE
+    } catch (e: ProgramResult) {
+        e.statusCode
+    } catch (e: CliktError) {
+        command.echoFormattedHelp(e)
+        if (e.statusCode == 0) EXIT_DONE else EXIT_INPUT
+    } catch (e: InputException) {
+        complain(e.message.orEmpty(), EXIT_INPUT)
+    } catch (e: FormatException) {
+        complain(e.message.orEmpty(), EXIT_INPUT)
+    } catch (e: RunException) {
+        complain(e.message.orEmpty(), EXIT_FAILED)
+    } catch (e: IOException) {
+        complain("${e.javaClass.simpleName}: ${e.message}", EXIT_FAILED)
+    } catch (e: OutOfMemoryError) {
+        complain("not enough memory (the JVM has ${Runtime.getRuntime().maxMemory() shr 20} MiB); raise it with JAVA_OPTS=-Xmx…", EXIT_FAILED)
+    }
+}
+
+private fun complain(message: String, code: Int): Int {
+    System.err.println("daphnis: $message")
+    return code
+}
+
+internal const val EXIT_DONE = 0
+internal const val EXIT_FAILED = 1
+internal const val EXIT_INPUT = 2
+internal const val EXIT_INTERRUPTED = 130

@@ -1,0 +1,23 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.double
+import daphnis.core.run.Run
+import java.nio.file.Path
+
+/** `daphnis resume`. */
+class ResumeCommand : CliktCommand(name = "resume") {
+    private val directory by argument("dir", help = "run directory")
+    private val until by option("--until", help = "end at this time instead of the scenario's").double()
+    private val quiet by option("--quiet", help = "no progress").flag()
+
+    override fun help(context: Context) = "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
+
+    override fun run() {
+        carryOut(quiet) { Run.resume(Path.of(directory), until) }
+    }
+}

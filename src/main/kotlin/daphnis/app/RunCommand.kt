@@ -1,0 +1,66 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.default
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.double
+import com.github.ajalt.clikt.parameters.types.int
+import com.github.ajalt.clikt.parameters.types.long
+import daphnis.core.run.Run
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.TimeStepSpec
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** `daphnis run`. */
+class RunCommand : CliktCommand(name = "run") {
+    private val scenario by argument(help = "scenario file or built-in name (default: paper-figure-1)").default("paper-figure-1")
+    private val engine by option("--engine", help = "collision engine")
+    private val threads by option("--threads", help = "threads of the engine").int()
+    private val steps by option("--steps", help = "end after this many steps").long()
+    private val until by option("--until", help = "end at this time").double()
+    private val seed by option("--seed", help = "seed of the initial state").long()
+    private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenario, such as timeStep.dt=0.05").multiple()
+    private val out by option("--out", metavar = "dir", help = "run directory (default: runs/NAME, numbered when it exists)")
+    private val force by option("--force", help = "replace the run in the run directory").flag()
+    private val quiet by option("--quiet", help = "no progress").flag()
+
+    override fun help(context: Context) = "Simulate a scenario into a run directory."
+
+    override fun run() {
+        val resolved = resolve(scenarioNamed(scenario, settings + shorthands()))
+        val directory = out?.let { Path.of(it) } ?: freeDirectory(resolved.name)
+        carryOut(quiet) { Run.start(resolved, scenario, directory, force) }
+    }
+
+    private fun shorthands() = listOfNotNull(
+        engine?.let { "engine.name=$it" },
+        threads?.let { "engine.threads=$it" },
+        until?.let { "until=$it" },
+        seed?.let { "seed=$it" },
+    )
+
+    private fun resolve(scenario: Scenario): Scenario {
+        val steps = steps ?: return scenario
+        if (until != null) throw InputException("--steps", null, "is given together with --until; one of the two is enough")
+        if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
+        val step = scenario.timeStep as? TimeStepSpec.Fixed ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
+        return scenario.copy(until = steps * step.dt)
+    }
+
+    /** runs/NAME, or runs/NAME-2, -3, … */
+    private fun freeDirectory(name: String): Path {
+        val safe = name.map { if (it.isLetterOrDigit() || it in "-_.") it else '-' }.joinToString("").trim('.').take(LONGEST_NAME).ifEmpty { "run" }
+        val base = Path.of("runs").resolve(safe)
+        return generateSequence(1) { it + 1 }.map { if (it == 1) base else base.resolveSibling("$safe-$it") }.first { !Files.exists(it) }
+    }
+
+    private companion object {
+        const val LONGEST_NAME = 80
+    }
+}

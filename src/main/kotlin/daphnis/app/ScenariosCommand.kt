@@ -1,0 +1,25 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.optional
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.InputException
+
+/** `daphnis scenarios`. */
+class ScenariosCommand : CliktCommand(name = "scenarios") {
+    private val wanted by argument("name", help = "built-in scenario to print, to start your own from").optional()
+
+    override fun help(context: Context) = "List the built-in scenarios, or print one."
+
+    override fun run() {
+        val name = wanted
+        if (name == null) {
+            val width = BuiltIn.names.maxOf { it.length }
+            for (known in BuiltIn.names) println("${known.padEnd(width)}  ${BuiltIn.scenario(known).description}")
+        } else {
+            print(BuiltIn.text(name) ?: throw InputException(name, null, "no built-in scenario; known: ${BuiltIn.names.joinToString()}"))
+        }
+    }
+}
