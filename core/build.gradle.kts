@@ -7,6 +7,5 @@ kotlin { explicitApi() }
 dependencies {
     api(libs.serialization.json)
     implementation(libs.jhdf)
-    testImplementation(libs.kotest.property)
     testRuntimeOnly(libs.slf4j.nop)
 }

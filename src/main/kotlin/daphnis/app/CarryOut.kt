@@ -30,7 +30,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             }
             if (run.directory.series.toFile().length() > 0) {
                 try {
-                    RunPlot.write(run.directory.series, run.directory.plots)
+                    RunPlot.write(run.directory.series, run.directory.plots, summary.scenario)
                 } catch (e: RuntimeException) {
                     // The numbers are safe; a missing plot is no reason to call the run failed.
                     System.err.println("daphnis: no plot: ${e.message}")

@@ -24,12 +24,13 @@ public object RunPlot {
     /**
      * Draws the time series in the file [series] into `run.svg` and `run.png` in [directory], which is made.
      *
+     * @param title what stands above, such as the name of the scenario
      * @throws IllegalArgumentException when the series has fewer than two rows
      */
-    public fun write(series: Path, directory: Path) {
+    public fun write(series: Path, directory: Path, title: String) {
         val rows = read(series)
         require(rows.size >= 2) { "the time series has ${rows.size} rows; two are needed" }
-        val figure = gggrid(listOf(temperature(rows), collisions(rows)), ncol = 1) + ggsize(WIDTH, HEIGHT)
+        val figure = gggrid(listOf(temperature(rows, title), collisions(rows)), ncol = 1, align = true) + ggsize(WIDTH, HEIGHT)
         val svg = svg(figure)
         Files.createDirectories(directory)
         Files.writeString(directory.resolve("run.svg"), svg)
@@ -52,24 +53,32 @@ public object RunPlot {
         return all.filterIndexed { k, _ -> k % stride == 0 || k == all.lastIndex }
     }
 
-    private fun temperature(rows: List<Row>): Plot {
+    private fun temperature(rows: List<Row>, title: String): Plot {
         val data = mapOf("time" to rows.map { it.time }, "temperature" to rows.map { it.temperature })
         val plot = letsPlot(data) + geomLine(color = INK, size = LINE) { x = "time"; y = "temperature" } +
-            labs(x = "time", y = "granular temperature ⟨c²⟩/3") + look()
-        val positive = rows.all { it.temperature > 0 }
-        val spread = positive && rows.maxOf { it.temperature } > LOG_FROM * rows.minOf { it.temperature }
-        return if (spread) plot + scaleYLog10() else plot
+            labs(title = title, x = "time", y = "granular temperature ⟨c²⟩/3") + look()
+        return onSuitableScale(plot, rows.map { it.temperature })
     }
 
+    /** The rate between rows so far apart that there are at most [MOST_BINS] of them, lest the noise of single steps hide it. */
     private fun collisions(rows: List<Row>): Plot {
-        val pairs = rows.zipWithNext().filter { (a, b) -> b.time > a.time && b.particles > 0 }
-        val data = mapOf(
-            "time" to pairs.map { (a, b) -> (a.time + b.time) / 2 },
-            // Every collision is one of each of its two spheres.
-            "rate" to pairs.map { (a, b) -> 2 * (b.collisions - a.collisions) / b.particles / (b.time - a.time) },
-        )
-        return letsPlot(data) + geomLine(color = ACCENT, size = LINE) { x = "time"; y = "rate" } +
+        val stride = maxOf(1, rows.size / MOST_BINS)
+        val pairs = rows.filterIndexed { k, _ -> k % stride == 0 }.zipWithNext().filter { (a, b) -> b.time > a.time && b.particles > 0 }
+        // Every collision is one of each of its two spheres.
+        val rates = pairs.map { (a, b) -> 2 * (b.collisions - a.collisions) / b.particles / (b.time - a.time) }
+        val data = mapOf("time" to pairs.map { (a, b) -> (a.time + b.time) / 2 }, "rate" to rates)
+        val plot = letsPlot(data) + geomLine(color = ACCENT, size = LINE) { x = "time"; y = "rate" } +
             labs(x = "time", y = "collisions of a sphere per unit time") + look()
+        return onSuitableScale(plot, rates)
+    }
+
+    /** Logarithmic when the values spread over much and are positive; else linear. */
+    private fun onSuitableScale(plot: Plot, values: List<Double>): Plot {
+        if (values.isEmpty() || values.min() <= 0) return plot
+        val low = values.min()
+        val high = values.max()
+        val room = Math.pow(high / low, ROOM)
+        return if (high > LOG_FROM * low) plot + scaleYLog10(limits = low / room to high * room) else plot
     }
 
     private fun look() = themeMinimal()
@@ -89,7 +98,9 @@ public object RunPlot {
     private const val HEIGHT = 640
     private const val PNG_SCALE = 2
     private const val MOST_POINTS = 2000
+    private const val MOST_BINS = 150
     private const val LOG_FROM = 5.0
+    private const val ROOM = 0.05
     private const val LINE = 0.9
     private const val INK = "#1f4e79"
     private const val ACCENT = "#b3541e"

@@ -1,0 +1,91 @@
+package daphnis.core.engine
+
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.Images
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.WallContact
+import daphnis.core.collision.contactTime
+import daphnis.core.queue.ReferenceEventQueue
+import kotlin.math.abs
+import kotlin.math.ceil
+
+/**
+ * The slow oracle: the serial engine without grid, bound or fast queue. Every pair and every image that could possibly matter is asked
+ * after every collision, so nothing can be missed.
+ */
+class BruteForceEngine : CollisionEngine {
+    override val name get() = "brute-force"
+    override val threads get() = 1
+
+    private val rows = StepRows()
+    private val images = Images()
+    private val walls = WallContact()
+    private val queue = ReferenceEventQueue()
+    private var codes = IntArray(0)
+
+    override fun advance(step: CollisionStep) {
+        val n = step.population.size
+        step.record?.clear()
+        rows.load(step.population, IntArray(n) { it }, step.law.guard.needsLastCollision)
+        images.prepare(step.boundary, step.start)
+        walls.prepare(step.boundary)
+        codes = imageCodes(step)
+        queue.reset(step.duration, rows.id, n)
+        for (a in 0 until n) {
+            for (b in a + 1 until n) codes.forEach { queue(step, a, b, it) }
+            queueWalls(step, a)
+        }
+        while (queue.pop()) {
+            val time = queue.time
+            val a = queue.first
+            val b = queue.second
+            queue.removeAllOf(a)
+            if (b < 0) {
+                walls.reflect(rows, a, WallContact.face(b), time)
+                step.counters.wallCollisions++
+            } else {
+                queue.removeAllOf(b)
+                if (step.law.collide(rows, a, b, queue.image, images, time)) {
+                    step.counters.collisions++
+                    if (step.law.guarded) step.counters.guardActivations++
+                    step.record?.add(time, rows.id[a], rows.id[b], step.law)
+                }
+                for (c in 0 until n) if (c != a && c != b) codes.forEach { queue(step, b, c, it) }
+                queueWalls(step, b)
+            }
+            for (c in 0 until n) if (c != a) codes.forEach { queue(step, a, c, it) }
+            queueWalls(step, a)
+        }
+        rows.store(step.population, step.duration)
+    }
+
+    private fun queue(step: CollisionStep, a: Int, b: Int, code: Int) {
+        val t = contactTime(rows, a, b, code, images)
+        if (t <= step.duration) queue.add(t, a, b, code)
+    }
+
+    private fun queueWalls(step: CollisionStep, a: Int) {
+        for (face in 0 until WallContact.FACES) {
+            val t = walls.time(rows, a, face)
+            if (t <= step.duration) queue.add(t, a, WallContact.partner(face), 0)
+        }
+    }
+
+    /** Twice as far as the fastest could come. */
+    private fun imageCodes(step: CollisionStep): IntArray {
+        val p = step.population
+        var fastest = 0.0
+        for (k in 0 until p.size) fastest = maxOf(fastest, abs(p.vx[k]), abs(p.vy[k]), abs(p.vz[k]))
+        val largest = if (p.size == 0) 0.0 else p.radius.max()
+        val range = 2 * largest + 4 * fastest * step.duration
+        val shear = step.boundary.shear
+        val far = IntArray(3) { axis ->
+            if (step.boundary.contactFaces(axis) != ContactFaces.PERIODIC) return@IntArray 0
+            val slide = if (shear != null && shear.slideAxis == axis) 2 + abs(shear.velocity) * step.duration * 4 / step.boundary.box.length(axis) else 0.0
+            1 + ceil(range / step.boundary.box.length(axis) + slide).toInt()
+        }
+        return buildList {
+            for (x in -far[0]..far[0]) for (y in -far[1]..far[1]) for (z in -far[2]..far[2]) add(Images.code(x, y, z))
+        }.toIntArray()
+    }
+}
