@@ -88,7 +88,8 @@ public class CollisionLaw(
             rows.lastCollision[first] = time
             rows.lastCollision[second] = time
         }
-        impulse = -f2 * m2 * distance
+        // From the reduced mass, so that it is the same to the last bit from either side.
+        impulse = (1.0 + coefficient) * impactSpeed * (m1 * m2 / (m1 + m2))
         separationX = dx
         separationY = dy
         separationZ = dz

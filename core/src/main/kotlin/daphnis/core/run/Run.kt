@@ -63,8 +63,10 @@ public class Run private constructor(
         fun seconds() = (System.nanoTime() - begin) * 1e-9
         try {
             RunOutputs(directory, scenario.output, lengths).use { outputs ->
-                if (simulation.step == 0L) outputs.write(simulation)
-                if (lengths == null) checkpoint(outputs, 0.0)
+                if (lengths == null) {
+                    outputs.write(simulation)
+                    checkpoint(outputs, 0.0)
+                }
                 var finished = isDone()
                 while (!finished && !cancelled()) {
                     simulation.advance()

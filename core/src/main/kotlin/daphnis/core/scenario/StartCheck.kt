@@ -3,7 +3,6 @@ package daphnis.core.scenario
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Images
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import kotlin.math.abs
@@ -58,8 +57,8 @@ internal class StartCheck(
         var fastest = 0.0
         for (u in v) fastest = maxOf(fastest, abs(u))
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
-        check.that("timeStep", "given", range < boundary.box.length(axis) * (Images.FARTHEST - 2)) {
-            "is so long that the fastest sphere passes many times through the box along ${"xyz"[axis]}; take a smaller dt"
+        check.that("timeStep", "given", range < boundary.box.length(axis) * MOST_BOXES) {
+            "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; take a smaller dt"
         }
     }
 
@@ -74,6 +73,9 @@ internal class StartCheck(
 
     private companion object {
         const val TOLERANCE = 1e-9
-        const val MOST_SLIDE = 50
+        const val MOST_SLIDE = 4
+
+        /** Bound on two spheres' ways in a step, in boxes; more would be right still, but every image in between would be searched. */
+        const val MOST_BOXES = 3
     }
 }

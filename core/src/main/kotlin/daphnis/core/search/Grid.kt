@@ -86,7 +86,7 @@ public class Grid {
      * Sorts [population] into cells for a step from [time] of [duration] in which nobody goes farther than [reach].
      *
      * @param reach bound along x, y, z; zeros find what touches at the start
-     * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond ±[Images.FARTHEST] would matter
+     * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond ±[MOST_BOXES] would matter
      */
     public fun build(population: Population, boundary: BoundaryConditions, time: Double, duration: Double, reach: DoubleArray) {
         n = population.size
@@ -263,8 +263,8 @@ public class Grid {
             extent[k] = if (n == 0) 0.0 else most - least
         }
         range[k] = bareRange * (1 + SLACK)
-        require(!periodic[k] || range[k] < extent[k] * (Images.FARTHEST - 1)) {
-            "the fastest sphere passes through the box along ${"xyz"[axis]} more than ${Images.FARTHEST - 2} times in a step; take a smaller dt"
+        require(!periodic[k] || range[k] < extent[k] * MOST_BOXES) {
+            "the fastest spheres meet images $MOST_BOXES boxes away along ${"xyz"[axis]} within a step; take a smaller dt"
         }
         val perRange = if (k == 0) ROW_CELLS_A_RANGE else 1
         cells[k] = (extent[k] / range[k] * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
@@ -352,14 +352,17 @@ public class Grid {
         return if (c >= cells[k]) cells[k] - 1 else if (c < 0) 0 else c
     }
 
-    private companion object {
-        const val INITIAL_RUNS = 64
-        const val ROW_CELLS_A_RANGE = 3
-        const val MOST_CELLS_ALONG = 1e6
-        const val MOST_CELLS_A_SPHERE = 8
-        const val LEAST_CELLS = 64.0
+    public companion object {
+        /** How many boxes away along an axis images are looked for; the work of a step grows with the cube of it. */
+        public const val MOST_BOXES: Int = 16
+
+        private const val INITIAL_RUNS = 64
+        private const val ROW_CELLS_A_RANGE = 3
+        private const val MOST_CELLS_ALONG = 1e6
+        private const val MOST_CELLS_A_SPHERE = 8
+        private const val LEAST_CELLS = 64.0
 
         /** Relative room for the rounding of cell numbers; round-off is some 1e-12 of it. */
-        const val SLACK = 1e-9
+        private const val SLACK = 1e-9
     }
 }

@@ -1,0 +1,111 @@
+package daphnis.core.format
+
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.permuted
+import daphnis.core.population.stateDigest
+import daphnis.core.randomSpheres
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.io.StringWriter
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Round trips of our own; independent readers are asked by tools/verify-exports.py. */
+class FormatsTest {
+    @TempDir
+    lateinit var home: Path
+
+    private val boundary = LeesEdwards(Box.centred(12.0, 11.0, 10.0), 0.5)
+    private val population = randomSpheres(70, boundary, 8, 1.0) { it.nextDouble(0.2, 0.6) }
+    private val frame = Frame.of(population.permuted(2), boundary, 5, 1.25)
+
+    @Test
+    fun `H5MD gives every number back`() {
+        val later = Frame.of(population, boundary, 6, 1.5)
+        val file = home.resolve("a.h5")
+        H5md.write(listOf(frame, later), file, "test")
+        val (a, b) = H5md.read(file)
+        assertEquals(stateDigest(population), stateDigest(a.population()))
+        assertEquals(listOf(5L, 6L), listOf(a.step, b.step))
+        assertEquals(listOf(1.25, 1.5), listOf(a.time, b.time))
+        assertArrayEquals(frame.radius, a.radius)
+        assertArrayEquals(frame.mass, a.mass)
+        assertArrayEquals(doubleArrayOf(12.0, 11.0, 10.0), a.lengths)
+        assertEquals(6.875, a.shearOffset)
+    }
+
+    @Test
+    fun `CartAndRad gives positions, velocities and radii back`() {
+        val file = home.resolve("a.bin")
+        CartAndRad.write(population.permuted(4), file)
+        assertEquals(4L + 56 * 70, Files.size(file))
+        val back = CartAndRad.read(file)
+        assertEquals(stateDigest(population), stateDigest(back))
+        assertArrayEquals(population.radius, back.radius)
+    }
+
+    @Test
+    fun `files that are none are refused in one line`() {
+        for ((k, bytes) in listOf(ByteArray(0), ByteArray(3), byteArrayOf(5, 0, 0, 0, 1, 2), ByteArray(60) { 0x7f }).withIndex()) {
+            val file = Files.write(home.resolve("bad$k"), bytes)
+            for (read in listOf<() -> Any>({ CartAndRad.read(file) }, { H5md.read(file) }, { ParticleCsv.read(file) })) {
+                val e = assertThrows(FormatException::class.java) { read() }
+                assertFalse('\n' in e.message.orEmpty())
+            }
+        }
+    }
+
+    @Test
+    fun `a table of particles names line and column of what is wrong`() {
+        fun wrong(text: String, vararg parts: String) {
+            val e = assertThrows(FormatException::class.java) { ParticleCsv.read(Files.writeString(home.resolve("p.csv"), text)) }
+            for (part in parts) assertTrue(part in e.message.orEmpty()) { e.message }
+        }
+        wrong("x,y,z\n1,2,3", "radius", "missing")
+        wrong("x,y,z,radius,colour\n", "colour")
+        wrong("x,y,z,radius\n1,2,3\n", "p.csv:2", "3 values")
+        wrong("x,y,z,radius\n1,2,3,0.5\n1,NaN,3,0.5\n", "p.csv:3", "y is 'NaN'")
+        wrong("x,y,z,radius\n1,2,3,-1\n", "radius", "> 0")
+        wrong("x,y,z,radius,id\n1,2,3,1,1.5\n", "whole number")
+        wrong("x,y,z,radius,id\n1,2,3,1,1\n1,2,9,1,1\n", "occurs twice")
+    }
+
+    @Test
+    fun `extended XYZ has the cell with its shear, and one line a sphere`() {
+        val out = StringWriter()
+        ExtendedXyz.write(frame, out, 2.0)
+        val lines = out.toString().trimEnd().lines()
+        assertEquals("70", lines[0])
+        assertTrue(lines[1].startsWith("Lattice=\"24.0 0.0 0.0 13.75 22.0 0.0 0.0 0.0 20.0\" Origin=\"-12.0 -11.0 -10.0\"")) { lines[1] }
+        assertTrue("Time=1.25" in lines[1] && "pbc=\"T T T\"" in lines[1])
+        assertEquals(72, lines.size)
+        val cells = lines[2].split(' ')
+        assertEquals(listOf(frame.position[0][0] * 2, frame.velocity[2][0] * 2, frame.radius[0] * 2, frame.mass[0]), listOf(cells[1], cells[6], cells[7], cells[8]).map { it.toDouble() })
+    }
+
+    @Test
+    fun `short boxes are given in radii, long ones as they are`() {
+        assertEquals(1.0, ExtendedXyz.suitableScale(frame))
+        val small = Frame(0, 0.0, doubleArrayOf(2.0, 2.0, 0.2), BooleanArray(3), 0.0, frame.id, frame.position, frame.velocity, DoubleArray(70) { 0.004 }, frame.mass)
+        assertEquals(250.0, ExtendedXyz.suitableScale(small), 1e-9)
+    }
+
+    @Test
+    fun `VTP says how long its blocks are`() {
+        val file = home.resolve("a.vtp")
+        Vtp.write(frame, file)
+        val bytes = Files.readAllBytes(file)
+        val start = String(bytes, Charsets.ISO_8859_1).indexOf("_", String(bytes, Charsets.ISO_8859_1).indexOf("<AppendedData")) + 1
+        val data = java.nio.ByteBuffer.wrap(bytes).order(java.nio.ByteOrder.LITTLE_ENDIAN)
+        assertEquals(8L, data.getLong(start))
+        assertEquals(1.25, data.getDouble(start + 8))
+        assertEquals(24L * 70, data.getLong(start + 16))
+        assertEquals(frame.position[1][0], data.getDouble(start + 32))
+    }
+}

@@ -1,0 +1,77 @@
+package daphnis.core.population
+
+import daphnis.core.Sphere
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
+import daphnis.core.permuted
+import daphnis.core.populationOf
+import daphnis.core.randomSpheres
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class PopulationTest {
+    private val p = randomSpheres(500, Periodic(Box.centred(20.0, 20.0, 20.0)), 5, 1.0) { 0.3 }
+
+    @Test
+    fun `digest and sums do not depend on the order of the arrays`() {
+        val q = p.permuted(9)
+        assertNotEquals(p.x[0], q.x[0])
+        assertEquals(stateDigest(p), stateDigest(q))
+        val a = Conserved.of(p)
+        val b = Conserved.of(q)
+        assertEquals(listOf(a.kineticEnergy, a.momentumX, a.momentumY, a.momentumZ), listOf(b.kineticEnergy, b.momentumX, b.momentumY, b.momentumZ))
+        assertEquals(granularTemperature(p, true), granularTemperature(q, true))
+    }
+
+    @Test
+    fun `one flipped bit changes the digest`() {
+        val q = p.copy()
+        q.vz[123] = Math.nextUp(q.vz[123])
+        assertNotEquals(stateDigest(p), stateDigest(q))
+    }
+
+    @Test
+    fun `the digest is SHA-256 over big-endian doubles in id order`() {
+        // sha256 of 48 zero bytes, from coreutils: head -c 48 /dev/zero | sha256sum
+        assertEquals("17b0761f87b081d5cf10757ccc89f12be355c70e2e29df288b65b30710dcbcd1", stateDigest(populationOf(Sphere())))
+    }
+
+    @Test
+    fun `spheres are found by id, also after some were removed`() {
+        val q = p.permuted(3)
+        for (k in 0 until q.size) assertEquals(k, q.indexOf(q.id[k]))
+        val gone = q.id[7]
+        q.retain { q.id[it] != gone }
+        assertEquals(499, q.size)
+        assertEquals(-1, q.indexOf(gone))
+        assertEquals(-1, q.indexOf(12345))
+        for (k in 0 until q.size) assertEquals(k, q.indexOf(q.id[k]))
+    }
+
+    @Test
+    fun `the granular temperature leaves out the mean and the sheared flow`() {
+        val still = granularTemperature(p, false)
+        val moving = p.copy()
+        for (k in 0 until moving.size) {
+            moving.vx[k] += 5 + 0.7 * moving.y[k]
+            moving.vz[k] -= 2
+        }
+        assertEquals(granularTemperature(p, true), granularTemperature(moving, true), 1e-12)
+        assertTrue(granularTemperature(moving, false) > still + 1)
+        assertEquals(1.0, still, 0.1)
+        assertEquals(0.0, granularTemperature(populationOf(Sphere(vx = 3.0)), true))
+    }
+
+    @Test
+    fun `what is no population is refused`() {
+        assertThrows(IllegalArgumentException::class.java) { populationOf(Sphere(r = 0.0)) }
+        assertThrows(IllegalArgumentException::class.java) { populationOf(Sphere(m = -1.0)) }
+        assertThrows(IllegalArgumentException::class.java) { populationOf(Sphere(x = Double.NaN)) }
+        val one = DoubleArray(2) { 1.0 }
+        assertThrows(IllegalArgumentException::class.java) { Population(one, one, one, one, one, one, one, one, intArrayOf(4, 4)) }
+        assertThrows(IllegalArgumentException::class.java) { Population(one, one, one, one, one, one, one, DoubleArray(1)) }
+    }
+}

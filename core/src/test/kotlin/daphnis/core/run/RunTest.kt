@@ -1,0 +1,208 @@
+package daphnis.core.run
+
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+class RunTest {
+    @TempDir
+    lateinit var home: Path
+
+    /** Lees–Edwards, TC guard and a collision log: everything that a checkpoint has to carry. */
+    private fun scenario(vararg settings: String): Scenario = ScenarioJson.parse(
+        """{
+          "name": "resumable", "seed": 3,
+          "box": { "lengths": [9, 9, 9] }, "boundary": { "type": "lees-edwards", "shearRate": 0.7 },
+          "particles": { "count": 150, "sizes": { "type": "power-law", "minimum": 0.2, "maximum": 0.6, "exponent": 2 } },
+          "velocities": { "type": "gaussian", "sigma": 1.0, "shearProfile": true },
+          "restitution": { "type": "constant", "coefficient": 0.6 },
+          "guard": { "type": "contact-duration", "duration": 0.01 },
+          "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 4.0,
+          "output": { "snapshotEvery": 8, "checkpointEvery": 5, "collisionLog": true }
+        }""",
+        "test",
+        settings.toList(),
+    )
+
+    private fun run(name: String, steps: Int = Int.MAX_VALUE, vararg settings: String): Summary =
+        Run.start(scenario(*settings), "test", home.resolve(name)).use { run ->
+            run.execute(cancelled = { run.simulation.step >= steps })
+        }
+
+    private fun resume(name: String): Pair<Summary, List<String>> = Run.resume(home.resolve(name)).use { it.execute() to it.notices }
+
+    private fun files(name: String) = listOf("series.csv", "collisions.csv").associateWith { Files.readString(home.resolve(name).resolve(it)) }
+
+    @Test
+    fun `a run leaves its scenario, states, series, log, checkpoint and summary`() {
+        val summary = run("a")
+        assertTrue(summary.finished)
+        assertEquals(40L, summary.steps)
+        assertEquals(4.0, summary.time)
+        assertTrue(summary.guardActivations > 0) { "the guard should have had work here" }
+        val directory = RunDirectory(home.resolve("a"))
+        assertEquals(listOf(0L, 8L, 16L, 24L, 32L, 40L), directory.snapshotSteps())
+        assertEquals(42, Files.readAllLines(directory.series).size)
+        assertEquals(summary.collisions, Files.readAllLines(directory.collisions).size - 1L)
+        assertEquals(summary.stateDigest, Summary.read(directory.summary).stateDigest)
+    }
+
+    @Test
+    fun `the scenario in the run directory gives the same digest again`() {
+        val first = run("a")
+        val again = Run.start(ScenarioJson.read(home.resolve("a/scenario.json")), "again", home.resolve("b")).use { it.execute() }
+        assertEquals(first.stateDigest, again.stateDigest)
+    }
+
+    @Test
+    fun `interrupted at any step and resumed, a run ends in the same digest, series and log`() {
+        val whole = run("whole")
+        for (steps in listOf(0, 1, 5, 17, 39)) {
+            val broken = run("broken$steps", steps)
+            assertFalse(broken.finished)
+            val (resumed, notices) = resume("broken$steps")
+            assertEquals(emptyList<String>(), notices)
+            assertEquals(whole.stateDigest, resumed.stateDigest)
+            assertEquals(listOf(whole.collisions, whole.guardActivations, whole.steps), listOf(resumed.collisions, resumed.guardActivations, resumed.steps))
+            assertEquals(files("whole"), files("broken$steps"))
+            for (step in RunDirectory(home.resolve("whole")).snapshotSteps()) {
+                val a = daphnis.core.format.H5md.read(RunDirectory(home.resolve("whole")).snapshot(step)).single()
+                val b = daphnis.core.format.H5md.read(RunDirectory(home.resolve("broken$steps")).snapshot(step)).single()
+                assertArrayEquals(a.position[0], b.position[0])
+            }
+        }
+    }
+
+    @Test
+    fun `what was written after the checkpoint is not there twice`() {
+        val whole = run("whole")
+        run("broken", 17)
+        for (name in listOf("series.csv", "collisions.csv")) {
+            Files.writeString(home.resolve("broken").resolve(name), "17,1.7,half a li", java.nio.file.StandardOpenOption.APPEND)
+        }
+        assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
+        assertEquals(files("whole"), files("broken"))
+    }
+
+    @Test
+    fun `killed before the first checkpoint, resume starts from the scenario`() {
+        val whole = run("whole")
+        run("broken", 0)
+        Files.delete(home.resolve("broken/checkpoint"))
+        Files.deleteIfExists(home.resolve("broken/checkpoint.previous"))
+        assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
+        assertEquals(files("whole"), files("broken"))
+    }
+
+    @Test
+    fun `killed between the two renames, the previous checkpoint serves`() {
+        val whole = run("whole")
+        run("broken", 17)
+        Files.move(home.resolve("broken/checkpoint"), home.resolve("broken/checkpoint.new"))
+        assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
+        assertEquals(files("whole"), files("broken"))
+    }
+
+    @Test
+    fun `a checkpoint cut short or with a flipped bit anywhere is noticed and the one before is used`() {
+        val whole = run("whole")
+        run("broken", 17)
+        val file = home.resolve("broken/checkpoint")
+        val good = Files.readAllBytes(file)
+        val damages = listOf(0, 5, 11, 14, 100, 900, good.size / 2, good.size - 1).map { at -> good.copyOf().also { it[at] = (it[at].toInt() xor 0x10).toByte() } } +
+            listOf(0, 3, 12, 40, good.size / 2, good.size - 1).map { good.copyOf(it) }
+        for ((k, bytes) in damages.withIndex()) {
+            val e = Files.write(home.resolve("damaged$k"), bytes)
+            val problem = assertThrows(CheckpointException::class.java) { Checkpoint.read(e) }
+            assertFalse('\n' in problem.message.orEmpty())
+        }
+        Files.write(file, damages[5])
+        val (resumed, notices) = resume("broken")
+        assertEquals(whole.stateDigest, resumed.stateDigest)
+        assertTrue(notices.first().contains("checkpoint") && notices.first().contains("damaged")) { notices.toString() }
+        assertEquals(files("whole"), files("broken"))
+    }
+
+    @Test
+    fun `when both checkpoints are damaged, one line says so`() {
+        run("broken", 17)
+        for (name in listOf("checkpoint", "checkpoint.previous")) Files.write(home.resolve("broken").resolve(name), ByteArray(10))
+        val e = assertThrows(InputException::class.java) { resume("broken") }
+        assertTrue(e.message.orEmpty().contains("no checkpoint is left")) { e.message }
+        assertFalse('\n' in e.message.orEmpty())
+    }
+
+    @Test
+    fun `a checkpoint of another version is refused by name`() {
+        run("broken", 17)
+        val file = home.resolve("broken/checkpoint")
+        Files.write(file, Files.readAllBytes(file).also { it[11] = 99 })
+        val e = assertThrows(InputException::class.java) { resume("broken") }
+        assertTrue(e.message.orEmpty().contains("format 99")) { e.message }
+    }
+
+    @Test
+    fun `a run directory that exists is not overwritten without force, and nothing else is with it`() {
+        run("a", 3)
+        assertThrows(InputException::class.java) { run("a") }
+        Run.start(scenario(), "test", home.resolve("a"), force = true).use { it.execute(cancelled = { it.simulation.step >= 2 }) }
+        Files.createDirectories(home.resolve("mine"))
+        Files.writeString(home.resolve("mine/thesis.txt"), "precious")
+        val e = assertThrows(InputException::class.java) { Run.start(scenario(), "test", home.resolve("mine"), force = true) }
+        assertTrue(e.message.orEmpty().contains("holds no run")) { e.message }
+        assertEquals("precious", Files.readString(home.resolve("mine/thesis.txt")))
+    }
+
+    @Test
+    fun `two processes cannot write into one run`() {
+        Run.start(scenario(), "test", home.resolve("a")).use {
+            assertThrows(InputException::class.java) { Run.resume(home.resolve("a")) }
+        }
+    }
+
+    @Test
+    fun `a longer end goes on where the run ended`() {
+        val long = run("long", Int.MAX_VALUE, "until=6.0")
+        run("short")
+        val resumed = Run.resume(home.resolve("short"), until = 6.0).use { it.execute() }
+        assertEquals(long.stateDigest, resumed.stateDigest)
+    }
+
+    @Test
+    fun `steps bounded by cell crossing are the same after a resume`() {
+        val settings = arrayOf("timeStep={\"type\":\"cell-crossing\",\"fraction\":0.3,\"longest\":0.5}", "until=2.0")
+        val whole = run("whole", Int.MAX_VALUE, *settings)
+        assertTrue(whole.steps > 5)
+        run("broken", 4, *settings)
+        assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
+    }
+
+    @Test
+    fun `an engine that is not there is named`() {
+        val e = assertThrows(InputException::class.java) { run("a", 1, "engine.name=seriel") }
+        assertTrue(e.message.orEmpty().contains("engine.name") && e.message.orEmpty().contains("serial"))
+        assertThrows(InputException::class.java) { run("b", 1, "engine.threads=2") }
+        assertFalse(Files.exists(home.resolve("a"))) { "a refused scenario leaves no directory" }
+    }
+
+    @Test
+    fun `a scenario that starts from a file keeps the file`() {
+        Files.writeString(home.resolve("start.csv"), "# two\nx, y, z, vx, radius, id\n-2, 0, 0, 1, 0.5, 7\n2,0.1,0,-1,0.5,3\n")
+        val text = """{ "box": { "lengths": [9, 9, 9] }, "boundary": { "type": "walls" }, "placement": { "type": "file", "path": "start.csv" },
+            "restitution": { "type": "bridges" }, "timeStep": { "type": "fixed", "dt": 0.5 }, "until": 3 }"""
+        val first = Run.start(ScenarioJson.parse(text, "t").atHome(home), "t", home.resolve("a")).use { it.execute() }
+        assertTrue(first.collisions > 0)
+        Files.delete(home.resolve("start.csv"))
+        val again = Run.start(ScenarioJson.read(home.resolve("a/scenario.json")).atHome(home.resolve("a")), "t", home.resolve("b")).use { it.execute() }
+        assertEquals(first.stateDigest, again.stateDigest)
+    }
+}
