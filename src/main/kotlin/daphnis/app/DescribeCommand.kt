@@ -42,12 +42,28 @@ class DescribeCommand : CliktCommand(name = "describe") {
 
     private fun describeStep(setup: ScenarioSetup, scenario: Scenario) {
         val dt = setup.timeStep.next(setup.population)
-        val steps = if (setup.timeStep is FixedTimeStep) "%.0f".format(Locale.ROOT, ceil(scenario.until / dt - 1e-6)) else "at least %.0f".format(Locale.ROOT, scenario.until / dt)
+        val steps = if (setup.timeStep is FixedTimeStep) {
+            "%.0f".format(Locale.ROOT, ceil(scenario.until / dt - 1e-6))
+        } else {
+            "at least %.0f".format(
+                Locale.ROOT,
+                scenario.until / dt,
+            )
+        }
         row("steps", "%s of %.6g to time %.6g", steps, dt, scenario.until)
         val reach = Reach().apply { measure(setup.population, dt) }
         row("reach in a step", "%.4g x %.4g x %.4g", reach.bound[0], reach.bound[1], reach.bound[2])
         val grid = Grid().apply { build(setup.population, setup.boundary, 0.0, dt, reach.bound) }
-        row("cells", "%d x %d x %d, each %.4g x %.4g x %.4g", grid.cellsAlong(0), grid.cellsAlong(1), grid.cellsAlong(2), grid.cellWidth(0), grid.cellWidth(1), grid.cellWidth(2))
+        row(
+            "cells",
+            "%d x %d x %d, each %.4g x %.4g x %.4g",
+            grid.cellsAlong(0),
+            grid.cellsAlong(1),
+            grid.cellsAlong(2),
+            grid.cellWidth(0),
+            grid.cellWidth(1),
+            grid.cellWidth(2),
+        )
     }
 
     private fun row(label: String, format: String, vararg values: Any) {

@@ -21,7 +21,10 @@ import java.nio.file.Path
 /** `daphnis export`: the snapshots of a run in a format of the community. */
 class ExportCommand : CliktCommand(name = "export") {
     private val directory by argument("dir", help = "run directory")
-    private val format by option("--format", help = "xyz (OVITO, ASE), vtp (ParaView), h5md (h5py, MDAnalysis) or cartandrad (SwiftVis)").choice("xyz", "vtp", "h5md", "cartandrad").required()
+    private val format by option(
+        "--format",
+        help = "xyz (OVITO, ASE), vtp (ParaView), h5md (h5py, MDAnalysis) or cartandrad (SwiftVis)",
+    ).choice("xyz", "vtp", "h5md", "cartandrad").required()
     private val out by option("--out", metavar = "dir", help = "where to write (default: DIR/export)")
     private val scale by option("--scale", help = "factor on lengths in xyz (default: 1, or 1 / mean radius for boxes no longer than 4)").double()
 
@@ -54,7 +57,13 @@ class ExportCommand : CliktCommand(name = "export") {
                 ExtendedXyz.write(frame, out, factor)
             }
         }
-        if (factor != 1.0) println("lengths and velocities are multiplied by $factor (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them")
+        if (factor !=
+            1.0
+        ) {
+            println(
+                "lengths and velocities are multiplied by $factor (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them",
+            )
+        }
         return file
     }
 

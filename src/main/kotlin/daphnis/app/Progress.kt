@@ -7,9 +7,8 @@ import daphnis.core.run.RunObserver
 import java.util.Locale
 
 /** Progress of a run: one line that rewrites itself on a terminal, a plain line now and then elsewhere. */
-internal class Progress(
-    private val quiet: Boolean,
-) : RunObserver,
+internal class Progress(private val quiet: Boolean) :
+    RunObserver,
     AutoCloseable {
     private val live = !quiet && Terminal().terminalInfo.outputInteractive
     private val interval = if (live) LIVE_SECONDS else PLAIN_SECONDS

@@ -10,9 +10,7 @@ public fun interface TimeStep {
 }
 
 /** Every step is [duration] long. */
-public class FixedTimeStep(
-    public val duration: Double,
-) : TimeStep {
+public class FixedTimeStep(public val duration: Double) : TimeStep {
     init {
         require(duration > 0 && duration.isFinite()) { "dt is $duration; it must be > 0" }
     }
@@ -25,11 +23,7 @@ public class FixedTimeStep(
  *
  * @property cell the length that counts as a cell, such as the mean distance between spheres
  */
-public class CellCrossingTimeStep(
-    public val fraction: Double,
-    public val cell: Double,
-    public val longest: Double,
-) : TimeStep {
+public class CellCrossingTimeStep(public val fraction: Double, public val cell: Double, public val longest: Double) : TimeStep {
     init {
         require(fraction > 0 && fraction.isFinite()) { "fraction of a cell is $fraction; it must be > 0" }
         require(cell > 0 && cell.isFinite()) { "cell is $cell; it must be > 0" }

@@ -28,9 +28,14 @@ class Sphere(
 )
 
 fun populationOf(vararg s: Sphere): Population = Population(
-    s.map { it.x }.toDoubleArray(), s.map { it.y }.toDoubleArray(), s.map { it.z }.toDoubleArray(),
-    s.map { it.vx }.toDoubleArray(), s.map { it.vy }.toDoubleArray(), s.map { it.vz }.toDoubleArray(),
-    s.map { it.r }.toDoubleArray(), s.map { it.m }.toDoubleArray(),
+    s.map { it.x }.toDoubleArray(),
+    s.map { it.y }.toDoubleArray(),
+    s.map { it.z }.toDoubleArray(),
+    s.map { it.vx }.toDoubleArray(),
+    s.map { it.vy }.toDoubleArray(),
+    s.map { it.vz }.toDoubleArray(),
+    s.map { it.r }.toDoubleArray(),
+    s.map { it.m }.toDoubleArray(),
 )
 
 /** The same spheres in another order of the arrays, ids kept. */
@@ -76,7 +81,13 @@ fun assertInvariants(simulation: Simulation, overlap: Double = 1e-11) {
     val p = simulation.population
     for (axis in 0..2) {
         if (simulation.boundary.contactFaces(axis) == daphnis.core.boundary.ContactFaces.OPEN) continue
-        val a = if (axis == 0) p.x else if (axis == 1) p.y else p.z
+        val a = if (axis == 0) {
+            p.x
+        } else if (axis == 1) {
+            p.y
+        } else {
+            p.z
+        }
         for (k in 0 until p.size) {
             assertTrue(a[k].isFinite()) { "${"xyz"[axis]} of ${p.id[k]} is ${a[k]}" }
             assertTrue(a[k] >= simulation.boundary.box.lower(axis) && a[k] <= simulation.boundary.box.upper(axis)) { "${"xyz"[axis]} of ${p.id[k]} is ${a[k]}, outside" }

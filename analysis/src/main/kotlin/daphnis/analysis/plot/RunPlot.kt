@@ -55,7 +55,10 @@ public object RunPlot {
 
     private fun temperature(rows: List<Row>, title: String): Plot {
         val data = mapOf("time" to rows.map { it.time }, "temperature" to rows.map { it.temperature })
-        val plot = letsPlot(data) + geomLine(color = INK, size = LINE) { x = "time"; y = "temperature" } +
+        val plot = letsPlot(data) + geomLine(color = INK, size = LINE) {
+            x = "time"
+            y = "temperature"
+        } +
             labs(title = title, x = "time", y = "granular temperature ⟨c²⟩/3") + look()
         return onSuitableScale(plot, rows.map { it.temperature })
     }
@@ -67,7 +70,10 @@ public object RunPlot {
         // Every collision is one of each of its two spheres.
         val rates = pairs.map { (a, b) -> 2 * (b.collisions - a.collisions) / b.particles / (b.time - a.time) }
         val data = mapOf("time" to pairs.map { (a, b) -> (a.time + b.time) / 2 }, "rate" to rates)
-        val plot = letsPlot(data) + geomLine(color = ACCENT, size = LINE) { x = "time"; y = "rate" } +
+        val plot = letsPlot(data) + geomLine(color = ACCENT, size = LINE) {
+            x = "time"
+            y = "rate"
+        } +
             labs(x = "time", y = "collisions of a sphere per unit time") + look()
         return onSuitableScale(plot, rates)
     }

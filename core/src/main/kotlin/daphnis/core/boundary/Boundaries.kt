@@ -11,12 +11,7 @@ public object Open : BoundaryConditions {
 }
 
 /** A box that repeats along the axes marked in [periodic] (x, y, z) and is open along the others; contacts are found through the faces. */
-public class Periodic(
-    override val box: Box,
-    periodicX: Boolean = true,
-    periodicY: Boolean = true,
-    periodicZ: Boolean = true,
-) : BoundaryConditions {
+public class Periodic(override val box: Box, periodicX: Boolean = true, periodicY: Boolean = true, periodicZ: Boolean = true) : BoundaryConditions {
     private val periodic = booleanArrayOf(periodicX, periodicY, periodicZ)
 
     init {
@@ -36,11 +31,8 @@ public class Periodic(
  * Reflecting walls: the surface of a sphere never passes a face; its normal velocity is reversed at the moment of contact and
  * multiplied by [wallRestitution]. Axes for which [walled] is false are periodic.
  */
-public class Walls(
-    override val box: Box,
-    override val wallRestitution: Double = 1.0,
-    private val walled: BooleanArray = booleanArrayOf(true, true, true),
-) : BoundaryConditions {
+public class Walls(override val box: Box, override val wallRestitution: Double = 1.0, private val walled: BooleanArray = booleanArrayOf(true, true, true)) :
+    BoundaryConditions {
     init {
         requireFinite(box) { true }
         require(wallRestitution in 0.0..1.0) { "wall restitution is $wallRestitution; it must be in [0, 1]" }
@@ -62,10 +54,7 @@ public class Walls(
  * through the faces, so such a box is not a consistent replica of itself and a wrap can land one sphere on another; the
  * pair then collides if it approaches and separates if it recedes. Use it for the paper's figures, [LeesEdwards] for physics.
  */
-public class ShearedPeriodic(
-    override val box: Box,
-    public val velocityJump: Double,
-) : BoundaryConditions {
+public class ShearedPeriodic(override val box: Box, public val velocityJump: Double) : BoundaryConditions {
     init {
         requireFinite(box) { true }
         require(velocityJump.isFinite()) { "velocity jump is $velocityJump; it must be finite" }
@@ -94,10 +83,7 @@ public class ShearedPeriodic(
  * above the upper y face slides with `shearRate · L_y` along x, its offset is `shearRate · L_y · t` (mod L_x), and contacts are
  * found through all faces. x and z are periodic.
  */
-public class LeesEdwards(
-    override val box: Box,
-    public val shearRate: Double,
-) : BoundaryConditions {
+public class LeesEdwards(override val box: Box, public val shearRate: Double) : BoundaryConditions {
     init {
         requireFinite(box) { true }
         require(shearRate.isFinite()) { "shear rate is $shearRate; it must be finite" }
@@ -144,4 +130,10 @@ internal fun wrap(a: DoubleArray, lower: Double, upper: Double) {
 }
 
 /** −tiny + length rounds to the upper face itself, which is outside; the nearest double inside is the same point to half an ulp. */
-private fun inside(v: Double, lower: Double, upper: Double): Double = if (v < lower) lower else if (v >= upper) Math.nextDown(upper) else v
+private fun inside(v: Double, lower: Double, upper: Double): Double = if (v < lower) {
+    lower
+} else if (v >= upper) {
+    Math.nextDown(upper)
+} else {
+    v
+}

@@ -48,12 +48,7 @@ public enum class ContactFaces {
  * Images across the faces of [normalAxis] slide along [slideAxis]: the one at `+m` boxes is displaced by `m · offset(t)` and
  * moves with `m · velocity` against its original.
  */
-public class ImageShear(
-    public val normalAxis: Int,
-    public val slideAxis: Int,
-    public val velocity: Double,
-    private val slideLength: Double,
-) {
+public class ImageShear(public val normalAxis: Int, public val slideAxis: Int, public val velocity: Double, private val slideLength: Double) {
     /** Displacement of the image at +1 at [time], reduced to [0, length along the slide axis). A pure function of time. */
     public fun offset(time: Double): Double {
         val raw = (velocity * time) % slideLength

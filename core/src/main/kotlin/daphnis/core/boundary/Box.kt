@@ -40,9 +40,21 @@ public class Box(
         }
     }
 
-    public fun lower(axis: Int): Double = if (axis == 0) lowerX else if (axis == 1) lowerY else lowerZ
+    public fun lower(axis: Int): Double = if (axis == 0) {
+        lowerX
+    } else if (axis == 1) {
+        lowerY
+    } else {
+        lowerZ
+    }
 
-    public fun upper(axis: Int): Double = if (axis == 0) upperX else if (axis == 1) upperY else upperZ
+    public fun upper(axis: Int): Double = if (axis == 0) {
+        upperX
+    } else if (axis == 1) {
+        upperY
+    } else {
+        upperZ
+    }
 
     public fun length(axis: Int): Double = upper(axis) - lower(axis)
 
@@ -50,8 +62,7 @@ public class Box(
 
     public companion object {
         /** A box of the given edge lengths, centred on the origin. */
-        public fun centred(lengthX: Double, lengthY: Double, lengthZ: Double): Box =
-            Box(-lengthX / 2, -lengthY / 2, -lengthZ / 2, lengthX / 2, lengthY / 2, lengthZ / 2)
+        public fun centred(lengthX: Double, lengthY: Double, lengthZ: Double): Box = Box(-lengthX / 2, -lengthY / 2, -lengthZ / 2, lengthX / 2, lengthY / 2, lengthZ / 2)
 
         /** All of space. */
         public val UNBOUNDED: Box = Double.POSITIVE_INFINITY.let { Box(-it, -it, -it, it, it, it) }

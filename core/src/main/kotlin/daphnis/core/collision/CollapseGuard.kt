@@ -24,9 +24,7 @@ public object NoGuard : CollapseGuard {
 }
 
 /** ε = 1 below the impact speed [speed]. */
-public class FloorSpeedGuard(
-    public val speed: Double,
-) : CollapseGuard {
+public class FloorSpeedGuard(public val speed: Double) : CollapseGuard {
     init {
         require(speed >= 0 && speed.isFinite()) { "floor speed is $speed; it must be >= 0" }
     }
@@ -37,15 +35,12 @@ public class FloorSpeedGuard(
 }
 
 /** The TC rule (Luding & McNamara 1998, Granular Matter 1, 113): ε = 1 when either sphere collided less than [contactDuration] ago. */
-public class ContactDurationGuard(
-    public val contactDuration: Double,
-) : CollapseGuard {
+public class ContactDurationGuard(public val contactDuration: Double) : CollapseGuard {
     init {
         require(contactDuration > 0 && contactDuration.isFinite()) { "contact duration is $contactDuration; it must be > 0" }
     }
 
     override val needsLastCollision: Boolean get() = true
 
-    override fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean =
-        sinceFirst < contactDuration || sinceSecond < contactDuration
+    override fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean = sinceFirst < contactDuration || sinceSecond < contactDuration
 }

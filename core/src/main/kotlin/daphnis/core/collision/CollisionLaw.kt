@@ -13,10 +13,7 @@ import kotlin.math.sqrt
  * The outcome is a pure function of the two states. One object serves one worker at a time: the result fields below are its
  * scratch.
  */
-public class CollisionLaw(
-    public val restitution: Restitution,
-    public val guard: CollapseGuard = NoGuard,
-) {
+public class CollisionLaw(public val restitution: Restitution, public val guard: CollapseGuard = NoGuard) {
     /** Impact speed of the last collision. */
     public var impactSpeed: Double = 0.0
         private set

@@ -16,9 +16,7 @@ public fun interface Restitution {
 }
 
 /** ε = [value] at every impact speed. */
-public class ConstantRestitution(
-    public val value: Double,
-) : Restitution {
+public class ConstantRestitution(public val value: Double) : Restitution {
     init {
         require(value in 0.0..1.0) { "coefficient of restitution is $value; it must be in [0, 1]" }
     }
@@ -31,11 +29,8 @@ public class ConstantRestitution(
  *
  * @property cmPerSecond how many cm/s one unit of speed of the scenario is
  */
-public class BridgesRestitution(
-    public val prefactor: Double = LEWIS_PREFACTOR,
-    public val exponent: Double = EXPONENT,
-    public val cmPerSecond: Double = 1.0,
-) : Restitution {
+public class BridgesRestitution(public val prefactor: Double = LEWIS_PREFACTOR, public val exponent: Double = EXPONENT, public val cmPerSecond: Double = 1.0) :
+    Restitution {
     init {
         require(prefactor > 0 && prefactor.isFinite()) { "Bridges prefactor is $prefactor; it must be > 0" }
         require(exponent <= 0 && exponent.isFinite()) { "Bridges exponent is $exponent; it must be <= 0" }
@@ -68,10 +63,7 @@ public class BridgesRestitution(
  * @property criticalSpeed v* in cm/s
  * @property cmPerSecond how many cm/s one unit of speed of the scenario is
  */
-public class BorderiesRestitution(
-    public val criticalSpeed: Double,
-    public val cmPerSecond: Double = 1.0,
-) : Restitution {
+public class BorderiesRestitution(public val criticalSpeed: Double, public val cmPerSecond: Double = 1.0) : Restitution {
     init {
         require(criticalSpeed > 0 && criticalSpeed.isFinite()) { "critical speed is $criticalSpeed cm/s; it must be > 0" }
         require(cmPerSecond > 0 && cmPerSecond.isFinite()) { "one unit of speed is $cmPerSecond cm/s; it must be > 0" }

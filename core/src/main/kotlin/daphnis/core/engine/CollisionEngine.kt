@@ -53,6 +53,4 @@ public class CollisionStep(
 }
 
 /** Inelastic collapse: very many collisions in no time. A collapse guard would have ended it. */
-public class CollapseException(
-    message: String,
-) : RuntimeException(message)
+public class CollapseException(message: String) : RuntimeException(message)

@@ -18,11 +18,7 @@ import kotlin.math.sqrt
  * c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time τ has c ≤ −2bτ; in the same floating-point
  * numbers this holds with τ larger by a few units of rounding, for which [ROUNDING] leaves ample room.
  */
-internal class NeighbourSearch(
-    private val rows: StepRows,
-    private val grid: Grid,
-    private val queue: EventQueue,
-) {
+internal class NeighbourSearch(private val rows: StepRows, private val grid: Grid, private val queue: EventQueue) {
     private var duration = 0.0
 
     /** For a step of [duration]. */

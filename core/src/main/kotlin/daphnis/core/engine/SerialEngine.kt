@@ -27,9 +27,7 @@ import kotlin.math.abs
  * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere sees its
  * collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.
  */
-public class SerialEngine(
-    private val queue: EventQueue = BucketEventQueue(),
-) : CollisionEngine {
+public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : CollisionEngine {
     override val name: String get() = "serial"
     override val threads: Int get() = 1
 

@@ -3,11 +3,7 @@ package daphnis.core.force
 import daphnis.core.population.Population
 
 /** The same constant acceleration for every sphere, such as gravity in a shaken box; in length/time². */
-public class UniformAcceleration(
-    private val ax: Double,
-    private val ay: Double,
-    private val az: Double,
-) : Kick {
+public class UniformAcceleration(private val ax: Double, private val ay: Double, private val az: Double) : Kick {
     init {
         require(ax.isFinite() && ay.isFinite() && az.isFinite()) { "acceleration ($ax, $ay, $az) must be finite" }
     }

@@ -9,7 +9,7 @@ import java.nio.file.Path
 /**
  * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView read. One
  * particle group `all`: position and velocity as `{step, time, value[T][N][3]}`; id, mass and radius as plain datasets, radius
- * being an addition of ours; `box/edges` along the axes of a box centred on the origin. Units are the scenario's.
+ * being an addition of ours; `box/edges` of a box centred on the origin. Units are the scenario's.
  */
 public object H5md {
     /**
@@ -20,7 +20,11 @@ public object H5md {
     public fun write(frames: List<Frame>, path: Path, version: String) {
         require(frames.isNotEmpty()) { "no frame to write" }
         val first = frames.first()
-        for (frame in frames) require(frame.id.contentEquals(first.id)) { "spheres differ between steps ${first.step} and ${frame.step}; H5MD needs the same in every frame" }
+        for (frame in frames) {
+            require(frame.id.contentEquals(first.id)) {
+                "spheres differ between steps ${first.step} and ${frame.step}; H5MD needs the same in every frame"
+            }
+        }
         HdfFile.write(path).use { file ->
             val h5md = file.putGroup("h5md")
             h5md.putAttribute("version", intArrayOf(1, 1))
@@ -32,7 +36,7 @@ public object H5md {
             val box = all.putGroup("box")
             box.putAttribute("dimension", 3)
             box.putAttribute("boundary", Array(3) { if (first.periodic[it]) "periodic" else "none" })
-            if (first.lengths.none { it.isNaN() }) box.putDataset("edges", first.lengths)
+            if (first.lengths.none { it.isNaN() }) edges(box, frames)
             element(all, "position", frames) { it.position }
             element(all, "velocity", frames) { it.velocity }
             all.putDataset("id", first.id)
@@ -43,10 +47,29 @@ public object H5md {
         }
     }
 
-    private fun element(group: WritableGroup, name: String, frames: List<Frame>, of: (Frame) -> Array<DoubleArray>) {
-        val element = group.putGroup(name)
+    /** Lengths, or rows of edge vectors when images slide; by time either way, as MDAnalysis wants it. */
+    private fun edges(box: WritableGroup, frames: List<Frame>) {
+        val edges = box.putGroup("edges")
+        steps(edges, frames)
+        if (frames.all { it.shearOffset == 0.0 }) {
+            edges.putDataset("value", Array(frames.size) { frames[it].lengths })
+        } else {
+            val value = Array(frames.size) { t ->
+                val l = frames[t].lengths
+                arrayOf(doubleArrayOf(l[0], 0.0, 0.0), doubleArrayOf(frames[t].shearOffset, l[1], 0.0), doubleArrayOf(0.0, 0.0, l[2]))
+            }
+            edges.putDataset("value", value)
+        }
+    }
+
+    private fun steps(element: WritableGroup, frames: List<Frame>) {
         element.putDataset("step", LongArray(frames.size) { frames[it].step })
         element.putDataset("time", DoubleArray(frames.size) { frames[it].time })
+    }
+
+    private fun element(group: WritableGroup, name: String, frames: List<Frame>, of: (Frame) -> Array<DoubleArray>) {
+        val element = group.putGroup(name)
+        steps(element, frames)
         val value = Array(frames.size) { t ->
             val v = of(frames[t])
             Array(frames[t].size) { k -> doubleArrayOf(v[0][k], v[1][k], v[2][k]) }
@@ -68,7 +91,8 @@ public object H5md {
             val positions = cube(data("position/value"))
             val velocities = cube(data("velocity/value"))
             val box = file.getByPath("/particles/all/box") as io.jhdf.api.Group
-            val edges = box.children["edges"]?.let { (it as io.jhdf.api.Dataset).data as DoubleArray } ?: DoubleArray(3) { Double.NaN }
+            val edges = if ("edges" in box.children) data("box/edges/value") else null
+
             @Suppress("UNCHECKED_CAST")
             val boundary = box.getAttribute("boundary").data as Array<String>
             val offset = file.getDatasetByPath("/parameters/shear_offset").data as DoubleArray
@@ -77,13 +101,25 @@ public object H5md {
             val radius = data("radius") as DoubleArray
             steps.indices.map { t ->
                 fun columns(v: Array<Array<DoubleArray>>) = Array(3) { axis -> DoubleArray(id.size) { v[t][it][axis] } }
-                Frame(steps[t], times[t], edges, BooleanArray(3) { boundary[it] == "periodic" }, offset[t], id, columns(positions), columns(velocities), radius, mass)
+                Frame(
+                    steps[t], times[t], lengths(edges, t),
+                    BooleanArray(3) {
+                        boundary[it] == "periodic"
+                    },
+                    offset[t], id, columns(positions), columns(velocities), radius, mass,
+                )
             }
         }
     } catch (e: HdfException) {
         throw FormatException("$path: is not an H5MD file of daphnis: ${e.message}")
     } catch (e: RuntimeException) {
         throw FormatException("$path: is not an H5MD file of daphnis: ${e.message ?: e.javaClass.simpleName}")
+    }
+
+    private fun lengths(edges: Any?, t: Int): DoubleArray {
+        if (edges == null) return DoubleArray(3) { Double.NaN }
+        val row = (edges as Array<*>)[t]
+        return if (row is DoubleArray) row else (row as Array<*>).let { r -> DoubleArray(3) { (r[it] as DoubleArray)[it] } }
     }
 
     @Suppress("UNCHECKED_CAST")

@@ -10,9 +10,7 @@ import daphnis.core.collision.CollisionRecord
  *
  * @property from collisions of steps that end at or before this time are left out
  */
-public class CollisionStatistics(
-    public val from: Double = Double.NEGATIVE_INFINITY,
-) : Output {
+public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFINITY) : Output {
     /** Collisions summed. */
     public var count: Long = 0
         private set

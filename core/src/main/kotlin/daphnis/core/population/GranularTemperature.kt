@@ -14,9 +14,7 @@ public fun granularTemperature(population: Population, sheared: Boolean): Double
 }
 
 /** Mass-weighted sums over a population in id order. */
-private class VelocitySums(
-    private val population: Population,
-) {
+private class VelocitySums(private val population: Population) {
     private val order = IntArray(population.size)
     val mass: Double
     private val meanY: Double

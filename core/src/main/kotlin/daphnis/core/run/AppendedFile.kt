@@ -5,11 +5,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** A text file that only grows. On resume it is cut back to the length that the checkpoint knew, so no line is there twice. */
-internal class AppendedFile(
-    private val path: Path,
-    header: String,
-    keep: Long?,
-) : AutoCloseable {
+internal class AppendedFile(private val path: Path, header: String, keep: Long?) : AutoCloseable {
     private val file: RandomAccessFile
     private val pending = StringBuilder()
 

@@ -19,10 +19,7 @@ import java.util.zip.CRC32C
  * length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON ([CheckpointMeta]); `IDS `,
  * `POSX` … `LAST` are arrays in the order of ids; `END.` is empty and last. A file cut short or with flipped bytes does not pass.
  */
-internal class Checkpoint(
-    val meta: CheckpointMeta,
-    val population: Population,
-) {
+internal class Checkpoint(val meta: CheckpointMeta, val population: Population) {
     companion object {
         const val VERSION = 1
         private const val MAGIC = 0x444150484e49530aL
@@ -124,11 +121,7 @@ internal class CheckpointMeta(
 )
 
 /** A checkpoint cannot be used; the message is one line that says why. */
-internal open class CheckpointException(
-    message: String,
-) : RuntimeException(message)
+internal open class CheckpointException(message: String) : RuntimeException(message)
 
 /** A checkpoint of another version of the format: not damaged, but not for us. */
-internal class OtherVersionException(
-    message: String,
-) : CheckpointException(message)
+internal class OtherVersionException(message: String) : CheckpointException(message)

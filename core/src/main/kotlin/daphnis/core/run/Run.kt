@@ -28,9 +28,7 @@ public fun interface RunObserver {
 }
 
 /** A run failed through no fault of the input; the message is one line. */
-public class RunException(
-    message: String,
-) : RuntimeException(message)
+public class RunException(message: String) : RuntimeException(message)
 
 /**
  * A scenario being carried out in a run directory: made by [start] or [resume], done by [execute]. One thread.
@@ -107,7 +105,12 @@ public class Run private constructor(
         // The one before stays until the new one is whole on the disk. Killed between the two moves, there is the previous one only.
         val fresh = directory.path.resolve("checkpoint.new")
         writeAtomically(fresh) { Checkpoint.write(meta, simulation.population, it) }
-        if (Files.exists(directory.checkpoint)) Files.move(directory.checkpoint, directory.previousCheckpoint, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING)
+        if (Files.exists(
+                directory.checkpoint,
+            )
+        ) {
+            Files.move(directory.checkpoint, directory.previousCheckpoint, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING)
+        }
         Files.move(fresh, directory.checkpoint, StandardCopyOption.ATOMIC_MOVE)
         forceDirectory(directory.path)
     }
@@ -228,7 +231,8 @@ public class Run private constructor(
 
         private fun simulation(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory): Simulation {
             val spec = setup.scenario.engine
-            val engine = engines.create(spec.name, spec.threads) ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${Engines.names.joinToString()}")
+            val engine =
+                engines.create(spec.name, spec.threads) ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${Engines.names.joinToString()}")
             if (engine.threads != spec.threads) throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")
             val forcing = CollisionForcing(setup.restitution, setup.guard, engine, setup.scenario.output.collisionLog)
             if (meta != null) {

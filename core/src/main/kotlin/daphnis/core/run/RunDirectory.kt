@@ -15,9 +15,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /** The files of one run and where they lie. `docs/guide.md` has the table. */
-public class RunDirectory(
-    public val path: Path,
-) {
+public class RunDirectory(public val path: Path) {
     public val scenario: Path get() = path.resolve("scenario.json")
     public val summary: Path get() = path.resolve("summary.json")
     public val series: Path get() = path.resolve(SERIES)

@@ -9,11 +9,7 @@ import daphnis.core.scenario.OutputSpec
 import kotlin.math.sqrt
 
 /** Everything that a run writes as it goes, except checkpoints: time series, snapshots, log of collisions. */
-internal class RunOutputs(
-    private val directory: RunDirectory,
-    private val spec: OutputSpec,
-    lengths: Map<String, Long>?,
-) : AutoCloseable {
+internal class RunOutputs(private val directory: RunDirectory, private val spec: OutputSpec, lengths: Map<String, Long>?) : AutoCloseable {
     private val series = AppendedFile(directory.series, SERIES_HEADER, lengths?.get(RunDirectory.SERIES))
     private val log = if (spec.collisionLog) AppendedFile(directory.collisions, LOG_HEADER, lengths?.get(RunDirectory.COLLISIONS)) else null
 

@@ -22,11 +22,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so that changing one leaves the others. */
-internal class InitialState(
-    private val scenario: Scenario,
-    private val box: Box,
-    private val check: ValueCheck,
-) {
+internal class InitialState(private val scenario: Scenario, private val box: Box, private val check: ValueCheck) {
     fun population(): Population {
         val placement = scenario.placement
         if (placement is PlacementSpec.File) return fromFile(placement)
@@ -44,8 +40,7 @@ internal class InitialState(
 
     private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
 
-    private fun lattice(spec: PlacementSpec.Lattice) =
-        if (spec.lattice == LatticeName.CUBIC) Lattice.SIMPLE_CUBIC else Lattice.FACE_CENTRED_CUBIC
+    private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice == LatticeName.CUBIC) Lattice.SIMPLE_CUBIC else Lattice.FACE_CENTRED_CUBIC
 
     private fun walled(): BooleanArray {
         val boundary = scenario.boundary

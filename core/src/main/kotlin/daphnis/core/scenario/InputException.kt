@@ -6,8 +6,5 @@ package daphnis.core.scenario
  * @property source file or built-in the key stands in
  * @property key dotted path, or null when the whole file is meant
  */
-public class InputException(
-    public val source: String,
-    public val key: String?,
-    problem: String,
-) : RuntimeException(listOfNotNull(source.ifEmpty { null }, key, problem.lineSequence().joinToString(" ") { it.trim() }).joinToString(": "))
+public class InputException(public val source: String, public val key: String?, problem: String) :
+    RuntimeException(listOfNotNull(source.ifEmpty { null }, key, problem.lineSequence().joinToString(" ") { it.trim() }).joinToString(": "))

@@ -31,15 +31,11 @@ public data class Scenario(
 
 /** @property speedInCmPerSecond how many cm/s one unit of speed is */
 @Serializable
-public class UnitsSpec(
-    public val speedInCmPerSecond: Double = 1.0,
-)
+public class UnitsSpec(public val speedInCmPerSecond: Double = 1.0)
 
 /** @property lengths edges along x, y, z; the box is centred on the origin */
 @Serializable
-public class BoxSpec(
-    public val lengths: List<Double>,
-)
+public class BoxSpec(public val lengths: List<Double>)
 
 @Serializable
 public sealed interface BoundarySpec {
@@ -55,23 +51,16 @@ public sealed interface BoundarySpec {
     /** Reflecting walls across the axes named in [axes]; the other axes are periodic. */
     @Serializable
     @SerialName("walls")
-    public class Walls(
-        public val axes: String = "xyz",
-        public val restitution: Double = 1.0,
-    ) : BoundarySpec
+    public class Walls(public val axes: String = "xyz", public val restitution: Double = 1.0) : BoundarySpec
 
     /** The paper's sheared periodic box. */
     @Serializable
     @SerialName("sheared-periodic")
-    public class ShearedPeriodic(
-        public val velocityJump: Double,
-    ) : BoundarySpec
+    public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec
 
     @Serializable
     @SerialName("lees-edwards")
-    public class LeesEdwards(
-        public val shearRate: Double,
-    ) : BoundarySpec
+    public class LeesEdwards(public val shearRate: Double) : BoundarySpec
 }
 
 /**
@@ -90,32 +79,19 @@ public class ParticlesSpec(
 public sealed interface SizesSpec {
     @Serializable
     @SerialName("equal")
-    public class Equal(
-        public val radius: Double,
-    ) : SizesSpec
+    public class Equal(public val radius: Double) : SizesSpec
 
     @Serializable
     @SerialName("power-law")
-    public class PowerLaw(
-        public val minimum: Double,
-        public val maximum: Double,
-        public val exponent: Double,
-    ) : SizesSpec
+    public class PowerLaw(public val minimum: Double, public val maximum: Double, public val exponent: Double) : SizesSpec
 
     @Serializable
     @SerialName("log-normal")
-    public class LogNormal(
-        public val median: Double,
-        public val sigma: Double,
-        public val minimum: Double,
-        public val maximum: Double,
-    ) : SizesSpec
+    public class LogNormal(public val median: Double, public val sigma: Double, public val minimum: Double, public val maximum: Double) : SizesSpec
 
     @Serializable
     @SerialName("list")
-    public class Listed(
-        public val radii: List<Double>,
-    ) : SizesSpec
+    public class Listed(public val radii: List<Double>) : SizesSpec
 }
 
 @Serializable
@@ -127,16 +103,12 @@ public sealed interface PlacementSpec {
     /** @property lattice `fcc` or `cubic` */
     @Serializable
     @SerialName("lattice")
-    public class Lattice(
-        public val lattice: LatticeName = LatticeName.FCC,
-    ) : PlacementSpec
+    public class Lattice(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
 
     /** Positions, velocities, radii (and masses, ids) from a CSV file with a header, or a CartAndRad file; relative to the scenario. */
     @Serializable
     @SerialName("file")
-    public class File(
-        public val path: String,
-    ) : PlacementSpec
+    public class File(public val path: String) : PlacementSpec
 }
 
 @Serializable
@@ -156,51 +128,33 @@ public sealed interface VelocitiesSpec {
 
     @Serializable
     @SerialName("rest")
-    public class Rest(
-        override val shearProfile: Boolean = false,
-        override val zeroMomentum: Boolean = true,
-    ) : VelocitiesSpec
+    public class Rest(override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) : VelocitiesSpec
 
     /** Every component uniform in ±[halfWidth]. */
     @Serializable
     @SerialName("uniform")
-    public class Uniform(
-        public val halfWidth: Double,
-        override val shearProfile: Boolean = false,
-        override val zeroMomentum: Boolean = true,
-    ) : VelocitiesSpec
+    public class Uniform(public val halfWidth: Double, override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) : VelocitiesSpec
 
     /** Every component normal with standard deviation [sigma]. */
     @Serializable
     @SerialName("gaussian")
-    public class Gaussian(
-        public val sigma: Double,
-        override val shearProfile: Boolean = false,
-        override val zeroMomentum: Boolean = true,
-    ) : VelocitiesSpec
+    public class Gaussian(public val sigma: Double, override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) : VelocitiesSpec
 }
 
 @Serializable
 public sealed interface RestitutionSpec {
     @Serializable
     @SerialName("constant")
-    public class Constant(
-        public val coefficient: Double,
-    ) : RestitutionSpec
+    public class Constant(public val coefficient: Double) : RestitutionSpec
 
     @Serializable
     @SerialName("bridges")
-    public class Bridges(
-        public val prefactor: Double = 0.34,
-        public val exponent: Double = -0.234,
-    ) : RestitutionSpec
+    public class Bridges(public val prefactor: Double = 0.34, public val exponent: Double = -0.234) : RestitutionSpec
 
     /** @property criticalSpeed in cm/s */
     @Serializable
     @SerialName("borderies")
-    public class Borderies(
-        public val criticalSpeed: Double,
-    ) : RestitutionSpec
+    public class Borderies(public val criticalSpeed: Double) : RestitutionSpec
 }
 
 @Serializable
@@ -212,51 +166,35 @@ public sealed interface GuardSpec {
     /** ε = 1 below an impact speed: exactly one of [speed], in units of speed, and [relative], in initial rms speeds. */
     @Serializable
     @SerialName("floor-speed")
-    public class FloorSpeed(
-        public val speed: Double? = null,
-        public val relative: Double? = null,
-    ) : GuardSpec
+    public class FloorSpeed(public val speed: Double? = null, public val relative: Double? = null) : GuardSpec
 
     /** The TC rule: ε = 1 within [duration], in units of time, of a sphere's last collision. */
     @Serializable
     @SerialName("contact-duration")
-    public class ContactDuration(
-        public val duration: Double,
-    ) : GuardSpec
+    public class ContactDuration(public val duration: Double) : GuardSpec
 }
 
 @Serializable
 public sealed interface ForceSpec {
     @Serializable
     @SerialName("uniform-acceleration")
-    public class UniformAcceleration(
-        public val acceleration: List<Double>,
-    ) : ForceSpec
+    public class UniformAcceleration(public val acceleration: List<Double>) : ForceSpec
 }
 
 @Serializable
 public sealed interface TimeStepSpec {
     @Serializable
     @SerialName("fixed")
-    public class Fixed(
-        public val dt: Double,
-    ) : TimeStepSpec
+    public class Fixed(public val dt: Double) : TimeStepSpec
 
     /** The fastest sphere crosses at most [fraction] of [cell] (default: mean distance between spheres); never longer than [longest]. */
     @Serializable
     @SerialName("cell-crossing")
-    public class CellCrossing(
-        public val fraction: Double = 0.5,
-        public val cell: Double? = null,
-        public val longest: Double,
-    ) : TimeStepSpec
+    public class CellCrossing(public val fraction: Double = 0.5, public val cell: Double? = null, public val longest: Double) : TimeStepSpec
 }
 
 @Serializable
-public class EngineSpec(
-    public val name: String = "serial",
-    public val threads: Int = 1,
-)
+public class EngineSpec(public val name: String = "serial", public val threads: Int = 1)
 
 /** How often to write, in steps; 0 means never (checkpoints: only at the end). */
 @Serializable

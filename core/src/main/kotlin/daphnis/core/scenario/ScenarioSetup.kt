@@ -150,8 +150,13 @@ public class ScenarioSetup private constructor(
         }
 
         /** A cell that was left out becomes the mean distance between spheres. */
-        private fun resolve(spec: TimeStepSpec, box: Box, population: Population): TimeStepSpec =
-            if (spec !is TimeStepSpec.CellCrossing || spec.cell != null) spec else TimeStepSpec.CellCrossing(spec.fraction, StrictMath.cbrt(box.volume / population.size), spec.longest)
+        private fun resolve(spec: TimeStepSpec, box: Box, population: Population): TimeStepSpec = if (spec !is TimeStepSpec.CellCrossing ||
+            spec.cell != null
+        ) {
+            spec
+        } else {
+            TimeStepSpec.CellCrossing(spec.fraction, StrictMath.cbrt(box.volume / population.size), spec.longest)
+        }
 
         private fun timeStep(spec: TimeStepSpec, check: ValueCheck): TimeStep = when (spec) {
             is TimeStepSpec.Fixed -> {

@@ -17,9 +17,7 @@ import kotlinx.serialization.json.JsonPrimitive
  * nearest known one, a missing key, a value of the wrong kind, a number that is not finite.
  */
 @OptIn(ExperimentalSerializationApi::class)
-internal class SchemaCheck(
-    private val source: String,
-) {
+internal class SchemaCheck(private val source: String) {
     fun check(tree: JsonElement, descriptor: SerialDescriptor) {
         check(tree, descriptor, "")
     }

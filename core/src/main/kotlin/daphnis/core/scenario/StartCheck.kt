@@ -8,12 +8,7 @@ import daphnis.core.search.Overlap
 import kotlin.math.abs
 
 /** Whether a population can start in its box: inside, wide enough for its images, nobody in anybody's place. */
-internal class StartCheck(
-    private val scenario: Scenario,
-    private val population: Population,
-    private val boundary: BoundaryConditions,
-    private val check: ValueCheck,
-) {
+internal class StartCheck(private val scenario: Scenario, private val population: Population, private val boundary: BoundaryConditions, private val check: ValueCheck) {
     fun check(timeStep: TimeStep) {
         val box = boundary.box
         val largest = population.radius.max()
@@ -39,7 +34,13 @@ internal class StartCheck(
     }
 
     private fun checkInside(axis: Int) {
-        val p = if (axis == 0) population.x else if (axis == 1) population.y else population.z
+        val p = if (axis == 0) {
+            population.x
+        } else if (axis == 1) {
+            population.y
+        } else {
+            population.z
+        }
         val box = boundary.box
         val wall = boundary.contactFaces(axis) == ContactFaces.WALL
         for (k in 0 until population.size) {
@@ -53,7 +54,13 @@ internal class StartCheck(
     }
 
     private fun checkCrossings(axis: Int, largest: Double, timeStep: TimeStep) {
-        val v = if (axis == 0) population.vx else if (axis == 1) population.vy else population.vz
+        val v = if (axis == 0) {
+            population.vx
+        } else if (axis == 1) {
+            population.vy
+        } else {
+            population.vz
+        }
         var fastest = 0.0
         for (u in v) fastest = maxOf(fastest, abs(u))
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)

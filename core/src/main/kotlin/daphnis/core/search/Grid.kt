@@ -252,7 +252,13 @@ public class Grid {
             low[k] = boundary.box.lower(axis)
             extent[k] = boundary.box.length(axis)
         } else {
-            val a = if (axis == 0) population.x else if (axis == 1) population.y else population.z
+            val a = if (axis == 0) {
+                population.x
+            } else if (axis == 1) {
+                population.y
+            } else {
+                population.z
+            }
             var least = Double.POSITIVE_INFINITY
             var most = Double.NEGATIVE_INFINITY
             for (v in a) {
@@ -276,7 +282,13 @@ public class Grid {
         while (true) {
             val total = cells[0].toDouble() * cells[1] * cells[2]
             if (total <= most) return
-            val k = if (cells[0] >= cells[1] && cells[0] >= cells[2]) 0 else if (cells[1] >= cells[2]) 1 else 2
+            val k = if (cells[0] >= cells[1] && cells[0] >= cells[2]) {
+                0
+            } else if (cells[1] >= cells[2]) {
+                1
+            } else {
+                2
+            }
             cells[k] = maxOf(1, (cells[k] * maxOf(most / total, 0.5)).toInt())
         }
     }
@@ -344,12 +356,23 @@ public class Grid {
         }
     }
 
-    private fun coordinate(population: Population, axis: Int): DoubleArray =
-        if (axis == 0) population.x else if (axis == 1) population.y else population.z
+    private fun coordinate(population: Population, axis: Int): DoubleArray = if (axis == 0) {
+        population.x
+    } else if (axis == 1) {
+        population.y
+    } else {
+        population.z
+    }
 
     private fun cellAt(position: Double, k: Int): Int {
         val c = ((position - low[k]) * perLength[k]).toInt()
-        return if (c >= cells[k]) cells[k] - 1 else if (c < 0) 0 else c
+        return if (c >= cells[k]) {
+            cells[k] - 1
+        } else if (c < 0) {
+            0
+        } else {
+            c
+        }
     }
 
     public companion object {

@@ -10,11 +10,7 @@ import kotlin.math.sqrt
  * @property first id of one sphere, −1 when nobody overlaps; likewise [second]
  * @property depth (r₁ + r₂ − distance) / (r₁ + r₂); 0 when nobody overlaps
  */
-public class Overlap private constructor(
-    public val first: Int,
-    public val second: Int,
-    public val depth: Double,
-) {
+public class Overlap private constructor(public val first: Int, public val second: Int, public val depth: Double) {
     public companion object {
         /** Looks at every pair of neighbours, through the faces too where contacts are found through them. Allocates a grid. */
         public fun deepest(population: Population, boundary: BoundaryConditions, time: Double): Overlap {

@@ -8,9 +8,7 @@ import kotlin.math.sqrt
  * A lattice stretched to fit the box, with as many cells along each axis as leave the spheres farthest apart; vacancies, if there are more
  * sites than spheres, are spread evenly. Face-centred cubic reaches a filling factor of 0.6 and more in boxes that take whole cells.
  */
-public class LatticePlacement(
-    private val lattice: Lattice = Lattice.FACE_CENTRED_CUBIC,
-) : Placement {
+public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRED_CUBIC) : Placement {
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         val n = radii.size
         val largest = radii.max()
@@ -68,10 +66,7 @@ public class LatticePlacement(
 }
 
 /** Crystal lattices by their basis, in fractions of a cell. */
-public enum class Lattice(
-    internal val basis: List<DoubleArray>,
-    internal val inset: Double,
-) {
+public enum class Lattice(internal val basis: List<DoubleArray>, internal val inset: Double) {
     SIMPLE_CUBIC(listOf(doubleArrayOf(0.5, 0.5, 0.5)), 0.5),
     FACE_CENTRED_CUBIC(
         listOf(

@@ -14,16 +14,10 @@ public fun interface Placement {
 }
 
 /** Positions by sphere. */
-public class Positions(
-    public val x: DoubleArray,
-    public val y: DoubleArray,
-    public val z: DoubleArray,
-)
+public class Positions(public val x: DoubleArray, public val y: DoubleArray, public val z: DoubleArray)
 
 /** The spheres do not fit into the box in the way asked for. */
-public class PlacementException(
-    message: String,
-) : RuntimeException(message)
+public class PlacementException(message: String) : RuntimeException(message)
 
 /** Filling factor: volume of the spheres over the volume of [box]. */
 public fun fillingFactor(radii: DoubleArray, box: Box): Double {

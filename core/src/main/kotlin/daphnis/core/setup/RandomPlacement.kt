@@ -10,9 +10,7 @@ import kotlin.math.floor
  *
  * @param mostTries tries for one sphere before giving up
  */
-public class RandomPlacement(
-    private val mostTries: Int = 200_000,
-) : Placement {
+public class RandomPlacement(private val mostTries: Int = 200_000) : Placement {
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         val positions = Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
         val bySize = radii.indices.sortedByDescending { radii[it] }.toIntArray()
@@ -21,15 +19,7 @@ public class RandomPlacement(
         return positions
     }
 
-    private fun placeOne(
-        sphere: Int,
-        radius: Double,
-        box: Box,
-        walled: BooleanArray,
-        random: SeededRandom,
-        space: OccupiedSpace,
-        positions: Positions,
-    ) {
+    private fun placeOne(sphere: Int, radius: Double, box: Box, walled: BooleanArray, random: SeededRandom, space: OccupiedSpace, positions: Positions) {
         val margin = DoubleArray(3) { if (walled[it]) radius else 0.0 }
         for (axis in 0..2) {
             if (box.length(axis) <= 2 * margin[axis]) {
@@ -59,12 +49,7 @@ public class RandomPlacement(
  * The spheres placed so far, in one linked-cell grid for each octave of radius. Spheres come largest first, so all that are there are at
  * least as large as the one asked for, and neighbouring cells suffice in every octave.
  */
-private class OccupiedSpace(
-    private val radii: DoubleArray,
-    private val positions: Positions,
-    private val box: Box,
-    private val walled: BooleanArray,
-) {
+private class OccupiedSpace(private val radii: DoubleArray, private val positions: Positions, private val box: Box, private val walled: BooleanArray) {
     private class Octave(val largest: Double, val cells: IntArray, val heads: IntArray)
 
     private val octaves = ArrayList<Octave>()
@@ -78,7 +63,7 @@ private class OccupiedSpace(
         val octave = octaves.last()
         val cell = (
             cell(octave, 2, positions.z[sphere]) * octave.cells[1] + cell(octave, 1, positions.y[sphere])
-        ) * octave.cells[0] + cell(octave, 0, positions.x[sphere])
+            ) * octave.cells[0] + cell(octave, 0, positions.x[sphere])
         next[sphere] = octave.heads[cell]
         octave.heads[cell] = sphere
     }

@@ -6,9 +6,7 @@ import kotlin.math.sqrt
  * xoshiro256++ 1.0 (Blackman & Vigna 2021, ACM Trans. Math. Softw. 47, 36; public domain), its state filled by SplitMix64. Our own,
  * so that a seed means the same numbers in every version of Kotlin and Java. Not thread-safe; not for cryptography.
  */
-public class SeededRandom(
-    seed: Long,
-) {
+public class SeededRandom(seed: Long) {
     private var s0: Long
     private var s1: Long
     private var s2: Long

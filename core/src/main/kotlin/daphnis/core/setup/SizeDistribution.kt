@@ -10,9 +10,7 @@ public fun interface SizeDistribution {
 }
 
 /** Every sphere has [radius]. */
-public class EqualSizes(
-    public val radius: Double,
-) : SizeDistribution {
+public class EqualSizes(public val radius: Double) : SizeDistribution {
     init {
         require(radius > 0 && radius.isFinite()) { "radius is $radius; it must be > 0" }
     }
@@ -21,11 +19,7 @@ public class EqualSizes(
 }
 
 /** Number density n(r) ∝ r^−[exponent] between [minimum] and [maximum]; planetary rings have exponents near 3. By inversion. */
-public class PowerLawSizes(
-    public val minimum: Double,
-    public val maximum: Double,
-    public val exponent: Double,
-) : SizeDistribution {
+public class PowerLawSizes(public val minimum: Double, public val maximum: Double, public val exponent: Double) : SizeDistribution {
     init {
         require(minimum > 0 && minimum.isFinite()) { "smallest radius is $minimum; it must be > 0" }
         require(maximum >= minimum && maximum.isFinite()) { "largest radius is $maximum; it must be >= the smallest, $minimum" }
@@ -42,12 +36,7 @@ public class PowerLawSizes(
 }
 
 /** ln r is normal with mean ln [median] and standard deviation [sigma]; draws outside [[minimum], [maximum]] are rejected. */
-public class LogNormalSizes(
-    public val median: Double,
-    public val sigma: Double,
-    public val minimum: Double,
-    public val maximum: Double,
-) : SizeDistribution {
+public class LogNormalSizes(public val median: Double, public val sigma: Double, public val minimum: Double, public val maximum: Double) : SizeDistribution {
     init {
         require(median > 0 && median.isFinite()) { "median radius is $median; it must be > 0" }
         require(sigma >= 0 && sigma.isFinite()) { "sigma is $sigma; it must be >= 0" }
@@ -70,9 +59,7 @@ public class LogNormalSizes(
 }
 
 /** The radii in [radii], over and over, in this order. */
-public class ListedSizes(
-    private val radii: DoubleArray,
-) : SizeDistribution {
+public class ListedSizes(private val radii: DoubleArray) : SizeDistribution {
     private var next = 0
 
     init {

@@ -6,9 +6,7 @@ public fun interface VelocityField {
 }
 
 /** Every component uniform in ±[halfWidth]. */
-public class UniformVelocities(
-    public val halfWidth: Double,
-) : VelocityField {
+public class UniformVelocities(public val halfWidth: Double) : VelocityField {
     init {
         require(halfWidth >= 0 && halfWidth.isFinite()) { "half width is $halfWidth; it must be >= 0" }
     }
@@ -19,9 +17,7 @@ public class UniformVelocities(
 }
 
 /** Maxwellian: every component normal with standard deviation [sigma]. */
-public class GaussianVelocities(
-    public val sigma: Double,
-) : VelocityField {
+public class GaussianVelocities(public val sigma: Double) : VelocityField {
     init {
         require(sigma >= 0 && sigma.isFinite()) { "sigma is $sigma; it must be >= 0" }
     }

@@ -99,7 +99,15 @@ class ContactTest {
         val sliding = Images().apply { prepare(LeesEdwards(Box.centred(2.7, 2.3, 2.1), 0.37), 12.345) }
         var contacts = 0
         repeat(20_000) {
-            fun draw() = Sphere(random.nextGaussian(), random.nextGaussian(), random.nextGaussian(), random.nextGaussian(), random.nextGaussian(), random.nextGaussian(), 0.1 + random.nextDouble())
+            fun draw() = Sphere(
+                random.nextGaussian(),
+                random.nextGaussian(),
+                random.nextGaussian(),
+                random.nextGaussian(),
+                random.nextGaussian(),
+                random.nextGaussian(),
+                0.1 + random.nextDouble(),
+            )
             val rows = rows(draw(), draw())
             rows.state[StepRows.TIME] = random.nextDouble()
             rows.state[StepRows.STRIDE + StepRows.TIME] = random.nextDouble()

@@ -147,8 +147,14 @@ class SerialEngineTest {
         val flat = random.nextInt(3) == 0
         val box = Box.centred(5 + random.nextDouble() * 5, 5 + random.nextDouble() * 5, if (flat) 2.1 else 5.0)
         val boundaries = listOf<BoundaryConditions>(
-            Open, Periodic(box), Periodic(box, true, false, false), Walls(box, 0.9), Walls(box, 1.0, booleanArrayOf(false, true, false)),
-            ShearedPeriodic(box, 0.7), LeesEdwards(box, 0.3), LeesEdwards(box, -1.1),
+            Open,
+            Periodic(box),
+            Periodic(box, true, false, false),
+            Walls(box, 0.9),
+            Walls(box, 1.0, booleanArrayOf(false, true, false)),
+            ShearedPeriodic(box, 0.7),
+            LeesEdwards(box, 0.3),
+            LeesEdwards(box, -1.1),
         )
         val boundary = boundaries[random.nextInt(boundaries.size)]
         val smallest = if (random.nextInt(2) == 0) 0.1 else 0.5

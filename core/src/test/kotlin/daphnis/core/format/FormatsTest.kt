@@ -86,7 +86,12 @@ class FormatsTest {
         assertTrue("Time=1.25" in lines[1] && "pbc=\"T T T\"" in lines[1])
         assertEquals(72, lines.size)
         val cells = lines[2].split(' ')
-        assertEquals(listOf(frame.position[0][0] * 2, frame.velocity[2][0] * 2, frame.radius[0] * 2, frame.mass[0]), listOf(cells[1], cells[6], cells[7], cells[8]).map { it.toDouble() })
+        assertEquals(
+            listOf(frame.position[0][0] * 2, frame.velocity[2][0] * 2, frame.radius[0] * 2, frame.mass[0]),
+            listOf(cells[1], cells[6], cells[7], cells[8]).map {
+                it.toDouble()
+            },
+        )
     }
 
     @Test

@@ -101,7 +101,15 @@ class ElasticGasTest {
                 measured[k] += excess(simulation.population) / seeds.count()
             }
         }
-        for ((k, target) in targets.withIndex()) assertPhysics("a₂ after ${target.first} collisions", target.second, measured[k], if (fullPhysics) 0.006 else 0.009, relative = false)
+        for ((k, target) in targets.withIndex()) {
+            assertPhysics(
+                "a₂ after ${target.first} collisions",
+                target.second,
+                measured[k],
+                if (fullPhysics) 0.006 else 0.009,
+                relative = false,
+            )
+        }
     }
 
     private fun excess(p: Population): Double {

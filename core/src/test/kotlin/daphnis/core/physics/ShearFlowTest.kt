@@ -22,15 +22,25 @@ class ShearFlowTest {
     @Test
     fun `temperature, pressure, shear stress and dissipation of uniform shear flow`() {
         val wanted = if (fullPhysics) cases else cases.filter { it.e == 0.9 && it.filling > 0.05 || it.e == 0.8 && it.filling == 0.3 }
-        for (case in wanted) measure(case)
+        for (case in wanted) {
+            // One run of 160 strains scatters by one to two per cent.
+            val runs = (if (fullPhysics) 1L..3L else 1L..1L).map { measure(case, it) }
+            fun mean(k: Int) = runs.map { it[k] }.average()
+            val name = "e = ${case.e}, φ = ${case.filling}"
+            assertPhysics("T*, $name", case.temperature, mean(0), if (fullPhysics) 0.03 else 0.04)
+            assertPhysics("p*, $name", case.pressure, mean(1), 0.04)
+            assertPhysics("τ*, $name", case.stress, mean(2), 0.04)
+            assertPhysics("loss/(τγ), $name", 1.0, mean(3), if (fullPhysics) 0.01 else 0.02)
+        }
     }
 
-    private fun measure(case: Case) {
+    /** @return temperature, pressure, shear stress, loss over work */
+    private fun measure(case: Case, seed: Long): DoubleArray {
         val count = 2048
         val box = cube(count, case.filling)
         val settle = 40.0
         val strain = if (fullPhysics) 160.0 else 60.0
-        val p = gas(count, box, 1, true, shearRate = 1.0)
+        val p = gas(count, box, seed, true, shearRate = 1.0)
         // Start near the steady temperature: peculiar velocities scaled, the flow kept.
         val hot = sqrt(case.temperature)
         for (k in 0 until count) {
@@ -61,10 +71,6 @@ class ShearFlowTest {
         val temperature = kinetic[0] / samples / count / 3
         val pressure = (kinetic[0] / samples / 3 + (statistics.virial[0] + statistics.virial[4] + statistics.virial[8]) / 3 / elapsed) / unit
         val stress = -(kinetic[1] / samples + statistics.virial[1] / elapsed) / unit
-        val name = "e = ${case.e}, φ = ${case.filling}"
-        assertPhysics("T*, $name", case.temperature, temperature, if (fullPhysics) 0.03 else 0.04)
-        assertPhysics("p*, $name", case.pressure, pressure, 0.04)
-        assertPhysics("τ*, $name", case.stress, stress, 0.04)
-        assertPhysics("loss/(τγ), $name", 1.0, statistics.dissipated / elapsed / (stress * unit), if (fullPhysics) 0.01 else 0.02)
+        return doubleArrayOf(temperature, pressure, stress, statistics.dissipated / elapsed / (stress * unit))
     }
 }

@@ -33,10 +33,9 @@ class RunTest {
         settings.toList(),
     )
 
-    private fun run(name: String, steps: Int = Int.MAX_VALUE, vararg settings: String): Summary =
-        Run.start(scenario(*settings), "test", home.resolve(name)).use { run ->
-            run.execute(cancelled = { run.simulation.step >= steps })
-        }
+    private fun run(name: String, steps: Int = Int.MAX_VALUE, vararg settings: String): Summary = Run.start(scenario(*settings), "test", home.resolve(name)).use { run ->
+        run.execute(cancelled = { run.simulation.step >= steps })
+    }
 
     private fun resume(name: String): Pair<Summary, List<String>> = Run.resume(home.resolve(name)).use { it.execute() to it.notices }
 

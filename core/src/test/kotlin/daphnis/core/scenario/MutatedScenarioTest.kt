@@ -1,8 +1,8 @@
 package daphnis.core.scenario
 
+import daphnis.core.Simulation
 import daphnis.core.engine.CollapseException
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.Simulation
 import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
@@ -12,7 +12,8 @@ import java.time.Duration
 
 /** Mutated scenarios: each is refused in one line or runs. Never another exception, never a hang. */
 class MutatedScenarioTest {
-    private val values = listOf("0", "-1", "1e308", "-1e308", "1e-308", "NaN", "null", "true", "\"x\"", "[]", "{}", "[1,2,3]", "2147483647", "1e999", "0.5", "1", "3", "\"\"", "9223372036854775807", "[0.1,0.1,0.1]")
+    private val values =
+        ("0 -1 1e308 -1e308 1e-308 NaN null true \"x\" [] {} [1,2,3] 2147483647 1e999 0.5 1 3 \"\" 9223372036854775807 [0.1,0.1,0.1]").split(" ")
     private val keys = listOf("type", "count", "radius", "dt", "lengths", "sigma", "fillingFactor", "until", "bogus", "")
 
     @Test

@@ -26,8 +26,7 @@ class GridTest {
     }
 
     /** Seen from the lower id; two images of one sphere from the one with the positive code. */
-    private fun canonical(a: Int, b: Int, code: Int) =
-        if (a < b || (a == b && code >= Images.negated(code))) Pair(a, b, code) else Pair(b, a, Images.negated(code))
+    private fun canonical(a: Int, b: Int, code: Int) = if (a < b || (a == b && code >= Images.negated(code))) Pair(a, b, code) else Pair(b, a, Images.negated(code))
 
     @Test
     fun `both kinds of runs hold every pair within range, in every boundary, once`() {
@@ -72,16 +71,20 @@ class GridTest {
         for (i in 0 until p.size) {
             for (j in 0 until p.size) {
                 if (p.id[i] >= p.id[j]) continue
-                for (x in -far[0]..far[0]) for (y in -far[1]..far[1]) for (z in -far[2]..far[2]) {
-                    val code = Images.code(x, y, z)
-                    val positions = listOf(p.x, p.y, p.z)
-                    val close = (0..2).all { axis ->
-                        val d = positions[axis][j] - positions[axis][i] + images.shift(code, axis)
-                        val slide = images.slide(code, axis) * duration
-                        val least = if (d * (d + slide) <= 0) 0.0 else minOf(abs(d), abs(d + slide))
-                        least <= p.radius[i] + p.radius[j] + 2 * reach[axis]
+                for (x in -far[0]..far[0]) {
+                    for (y in -far[1]..far[1]) {
+                        for (z in -far[2]..far[2]) {
+                            val code = Images.code(x, y, z)
+                            val positions = listOf(p.x, p.y, p.z)
+                            val close = (0..2).all { axis ->
+                                val d = positions[axis][j] - positions[axis][i] + images.shift(code, axis)
+                                val slide = images.slide(code, axis) * duration
+                                val least = if (d * (d + slide) <= 0) 0.0 else minOf(abs(d), abs(d + slide))
+                                least <= p.radius[i] + p.radius[j] + 2 * reach[axis]
+                            }
+                            if (close) found += Pair(p.id[i], p.id[j], code)
+                        }
                     }
-                    if (close) found += Pair(p.id[i], p.id[j], code)
                 }
             }
         }

@@ -1,0 +1,132 @@
+package daphnis.core
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
+import daphnis.core.collision.BridgesRestitution
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.force.Kick
+import daphnis.core.population.Conserved
+import daphnis.core.population.Population
+import daphnis.core.population.stateDigest
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.ScenarioSetup
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import java.nio.file.Files
+import java.nio.file.Path
+
+// The examples of docs/library.md, compiled and run. A test compares the text.
+
+// example: force
+class CentralSpring(private val stiffness: Double) : Kick {
+    override fun kick(population: Population, time: Double, duration: Double) {
+        for (k in 0 until population.size) {
+            val f = -stiffness / population.mass[k] * duration
+            population.vx[k] += f * population.x[k]
+            population.vy[k] += f * population.y[k]
+            population.vz[k] += f * population.z[k]
+        }
+    }
+}
+// end
+
+// example: boundary
+class AbsorbingFloor(private val floor: Double) : BoundaryConditions {
+    override val box = Box.UNBOUNDED
+
+    override fun endStep(population: Population, time: Double) {
+        population.retain { k -> population.z[k] >= floor }
+    }
+}
+// end
+
+// example: output
+class EnergyHistory : Output {
+    val energies = ArrayList<Double>()
+
+    override fun write(simulation: Simulation) {
+        energies += Conserved.of(simulation.population).kineticEnergy
+    }
+}
+// end
+
+class LibraryGuideTest {
+    @Test
+    fun `a simulation from a few lines`() {
+        // example: simulation
+        val n = 3
+        val population = Population(
+            x = doubleArrayOf(-3.0, 0.0, 3.0),
+            y = DoubleArray(n),
+            z = DoubleArray(n),
+            vx = doubleArrayOf(1.0, 0.0, -0.5),
+            vy = DoubleArray(n),
+            vz = DoubleArray(n),
+            radius = DoubleArray(n) { 0.5 },
+            mass = DoubleArray(n) { 1.0 },
+        )
+        val boundary = Periodic(Box.centred(10.0, 10.0, 10.0))
+        val history = EnergyHistory()
+        Simulation(population, boundary, CollisionForcing(ConstantRestitution(0.8)), FixedTimeStep(0.1), outputs = listOf(history)).use {
+            while (it.time < 5.0) it.advance()
+        }
+        println("energy ${history.energies.first()} -> ${history.energies.last()}, digest ${stateDigest(population)}")
+        // end
+        assertTrue(history.energies.last() < history.energies.first())
+        assertEquals(51, history.energies.size)
+    }
+
+    @Test
+    fun `a scenario as a library call`() {
+        // example: scenario
+        val setup = ScenarioSetup.of(BuiltIn.scenario("cooling-gas", settings = listOf("particles.count=200")), "cooling-gas")
+        val collisions = CollisionForcing(setup.restitution, setup.guard)
+        val simulation = Simulation(setup.population, setup.boundary, collisions, setup.timeStep, setup.forces)
+        simulation.use { while (it.time < 2.0) it.advance() }
+        println("${collisions.counters.collisions} collisions")
+        // end
+        assertTrue(collisions.counters.collisions > 10)
+    }
+
+    @Test
+    fun `a spring holds spheres together and conserves energy to second order`() {
+        val energies = listOf(0.02, 0.01).map { dt ->
+            val p = populationOf(Sphere(x = 1.0, vy = 0.3, r = 0.01), Sphere(x = -1.0, vy = -0.3, r = 0.01))
+            fun total() = Conserved.of(p).kineticEnergy + (0 until 2).sumOf { p.x[it] * p.x[it] + p.y[it] * p.y[it] } / 2
+            val before = total()
+            val simulation = Simulation(p, daphnis.core.boundary.Open, CollisionForcing(ConstantRestitution(1.0)), FixedTimeStep(dt), listOf(CentralSpring(1.0)))
+            while (simulation.time < 1.3) simulation.advance()
+            Math.abs(total() - before)
+        }
+        assertTrue(energies[0] < 1e-4 && energies[0] / energies[1] in 3.0..5.0) { "$energies" }
+    }
+
+    @Test
+    fun `a floor takes spheres away`() {
+        val p = populationOf(Sphere(z = 5.0, vz = -1.0), Sphere(z = 9.0, vx = 1.0), Sphere(z = 0.5, x = 9.0, vz = -1.0))
+        val simulation = Simulation(p, AbsorbingFloor(0.0), CollisionForcing(BridgesRestitution()), FixedTimeStep(1.0))
+        repeat(3) { simulation.advance() }
+        assertEquals(2, p.size)
+        assertEquals(-1, p.indexOf(2))
+        assertTrue(p.indexOf(0) >= 0 && p.indexOf(1) >= 0)
+        repeat(20) { simulation.advance() }
+        assertEquals(1, p.size)
+    }
+
+    @Test
+    fun `the guide shows this code`() {
+        val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }.first { Files.exists(it.resolve("settings.gradle.kts")) }
+        val guide = Files.readString(root.resolve("docs/library.md"))
+        val code = Files.readString(root.resolve("core/src/test/kotlin/daphnis/core/LibraryGuideTest.kt"))
+        val examples = Regex("""// example: (\w+)\n(.*?)\n\s*// end\n""", RegexOption.DOT_MATCHES_ALL).findAll(code).toList()
+        assertEquals(5, examples.size)
+        for (example in examples) {
+            assertTrue(example.groupValues[2].trimIndent() in guide) {
+                "docs/library.md lacks the example '${example.groupValues[1]}' as it stands here"
+            }
+        }
+    }
+}

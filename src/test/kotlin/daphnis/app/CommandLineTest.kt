@@ -1,0 +1,138 @@
+package daphnis.app
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The command line as a user meets it, in this process. */
+class CommandLineTest {
+    @TempDir
+    lateinit var home: Path
+
+    private class Result(val code: Int, val out: String, val err: String)
+
+    private fun daphnis(vararg args: String): Result {
+        val out = ByteArrayOutputStream()
+        val err = ByteArrayOutputStream()
+        val oldOut = System.out
+        val oldErr = System.err
+        System.setOut(PrintStream(out, true))
+        System.setErr(PrintStream(err, true))
+        try {
+            return Result(runDaphnis(arrayOf(*args)), out.toString(), err.toString())
+        } finally {
+            System.setOut(oldOut)
+            System.setErr(oldErr)
+        }
+    }
+
+    private fun at(name: String) = home.resolve(name).toString()
+
+    private fun small(name: String, vararg more: String) = daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--out", at(name), *more)
+
+    /** Exit code 2 and one line on the error stream that holds [parts]. */
+    private fun assertRefused(result: Result, vararg parts: String) {
+        assertEquals(2, result.code) { result.err }
+        assertEquals(1, result.err.trimEnd().lines().size) { result.err }
+        for (part in parts) assertTrue(part in result.err) { "'$part' is not in ${result.err}" }
+        assertFalse("Exception" in result.err) { result.err }
+    }
+
+    @Test
+    fun `a run leaves a plot in both formats and says its digest`() {
+        val result = small("a")
+        assertEquals(0, result.code) { result.err }
+        assertTrue("state digest" in result.out)
+        assertTrue(Files.size(home.resolve("a/plots/run.png")) > 10_000)
+        val svg = Files.readString(home.resolve("a/plots/run.svg"))
+        assertTrue("granular temperature" in svg && "cooling-gas" in svg)
+    }
+
+    @Test
+    fun `the same seed gives the same digest, another seed another`() {
+        small("a")
+        small("b")
+        small("c", "--seed", "2")
+        assertEquals(0, daphnis("compare", at("a"), at("b")).code)
+        val differs = daphnis("compare", at("a"), at("c"))
+        assertEquals(1, differs.code)
+        assertTrue("step 0: particle 0, x =" in differs.out) { differs.out }
+    }
+
+    @Test
+    fun `resume goes on to a later end, to the same bits as one run`() {
+        small("a")
+        assertEquals(0, daphnis("resume", at("a"), "--until", "4").code)
+        daphnis("run", "cooling-gas", "--set", "particles.count=100", "--until", "4", "--out", at("b"), "--quiet")
+        assertEquals(0, daphnis("compare", at("a"), at("b")).code)
+    }
+
+    @Test
+    fun `every format is exported`() {
+        small("a", "--set", "output.snapshotEvery=10")
+        for ((format, file) in listOf("xyz" to "trajectory.xyz", "vtp" to "trajectory.pvd", "h5md" to "trajectory.h5", "cartandrad" to "CartAndRad.20.bin")) {
+            val result = daphnis("export", at("a"), "--format", format)
+            assertEquals(0, result.code) { result.err }
+            assertTrue(Files.size(home.resolve("a/export").resolve(file)) > 100) { format }
+        }
+        assertRefused(daphnis("export", at("a"), "--format", "xyz", "--scale", "-1"), "--scale")
+        assertEquals(2, daphnis("export", at("a"), "--format", "pdf").code)
+    }
+
+    @Test
+    fun `scenarios are listed, printed and described`() {
+        assertTrue("paper-figure-1" in daphnis("scenarios").out)
+        val text = daphnis("scenarios", "shear-cell").out
+        assertTrue(text.startsWith("//") && "lees-edwards" in text)
+        val file = Files.writeString(home.resolve("mine.json"), text)
+        val described = daphnis("describe", file.toString())
+        assertEquals(0, described.code) { described.err }
+        assertTrue("filling factor" in described.out && "2048" in described.out) { described.out }
+    }
+
+    @Test
+    fun `wrong input is one line and exit code 2`() {
+        assertRefused(daphnis("run", "nowhere.json"), "nowhere.json", "no such file")
+        assertRefused(daphnis("describe", home.toString()), "is a directory")
+        assertRefused(daphnis("scenarios", "paper"), "paper-figure-1")
+        assertRefused(daphnis("run", "cooling-gas", "--set", "timestep.dt=1", "--out", at("x")), "timestep", "timeStep")
+        assertRefused(daphnis("run", "cooling-gas", "--steps", "3", "--until", "4", "--out", at("x")), "--steps")
+        assertRefused(daphnis("run", "cooling-gas", "--steps", "0", "--out", at("x")), "--steps")
+        assertRefused(daphnis("run", "cooling-gas", "--engine", "warp", "--out", at("x")), "engine.name", "serial")
+        assertRefused(daphnis("resume", at("x")), "no such directory")
+        assertRefused(daphnis("resume", home.toString()), "no run directory")
+        assertRefused(daphnis("compare", at("x"), at("y")), "no run directory")
+        small("a")
+        assertRefused(small("a"), "exists", "--force")
+        assertEquals(0, small("a", "--force").code)
+        assertEquals(2, daphnis("run", "--bogus").code)
+        assertEquals(2, daphnis("fly").code)
+    }
+
+    @Test
+    fun `a collapse ends with exit code 1 and says what to do`() {
+        Files.writeString(home.resolve("line.csv"), "x,y,z,vx,radius\n" + (0 until 40).joinToString("\n") { "${2.0001 * it - 40},0,0,${20 - it},1" })
+        Files.writeString(
+            home.resolve("collapse.json"),
+            """{ "box": { "lengths": [100, 10, 10] }, "boundary": { "type": "open" }, "placement": { "type": "file", "path": "line.csv" },
+                "restitution": { "type": "constant", "coefficient": 0.2 }, "guard": { "type": "none" },
+                "timeStep": { "type": "fixed", "dt": 50 }, "until": 50 }""",
+        )
+        val result = daphnis("run", at("collapse.json"), "--out", at("x"))
+        assertEquals(1, result.code) { result.err }
+        assertTrue("inelastic collapse" in result.err && "guard" in result.err) { result.err }
+    }
+
+    @Test
+    fun `help and version are no errors`() {
+        assertEquals(0, daphnis("--help").code)
+        assertEquals(0, daphnis("run", "--help").code)
+        assertEquals(0, daphnis("--version").code)
+    }
+}

@@ -1,0 +1,61 @@
+#!/bin/sh
+# The command line as a user types it: run, kill -9, resume, compare, Ctrl-C, a full disk's cousin (an unwritable place), exports.
+set -eu
+here=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
+work=$(mktemp -d "${TMPDIR:-/tmp}/daphnis-smoke.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+# In the background the script itself is called, so that $! is the process that becomes the JVM.
+daphnis() { "$here/daphnis" "$@"; }
+die() {
+    echo "smoke test: $*" >&2
+    exit 1
+}
+
+daphnis scenarios >list
+grep -q '^paper-figure-1 ' list || die "scenarios does not list paper-figure-1"
+
+gas="run elastic-gas --until 60 --set output.checkpointEvery=20 --quiet"
+daphnis $gas --out whole >/dev/null
+
+# kill -9 in the middle, several times, until it has ended
+"$here/daphnis" $gas --out killed >/dev/null 2>&1 &
+pid=$!
+sleep 2
+kill -9 $pid 2>/dev/null || true
+wait $pid 2>/dev/null || true
+tries=0
+until [ -f killed/summary.json ]; do
+    tries=$((tries + 1))
+    [ $tries -lt 20 ] || die "never ends when killed"
+    "$here/daphnis" resume killed --quiet >/dev/null 2>&1 &
+    pid=$!
+    if [ $tries -lt 3 ]; then
+        sleep 1
+        kill -9 $pid 2>/dev/null || true
+    fi
+    wait $pid 2>/dev/null || true
+done
+daphnis compare whole killed | grep -q '^identical' || die "a killed and resumed run differs"
+cmp whole/series.csv killed/series.csv || die "the series of a killed and resumed run differs"
+
+# Ctrl-C: a checkpoint and exit code 130 (INT is ignored in background jobs of sh, TERM is not)
+"$here/daphnis" run elastic-gas --until 1000 --quiet --out stopped >out 2>&1 &
+pid=$!
+until [ -f stopped/checkpoint ]; do sleep 0.2; done
+sleep 1
+kill -TERM $pid
+code=0
+wait $pid || code=$?
+[ $code -eq 130 ] || die "interrupted: exit code $code instead of 130"
+grep -q 'go on with: daphnis resume' out || die "interrupted: does not say how to go on"
+
+code=0
+daphnis run elastic-gas --set until=-1 --out bad 2>err || code=$?
+[ $code -eq 2 ] || die "wrong input: exit code $code instead of 2"
+[ "$(wc -l <err)" -eq 1 ] || die "wrong input: not one line"
+[ ! -e bad ] || die "wrong input: left a directory"
+
+for format in xyz vtp h5md cartandrad; do daphnis export whole --format $format >/dev/null; done
+[ -s whole/plots/run.png ] && [ -s whole/plots/run.svg ] || die "no plot"
+echo "smoke test: ok"
