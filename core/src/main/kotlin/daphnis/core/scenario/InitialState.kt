@@ -186,7 +186,7 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         const val CLOSEST_PACKING = 0.7405
         const val MOST_PARTICLES = 200_000_000
 
-        /** Population, packed rows, grid and queue together, measured; see docs/performance.md. */
+        /** Population, packed rows, grid and queue together are 215 to 228 (docs/performance.md); some room beside. */
         const val BYTES_PER_SPHERE = 260.0
     }
 }
