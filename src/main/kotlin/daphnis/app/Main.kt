@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.versionOption
@@ -37,6 +38,8 @@ internal fun runDaphnis(args: Array<String>): Int {
         EXIT_DONE
     } catch (e: ProgramResult) {
         e.statusCode
+    } catch (e: UsageError) {
+        complain(oneLine(command.getFormattedHelp(e).orEmpty(), e), EXIT_INPUT)
     } catch (e: CliktError) {
         command.echoFormattedHelp(e)
         if (e.statusCode == 0) EXIT_DONE else EXIT_INPUT
@@ -51,6 +54,12 @@ internal fun runDaphnis(args: Array<String>): Int {
     } catch (e: OutOfMemoryError) {
         complain("not enough memory (the JVM has ${Runtime.getRuntime().maxMemory() shr 20} MiB); raise it with JAVA_OPTS=-Xmx…", EXIT_FAILED)
     }
+}
+
+/** The library's message begins with the usage; a wrong word deserves one line and where to read more. */
+private fun oneLine(help: String, e: UsageError): String {
+    val errors = help.lines().filter { it.startsWith("Error: ") }.joinToString("; ") { it.removePrefix("Error: ") }
+    return "$errors (see ${e.context?.commandNameWithParents()?.joinToString(" ") ?: "daphnis"} --help)"
 }
 
 private fun complain(message: String, code: Int): Int {

@@ -82,7 +82,7 @@ class CommandLineTest {
             assertTrue(Files.size(home.resolve("a/export").resolve(file)) > 100) { format }
         }
         assertRefused(daphnis("export", at("a"), "--format", "xyz", "--scale", "-1"), "--scale")
-        assertEquals(2, daphnis("export", at("a"), "--format", "pdf").code)
+        assertRefused(daphnis("export", at("a"), "--format", "pdf"), "pdf", "xyz")
     }
 
     @Test
@@ -111,8 +111,10 @@ class CommandLineTest {
         small("a")
         assertRefused(small("a"), "exists", "--force")
         assertEquals(0, small("a", "--force").code)
-        assertEquals(2, daphnis("run", "--bogus").code)
-        assertEquals(2, daphnis("fly").code)
+        assertRefused(daphnis("run", "--bogus"), "--bogus", "daphnis run --help")
+        assertRefused(daphnis("run", "--seed", "abc"), "--seed", "abc")
+        assertRefused(daphnis("fly"), "fly")
+        assertRefused(daphnis("resume"), "dir")
     }
 
     @Test
