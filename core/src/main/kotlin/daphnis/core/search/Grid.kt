@@ -1,7 +1,6 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.population.Population
 import kotlin.math.ceil
@@ -59,39 +58,35 @@ public class Grid {
     private var cellOfIndex = IntArray(0)
     private var runs = 0
 
-    // Axis of rows, middle axis, slow axis; and for each of the three in this order:
-    private var axes = intArrayOf(0, 2, 1)
-    private val cells = IntArray(3)
-    private val span = IntArray(3)
-    private val low = DoubleArray(3)
-    private val perLength = DoubleArray(3)
-    private val periodic = BooleanArray(3)
+    private val layout = GridLayout()
+
+    // Of the layout, for the row axis, the middle and the slow axis.
+    private val cells = layout.cells
+    private val span = layout.span
+    private val periodic = layout.periodic
 
     // Rows within the range, as offsets in cells from the own row, which is in the middle; those after it lie ahead.
     private var rows = 0
     private var ownRow = 0
     private var rowOffset = IntArray(0)
 
-    // Cells along a row that an image row one box up the slow axis may be displaced during the step.
-    private var slideLow = 0.0
-    private var slideHigh = 0.0
-
     /** Cells along [axis]. */
-    public fun cellsAlong(axis: Int): Int = cells[axes.indexOf(axis)]
+    public fun cellsAlong(axis: Int): Int = cells[layout.axes.indexOf(axis)]
 
     /** Width of a cell along [axis]. */
-    public fun cellWidth(axis: Int): Double = 1 / perLength[axes.indexOf(axis)]
+    public fun cellWidth(axis: Int): Double = layout.width(layout.axes.indexOf(axis))
 
     /**
      * Sorts [population] into cells for a step from [time] of [duration] in which nobody goes farther than [reach].
      *
      * @param reach bound along x, y, z; zeros find what touches at the start
-     * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond ±[MOST_BOXES] would matter
+     * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond ±[GridLayout.MOST_BOXES] would matter
      */
     public fun build(population: Population, boundary: BoundaryConditions, time: Double, duration: Double, reach: DoubleArray) {
         n = population.size
         images.prepare(boundary, time)
-        layOut(population, boundary, duration, reach)
+        layout.prepare(population, boundary, images, duration, reach)
+        numberRows()
         sort(population)
     }
 
@@ -175,10 +170,10 @@ public class Grid {
         val rowStart = (c2 * cells[1] + c1) * cells[0]
         var from = c0 - span[0]
         var to = c0 + span[0]
-        if (image2 != 0 && slideHigh > slideLow) {
+        if (image2 != 0 && layout.slides) {
             // The image row is displaced by s, so its spheres are looked for s earlier in the row.
-            from -= ceil(maxOf(image2 * slideLow, image2 * slideHigh)).toInt()
-            to -= floor(minOf(image2 * slideLow, image2 * slideHigh)).toInt()
+            from -= ceil(maxOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
+            to -= floor(minOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
         }
         if (from >= 0 && to < cells[0]) {
             val first = cellStart[rowStart + from]
@@ -219,79 +214,7 @@ public class Grid {
     }
 
     private fun code(image0: Int, image1: Int, image2: Int): Int =
-        ((image0 and 0xff) shl (8 * axes[0])) or ((image1 and 0xff) shl (8 * axes[1])) or ((image2 and 0xff) shl (8 * axes[2]))
-
-    private fun layOut(population: Population, boundary: BoundaryConditions, duration: Double, reach: DoubleArray) {
-        val shear = boundary.shear
-        axes[0] = shear?.slideAxis ?: 0
-        axes[2] = shear?.normalAxis ?: 1
-        axes[1] = 3 - axes[0] - axes[2]
-        var largest = 0.0
-        for (r in population.radius) largest = maxOf(largest, r)
-        for (k in 0..2) layOutAxis(k, population, boundary, 2 * largest + 2 * reach[axes[k]])
-        limitCells()
-        for (k in 0..2) span[k] = spanOf(k)
-        numberRows()
-        slideLow = 0.0
-        slideHigh = 0.0
-        if (shear != null) {
-            val offset = images.shearOffset
-            val moved = offset + images.shearVelocity * duration
-            slideLow = minOf(offset, moved) * perLength[0] - SLACK
-            slideHigh = maxOf(offset, moved) * perLength[0] + SLACK
-        }
-    }
-
-    private val extent = DoubleArray(3)
-    private val range = DoubleArray(3)
-
-    private fun layOutAxis(k: Int, population: Population, boundary: BoundaryConditions, bareRange: Double) {
-        val axis = axes[k]
-        periodic[k] = boundary.contactFaces(axis) == ContactFaces.PERIODIC
-        if (periodic[k]) {
-            low[k] = boundary.box.lower(axis)
-            extent[k] = boundary.box.length(axis)
-        } else {
-            val a = if (axis == 0) {
-                population.x
-            } else if (axis == 1) {
-                population.y
-            } else {
-                population.z
-            }
-            var least = Double.POSITIVE_INFINITY
-            var most = Double.NEGATIVE_INFINITY
-            for (v in a) {
-                least = Math.min(least, v)
-                most = Math.max(most, v)
-            }
-            low[k] = if (n == 0) 0.0 else least
-            extent[k] = if (n == 0) 0.0 else most - least
-        }
-        range[k] = bareRange * (1 + SLACK)
-        require(!periodic[k] || range[k] < extent[k] * MOST_BOXES) {
-            "the fastest spheres meet images $MOST_BOXES boxes away along ${"xyz"[axis]} within a step; take a smaller dt"
-        }
-        val perRange = if (k == 0) ROW_CELLS_A_RANGE else 1
-        cells[k] = (extent[k] / range[k] * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
-    }
-
-    /** Far-flung spheres in an open box must not cost memory: never more than a few cells a sphere. Wider cells are always right. */
-    private fun limitCells() {
-        val most = maxOf(MOST_CELLS_A_SPHERE * n.toDouble(), LEAST_CELLS)
-        while (true) {
-            val total = cells[0].toDouble() * cells[1] * cells[2]
-            if (total <= most) return
-            val k = if (cells[0] >= cells[1] && cells[0] >= cells[2]) {
-                0
-            } else if (cells[1] >= cells[2]) {
-                1
-            } else {
-                2
-            }
-            cells[k] = maxOf(1, (cells[k] * maxOf(most / total, 0.5)).toInt())
-        }
-    }
+        ((image0 and 0xff) shl (8 * layout.axes[0])) or ((image1 and 0xff) shl (8 * layout.axes[1])) or ((image2 and 0xff) shl (8 * layout.axes[2]))
 
     private fun numberRows() {
         rows = (2 * span[1] + 1) * (2 * span[2] + 1)
@@ -302,14 +225,6 @@ public class Grid {
         for (d2 in -span[2]..span[2]) {
             for (d1 in -span[1]..span[1]) rowOffset[r++] = (d2 * cells[1] + d1) * cells[0]
         }
-    }
-
-    /** Cells that the range covers to one side along axis [k]; sets the scale. */
-    private fun spanOf(k: Int): Int {
-        val width = if (extent[k] > 0) extent[k] / cells[k] else range[k]
-        perLength[k] = 1 / width
-        val needed = maxOf(1, ceil(range[k] / width - SLACK / 2).toInt())
-        return if (periodic[k]) needed else minOf(needed, cells[k])
     }
 
     /** Counting sort. Stable, so the order within a cell is the order that the population came in. */
@@ -324,15 +239,15 @@ public class Grid {
         if (cellStart.size < total + 2) cellStart = IntArray(total + total / 4 + 2)
         val start = cellStart
         start.fill(0, 0, total + 2)
-        val a = coordinate(population, axes[0])
-        val b = coordinate(population, axes[1])
-        val c = coordinate(population, axes[2])
+        val a = layout.coordinate(population, 0)
+        val b = layout.coordinate(population, 1)
+        val c = layout.coordinate(population, 2)
         val n0 = cells[0]
         val n1 = cells[1]
         for (k in 0 until n) {
-            val c0 = cellAt(a[k], 0)
-            val c1 = cellAt(b[k], 1)
-            val c2 = cellAt(c[k], 2)
+            val c0 = layout.cellAt(a[k], 0)
+            val c1 = layout.cellAt(b[k], 1)
+            val c2 = layout.cellAt(c[k], 2)
             val cell = (c2 * n1 + c1) * n0 + c0
             cellOfIndex[k] = cell
             start[cell + 2]++
@@ -356,36 +271,7 @@ public class Grid {
         }
     }
 
-    private fun coordinate(population: Population, axis: Int): DoubleArray = if (axis == 0) {
-        population.x
-    } else if (axis == 1) {
-        population.y
-    } else {
-        population.z
-    }
-
-    private fun cellAt(position: Double, k: Int): Int {
-        val c = ((position - low[k]) * perLength[k]).toInt()
-        return if (c >= cells[k]) {
-            cells[k] - 1
-        } else if (c < 0) {
-            0
-        } else {
-            c
-        }
-    }
-
-    public companion object {
-        /** How many boxes away along an axis images are looked for; the work of a step grows with the cube of it. */
-        public const val MOST_BOXES: Int = 16
-
-        private const val INITIAL_RUNS = 64
-        private const val ROW_CELLS_A_RANGE = 3
-        private const val MOST_CELLS_ALONG = 1e6
-        private const val MOST_CELLS_A_SPHERE = 8
-        private const val LEAST_CELLS = 64.0
-
-        /** Relative room for the rounding of cell numbers; round-off is some 1e-12 of it. */
-        private const val SLACK = 1e-9
+    private companion object {
+        const val INITIAL_RUNS = 64
     }
 }

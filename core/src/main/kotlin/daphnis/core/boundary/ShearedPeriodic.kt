@@ -1,0 +1,34 @@
+package daphnis.core.boundary
+
+import daphnis.core.population.Population
+import kotlin.math.floor
+
+/**
+ * The sheared periodic box of Lewis & Massingill: at the end of a step a sphere beyond a face is put on the other side, and one
+ * that passed a y face has its x velocity changed by [velocityJump]. There is no offset of position and no collision search
+ * through the faces, so such a box is not a consistent replica of itself and a wrap can land one sphere on another; the
+ * pair then collides if it approaches and separates if it recedes. Use it for the paper's figures, [LeesEdwards] for physics.
+ */
+public class ShearedPeriodic(override val box: Box, public val velocityJump: Double) : BoundaryConditions {
+    init {
+        requireFinite(box) { true }
+        require(velocityJump.isFinite()) { "velocity jump is $velocityJump; it must be finite" }
+    }
+
+    override val isSheared: Boolean get() = true
+
+    override fun endStep(population: Population, time: Double) {
+        val y = population.y
+        val vx = population.vx
+        val length = box.length(1)
+        for (k in 0 until population.size) {
+            if (y[k] >= box.lowerY && y[k] < box.upperY) continue
+            // v_x = γ y with γ L_y = jump: who leaves above enters below, where the flow is slower by the jump.
+            val boxes = floor((y[k] - box.lowerY) / length)
+            y[k] = inside(y[k] - boxes * length, box.lowerY, box.upperY)
+            vx[k] -= boxes * velocityJump
+        }
+        wrap(population.x, box.lowerX, box.upperX)
+        wrap(population.z, box.lowerZ, box.upperZ)
+    }
+}

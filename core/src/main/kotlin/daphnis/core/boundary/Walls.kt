@@ -1,0 +1,24 @@
+package daphnis.core.boundary
+
+import daphnis.core.population.Population
+
+/**
+ * Reflecting walls: the surface of a sphere never passes a face; its normal velocity is reversed at the moment of contact and
+ * multiplied by [wallRestitution]. Axes for which [walled] is false are periodic.
+ */
+public class Walls(override val box: Box, override val wallRestitution: Double = 1.0, private val walled: BooleanArray = booleanArrayOf(true, true, true)) :
+    BoundaryConditions {
+    init {
+        requireFinite(box) { true }
+        require(wallRestitution in 0.0..1.0) { "wall restitution is $wallRestitution; it must be in [0, 1]" }
+        require(walled.size == AXES) { "walled has ${walled.size} entries, one for each of x, y, z is needed" }
+    }
+
+    override fun contactFaces(axis: Int): ContactFaces = if (walled[axis]) ContactFaces.WALL else ContactFaces.PERIODIC
+
+    override fun endStep(population: Population, time: Double) {
+        if (!walled[0]) wrap(population.x, box.lowerX, box.upperX)
+        if (!walled[1]) wrap(population.y, box.lowerY, box.upperY)
+        if (!walled[2]) wrap(population.z, box.lowerZ, box.upperZ)
+    }
+}

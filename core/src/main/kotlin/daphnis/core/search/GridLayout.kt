@@ -1,0 +1,143 @@
+package daphnis.core.search
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.Images
+import daphnis.core.population.Population
+import kotlin.math.abs
+import kotlin.math.ceil
+
+/**
+ * How a [Grid] divides space: for the axis of rows (0), the middle axis (1) and the slow axis (2), the number of cells, their width, and how
+ * many of them the range covers to one side. Arrays are indexed by these three; [axes] says which of x, y, z each is.
+ */
+internal class GridLayout {
+    /** x, y or z as the row axis, the middle axis, the slow axis. Rows lie along the axis along which images slide, else along x. */
+    val axes = intArrayOf(0, 2, 1)
+    val cells = IntArray(3)
+    val span = IntArray(3)
+    val periodic = BooleanArray(3)
+
+    /** Whether images across the slow axis slide along the rows. */
+    var slides = false
+        private set
+
+    /** Least and most cells along a row by which the image row one box up the slow axis is displaced during the step. */
+    var slideLow = 0.0
+        private set
+    var slideHigh = 0.0
+        private set
+
+    private val low = DoubleArray(3)
+    private val extent = DoubleArray(3)
+    private val range = DoubleArray(3)
+    private val perLength = DoubleArray(3)
+    private var spheres = 0
+
+    fun prepare(population: Population, boundary: BoundaryConditions, images: Images, duration: Double, reach: DoubleArray) {
+        spheres = population.size
+        val shear = boundary.shear
+        axes[0] = shear?.slideAxis ?: 0
+        axes[2] = shear?.normalAxis ?: 1
+        axes[1] = 3 - axes[0] - axes[2]
+        var largest = 0.0
+        for (r in population.radius) largest = maxOf(largest, r)
+        for (k in 0..2) layOutAxis(k, population, boundary, 2 * largest + 2 * reach[axes[k]])
+        limitCells()
+        for (k in 0..2) span[k] = spanOf(k)
+        slides = shear != null
+        if (slides) {
+            val offset = images.shearOffset
+            val moved = offset + images.shearVelocity * duration
+            slideLow = minOf(offset, moved) * perLength[0] - SLACK
+            slideHigh = maxOf(offset, moved) * perLength[0] + SLACK
+        }
+    }
+
+    private fun layOutAxis(k: Int, population: Population, boundary: BoundaryConditions, bareRange: Double) {
+        val axis = axes[k]
+        periodic[k] = boundary.contactFaces(axis) == ContactFaces.PERIODIC
+        if (periodic[k]) {
+            low[k] = boundary.box.lower(axis)
+            extent[k] = boundary.box.length(axis)
+        } else {
+            val a = coordinate(population, k)
+            var least = Double.POSITIVE_INFINITY
+            var most = Double.NEGATIVE_INFINITY
+            for (v in a) {
+                least = Math.min(least, v)
+                most = Math.max(most, v)
+            }
+            low[k] = if (spheres == 0) 0.0 else least
+            extent[k] = if (spheres == 0) 0.0 else most - least
+        }
+        // Far from the origin the rounding of positions counts more than that of the range.
+        val rounding = ROUNDING_UNITS * Math.ulp(maxOf(abs(low[k]), abs(low[k] + extent[k])))
+        range[k] = bareRange * (1 + SLACK) + rounding
+        require(!periodic[k] || range[k] < extent[k] * MOST_BOXES) {
+            "the fastest spheres meet images $MOST_BOXES boxes away along ${"xyz"[axis]} within a step; take a smaller dt"
+        }
+        val perRange = if (k == 0) ROW_CELLS_A_RANGE else 1
+        cells[k] = (extent[k] / range[k] * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
+    }
+
+    /** Far-flung spheres in an open box must not cost memory: never more than a few cells a sphere. Wider cells are always right. */
+    private fun limitCells() {
+        val most = maxOf(MOST_CELLS_A_SPHERE * spheres.toDouble(), LEAST_CELLS)
+        while (true) {
+            val total = cells[0].toDouble() * cells[1] * cells[2]
+            if (total <= most) return
+            val k = if (cells[0] >= cells[1] && cells[0] >= cells[2]) {
+                0
+            } else if (cells[1] >= cells[2]) {
+                1
+            } else {
+                2
+            }
+            cells[k] = maxOf(1, (cells[k] * maxOf(most / total, 0.5)).toInt())
+        }
+    }
+
+    /** Cells that the range covers to one side along axis [k]; sets the scale. */
+    private fun spanOf(k: Int): Int {
+        val width = if (extent[k] > 0) extent[k] / cells[k] else range[k]
+        perLength[k] = 1 / width
+        val needed = maxOf(1, ceil(range[k] / width - SLACK / 2).toInt())
+        return if (periodic[k]) needed else minOf(needed, cells[k])
+    }
+
+    fun width(k: Int): Double = 1 / perLength[k]
+
+    /** Positions along axis [k] of the three. */
+    fun coordinate(population: Population, k: Int): DoubleArray = when (axes[k]) {
+        0 -> population.x
+        1 -> population.y
+        else -> population.z
+    }
+
+    /** Number of the cell along axis [k] of the three. */
+    fun cellAt(position: Double, k: Int): Int {
+        val c = ((position - low[k]) * perLength[k]).toInt()
+        return if (c >= cells[k]) {
+            cells[k] - 1
+        } else if (c < 0) {
+            0
+        } else {
+            c
+        }
+    }
+
+    companion object {
+        /** How many boxes away along an axis images are looked for; the work of a step grows with the cube of it. */
+        const val MOST_BOXES: Int = 16
+
+        private const val ROW_CELLS_A_RANGE = 3
+        private const val MOST_CELLS_ALONG = 1e6
+        private const val MOST_CELLS_A_SPHERE = 8
+        private const val LEAST_CELLS = 64.0
+        private const val ROUNDING_UNITS = 16
+
+        /** Relative room for the rounding of cell numbers; round-off is some 1e-12 of it. */
+        private const val SLACK = 1e-9
+    }
+}
