@@ -28,12 +28,13 @@ public class Images {
 
     /** Displacement along [axis] at the start of the step. */
     public fun shift(code: Int, axis: Int): Double {
+        if (code == 0) return 0.0
         val own = component(code, axis) * length[axis]
         return if (axis == slideAxis) own + component(code, normalAxis) * offset else own
     }
 
     /** Velocity along [axis] against the original. */
-    public fun slide(code: Int, axis: Int): Double = if (axis == slideAxis) component(code, normalAxis) * velocity else 0.0
+    public fun slide(code: Int, axis: Int): Double = if (code != 0 && axis == slideAxis) component(code, normalAxis) * velocity else 0.0
 
     /** Displacement at the start of the step of the image at +1 along the shear's normal axis, in [0, L). */
     public val shearOffset: Double get() = offset
