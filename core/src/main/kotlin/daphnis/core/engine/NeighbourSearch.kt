@@ -32,7 +32,6 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
     }
 
     private fun queueForward(slot: Int) {
-        val runs = grid.forwardRuns(slot)
         val state = rows.state
         val images = grid.images
         val closing = -2.0 * duration * (1.0 + ROUNDING)
@@ -44,6 +43,7 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
         val vy = state[p + VX + 1]
         val vz = state[p + VX + 2]
         val radius = state[p + RADIUS]
+        val runs = grid.forwardRuns(slot, x, y, z, vx * duration, vy * duration, vz * duration, radius)
         for (r in 0 until runs) {
             val image = grid.runImage[r]
             val sx = images.shift(image, 0)
@@ -71,7 +71,6 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
 
     /** Queues the potential collisions of [slot], whose local time is [time], with everybody but [except]. */
     fun queueAll(slot: Int, time: Double, except: Int) {
-        val runs = grid.allRuns(slot)
         val state = rows.state
         val images = grid.images
         val closing = -2.0 * (duration - time + duration * ROUNDING)
@@ -83,6 +82,8 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
         val vy = state[p + VX + 1]
         val vz = state[p + VX + 2]
         val radius = state[p + RADIUS]
+        val rest = duration - time
+        val runs = grid.allRuns(x, y, z, vx * rest, vy * rest, vz * rest, radius)
         val exceptRow = except * STRIDE
         for (r in 0 until runs) {
             val image = grid.runImage[r]

@@ -5,18 +5,20 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.population.Population
 import kotlin.math.abs
-import kotlin.math.ceil
+import kotlin.math.floor
 
 /**
  * How a [Grid] divides space: for the axis of rows (0), the middle axis (1) and the slow axis (2), the number of cells, their width, and how
- * many of them the range covers to one side. Arrays are indexed by these three; [axes] says which of x, y, z each is.
+ * far beside its way a sphere has to look. Arrays are indexed by these three; [axes] says which of x, y, z each is.
  */
 internal class GridLayout {
     /** x, y or z as the row axis, the middle axis, the slow axis. Rows lie along the axis along which images slide, else along x. */
     val axes = intArrayOf(0, 2, 1)
     val cells = IntArray(3)
-    val span = IntArray(3)
     val periodic = BooleanArray(3)
+
+    /** Largest radius and reach of others together, with room for rounding: what has to be added to a sphere's way and radius. */
+    val margin = DoubleArray(3)
 
     /** Whether images across the slow axis slide along the rows. */
     var slides = false
@@ -30,7 +32,6 @@ internal class GridLayout {
 
     private val low = DoubleArray(3)
     private val extent = DoubleArray(3)
-    private val range = DoubleArray(3)
     private val perLength = DoubleArray(3)
     private var spheres = 0
 
@@ -42,9 +43,9 @@ internal class GridLayout {
         axes[1] = 3 - axes[0] - axes[2]
         var largest = 0.0
         for (r in population.radius) largest = maxOf(largest, r)
-        for (k in 0..2) layOutAxis(k, population, boundary, 2 * largest + 2 * reach[axes[k]])
+        for (k in 0..2) layOutAxis(k, population, boundary, largest, reach[axes[k]])
         limitCells()
-        for (k in 0..2) span[k] = spanOf(k)
+        for (k in 0..2) perLength[k] = if (extent[k] > 0) cells[k] / extent[k] else 1.0
         slides = shear != null
         if (slides) {
             val offset = images.shearOffset
@@ -54,7 +55,7 @@ internal class GridLayout {
         }
     }
 
-    private fun layOutAxis(k: Int, population: Population, boundary: BoundaryConditions, bareRange: Double) {
+    private fun layOutAxis(k: Int, population: Population, boundary: BoundaryConditions, largest: Double, reach: Double) {
         val axis = axes[k]
         periodic[k] = boundary.contactFaces(axis) == ContactFaces.PERIODIC
         if (periodic[k]) {
@@ -73,12 +74,14 @@ internal class GridLayout {
         }
         // Far from the origin the rounding of positions counts more than that of the range.
         val rounding = ROUNDING_UNITS * Math.ulp(maxOf(abs(low[k]), abs(low[k] + extent[k])))
-        range[k] = bareRange * (1 + SLACK) + rounding
-        require(!periodic[k] || range[k] < extent[k] * MOST_BOXES) {
+        margin[k] = (largest + reach) * (1 + SLACK) + rounding
+        // What a pair can bridge at most.
+        val range = 2 * margin[k]
+        require(!periodic[k] || range < extent[k] * MOST_BOXES) {
             "the fastest spheres meet images $MOST_BOXES boxes away along ${"xyz"[axis]} within a step; take a smaller dt"
         }
-        val perRange = if (k == 0) ROW_CELLS_A_RANGE else 1
-        cells[k] = (extent[k] / range[k] * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
+        val perRange = if (k == 0) ROW_CELLS_A_RANGE else CELLS_A_RANGE
+        cells[k] = if (range > 0) (extent[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt() else 1
     }
 
     /** Far-flung spheres in an open box must not cost memory: never more than a few cells a sphere. Wider cells are always right. */
@@ -96,14 +99,6 @@ internal class GridLayout {
             }
             cells[k] = maxOf(1, (cells[k] * maxOf(most / total, 0.5)).toInt())
         }
-    }
-
-    /** Cells that the range covers to one side along axis [k]; sets the scale. */
-    private fun spanOf(k: Int): Int {
-        val width = if (extent[k] > 0) extent[k] / cells[k] else range[k]
-        perLength[k] = 1 / width
-        val needed = maxOf(1, ceil(range[k] / width - SLACK / 2).toInt())
-        return if (periodic[k]) needed else minOf(needed, cells[k])
     }
 
     fun width(k: Int): Double = 1 / perLength[k]
@@ -127,11 +122,33 @@ internal class GridLayout {
         }
     }
 
+    /** The cell toward which [position] lies: beyond the faces of a periodic axis it is counted on, elsewhere it ends at the edge. */
+    fun cellToward(position: Double, k: Int): Int {
+        val c = floor((position - low[k]) * perLength[k])
+        if (periodic[k]) return c.toInt()
+        return if (c >= cells[k]) {
+            cells[k] - 1
+        } else if (c < 0) {
+            0
+        } else {
+            c.toInt()
+        }
+    }
+
+    /** That of the three numbers along x, y, z which belongs to axis [k] of the three. */
+    fun pick(k: Int, x: Double, y: Double, z: Double): Double = when (axes[k]) {
+        0 -> x
+        1 -> y
+        else -> z
+    }
+
     companion object {
         /** How many boxes away along an axis images are looked for; the work of a step grows with the cube of it. */
         const val MOST_BOXES: Int = 16
 
-        private const val ROW_CELLS_A_RANGE = 3
+        /** Cells in the length that a pair can bridge; finer rows fit the way more closely, more rows cost more than they save. */
+        private const val ROW_CELLS_A_RANGE = 4.0
+        private const val CELLS_A_RANGE = 1.0
         private const val MOST_CELLS_ALONG = 1e6
         private const val MOST_CELLS_A_SPHERE = 8
         private const val LEAST_CELLS = 64.0

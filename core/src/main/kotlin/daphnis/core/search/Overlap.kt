@@ -20,14 +20,15 @@ public class Overlap private constructor(public val first: Int, public val secon
             var second = -1
             var depth = 0.0
             for (slot in 0 until population.size) {
-                val runs = grid.forwardRuns(slot)
+                val k = grid.order[slot]
+                val runs = grid.forwardRuns(slot, population.x[k], population.y[k], population.z[k], 0.0, 0.0, 0.0, population.radius[k])
                 for (r in 0 until runs) {
                     for (other in grid.runFrom[r] until grid.runTo[r]) {
                         if (other == slot) continue
-                        val found = depth(population, grid, grid.order[slot], grid.order[other], grid.runImage[r])
+                        val found = depth(population, grid, k, grid.order[other], grid.runImage[r])
                         if (found <= depth) continue
                         depth = found
-                        first = population.id[grid.order[slot]]
+                        first = population.id[k]
                         second = population.id[grid.order[other]]
                     }
                 }
