@@ -2,7 +2,7 @@
 """Opens every exported format with an independent reader and compares the numbers.
 
 Usage:  pip install h5py ase MDAnalysis vtk numpy
-        ./daphnis run shear-cell --until 2 --set output.snapshotEvery=50 --out /tmp/v
+        ./daphnis run shear-cell --until 2.5 --set output.snapshotEvery=50 --out /tmp/v
         for f in xyz vtp h5md cartandrad; do ./daphnis export /tmp/v --format $f; done
         python3 tools/verify-exports.py /tmp/v
 

@@ -48,7 +48,7 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
     }
 
     private fun radii(spec: ParticlesSpec): DoubleArray {
-        check.that("particles", "given", (spec.count == null) != (spec.fillingFactor == null)) { "needs exactly one of count and fillingFactor" }
+        check.must("particles", (spec.count == null) != (spec.fillingFactor == null)) { "needs exactly one of count and fillingFactor" }
         val sizes = sizes(spec.sizes)
         spec.count?.let { count ->
             check.that("particles.count", count, count in 1..MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
@@ -163,8 +163,8 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
 
     private fun fromFile(spec: PlacementSpec.File): Population {
         val key = "placement.path"
-        check.that("particles", "given", scenario.particles == null) { "must be left out when the placement is a file" }
-        check.that("velocities", "given", scenario.velocities == null) { "must be left out when the placement is a file, which holds them" }
+        check.must("particles", scenario.particles == null) { "must be left out when the placement is a file" }
+        check.must("velocities", scenario.velocities == null) { "must be left out when the placement is a file, which holds them" }
         val path = Path.of(spec.path)
         check.that(key, spec.path, Files.isRegularFile(path)) { "no such file" }
         val population = try {

@@ -130,7 +130,7 @@ public class ScenarioSetup private constructor(
         /** A floor speed given in initial rms speeds becomes one in units of speed. */
         private fun resolve(spec: GuardSpec, population: Population, check: ValueCheck): GuardSpec {
             if (spec !is GuardSpec.FloorSpeed) return spec
-            check.that("guard", "floor-speed", (spec.speed == null) != (spec.relative == null)) { "needs exactly one of speed and relative" }
+            check.must("guard", (spec.speed == null) != (spec.relative == null)) { "needs exactly one of speed and relative" }
             val relative = spec.relative ?: return spec
             check.that("guard.relative", relative, relative >= 0) { "must be >= 0" }
             return GuardSpec.FloorSpeed(speed = relative * rmsSpeed(population))

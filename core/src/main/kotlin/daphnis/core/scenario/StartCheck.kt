@@ -28,7 +28,7 @@ internal class StartCheck(private val scenario: Scenario, private val population
         checkSlide(timeStep)
         val overlap = Overlap.deepest(population, boundary, 0.0)
         val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
-        check.that(key, "given", overlap.depth <= TOLERANCE) {
+        check.must(key, overlap.depth <= TOLERANCE) {
             "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; nobody may overlap at the start"
         }
     }
@@ -47,7 +47,7 @@ internal class StartCheck(private val scenario: Scenario, private val population
             val margin = if (wall) population.radius[k] * (1 - TOLERANCE) else 0.0
             val inside = p[k] - margin >= box.lower(axis) && p[k] + margin <= box.upper(axis)
             val name = "xyz"[axis]
-            check.that("placement", "given", inside) {
+            check.must("placement", inside) {
                 "particle ${population.id[k]} at $name = ${p[k]} is outside the box, $name from ${box.lower(axis)} to ${box.upper(axis)}"
             }
         }
@@ -64,7 +64,7 @@ internal class StartCheck(private val scenario: Scenario, private val population
         var fastest = 0.0
         for (u in v) fastest = maxOf(fastest, abs(u))
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
-        check.that("timeStep", "given", range < boundary.box.length(axis) * MOST_BOXES) {
+        check.must("timeStep", range < boundary.box.length(axis) * MOST_BOXES) {
             "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; take a smaller dt"
         }
     }
@@ -73,7 +73,7 @@ internal class StartCheck(private val scenario: Scenario, private val population
     private fun checkSlide(timeStep: TimeStep) {
         val shear = boundary.shear ?: return
         val slide = abs(shear.velocity) * timeStep.next(population)
-        check.that("timeStep", "given", slide < boundary.box.length(shear.slideAxis) * MOST_SLIDE) {
+        check.must("timeStep", slide < boundary.box.length(shear.slideAxis) * MOST_SLIDE) {
             "is so long that images slide by $slide in a step; take a smaller dt or shear rate"
         }
     }

@@ -6,6 +6,11 @@ internal class ValueCheck(private val source: String) {
         if (!ok) fail(key, "is $value; ${problem()}")
     }
 
+    /** Something that is not about one value. */
+    inline fun must(key: String, ok: Boolean, problem: () -> String) {
+        if (!ok) fail(key, problem())
+    }
+
     fun positive(key: String, value: Double) {
         that(key, value, value > 0 && value.isFinite()) { "must be > 0" }
     }
