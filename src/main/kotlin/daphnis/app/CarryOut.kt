@@ -28,7 +28,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
                 println("interrupted after step ${summary.steps}; go on with: daphnis resume $directory")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
-            if (run.directory.series.toFile().length() > 0) {
+            if (run.hasSeries) {
                 try {
                     RunPlot.write(run.directory.series, run.directory.plots, summary.scenario)
                 } catch (e: RuntimeException) {

@@ -3,7 +3,7 @@ package daphnis.core.population
 /**
  * Granular temperature ⟨c²⟩/3, weighted by mass, with c the peculiar velocity: what is left of the velocity when the mean is taken out
  * and, if [sheared], the mean flow v_x(y) as well: the straight line that fits best, then the mean of what remains in slabs of y
- * (one a hundred spheres, at most twenty), since a driven flow need not be straight. In (length/time)². Sums in id order.
+ * (one a hundred spheres, at most twenty), since a driven flow need not be straight. In (length/time)². Sums in id order; allocates five columns.
  */
 public fun granularTemperature(population: Population, sheared: Boolean): Double {
     val sums = VelocitySums(population)
@@ -13,41 +13,44 @@ public fun granularTemperature(population: Population, sheared: Boolean): Double
     return maxOf(0.0, square - flow) / sums.mass / 3
 }
 
-/** Mass-weighted sums over a population in id order. */
-private class VelocitySums(private val population: Population) {
-    private val order = IntArray(population.size)
+/** Mass-weighted sums over a population in id order. The columns are brought into that order once, so that the passes run along memory. */
+private class VelocitySums(population: Population) {
+    private val size = population.size
+    private val m = DoubleArray(size)
+    private val y = DoubleArray(size)
+    private val u = DoubleArray(size)
+    private val v = DoubleArray(size)
+    private val w = DoubleArray(size)
     val mass: Double
-    private val meanY: Double
-    private val mean = DoubleArray(3)
 
     init {
         var n = 0
-        var m = 0.0
-        var y = 0.0
         for (id in 0 until population.idBound) {
             val k = population.indexOf(id)
             if (k < 0) continue
-            order[n++] = k
-            val mk = population.mass[k]
-            m += mk
-            y += mk * population.y[k]
-            mean[0] += mk * population.vx[k]
-            mean[1] += mk * population.vy[k]
-            mean[2] += mk * population.vz[k]
+            m[n] = population.mass[k]
+            y[n] = population.y[k]
+            u[n] = population.vx[k]
+            v[n] = population.vy[k]
+            w[n] = population.vz[k]
+            n++
         }
-        mass = m
-        meanY = y / m
-        for (axis in 0..2) mean[axis] /= m
+        var sum = 0.0
+        for (k in 0 until size) sum += m[k]
+        mass = sum
+        for (column in listOf(y, u, v, w)) subtractMean(column)
+    }
+
+    private fun subtractMean(column: DoubleArray) {
+        var sum = 0.0
+        for (k in 0 until size) sum += m[k] * column[k]
+        val mean = sum / mass
+        for (k in 0 until size) column[k] -= mean
     }
 
     fun squareAroundMean(): Double {
         var square = 0.0
-        for (k in order) {
-            val u = population.vx[k] - mean[0]
-            val v = population.vy[k] - mean[1]
-            val w = population.vz[k] - mean[2]
-            square += population.mass[k] * (u * u + v * v + w * w)
-        }
+        for (k in 0 until size) square += m[k] * (u[k] * u[k] + v[k] * v[k] + w[k] * w[k])
         return square
     }
 
@@ -57,23 +60,21 @@ private class VelocitySums(private val population: Population) {
         var yu = 0.0
         var least = Double.POSITIVE_INFINITY
         var most = Double.NEGATIVE_INFINITY
-        for (k in order) {
-            val y = population.y[k] - meanY
-            yy += population.mass[k] * y * y
-            yu += population.mass[k] * y * (population.vx[k] - mean[0])
-            least = minOf(least, y)
-            most = maxOf(most, y)
+        for (k in 0 until size) {
+            yy += m[k] * y[k] * y[k]
+            yu += m[k] * y[k] * u[k]
+            least = minOf(least, y[k])
+            most = maxOf(most, y[k])
         }
         if (yy == 0.0) return 0.0
         val slope = yu / yy
-        val slabs = (order.size / SPHERES_A_SLAB).coerceIn(1, MOST_SLABS)
+        val slabs = (size / SPHERES_A_SLAB).coerceIn(1, MOST_SLABS)
         val slabMass = DoubleArray(slabs)
         val slabRest = DoubleArray(slabs)
-        for (k in order) {
-            val y = population.y[k] - meanY
-            val slab = ((y - least) / (most - least) * slabs).toInt().coerceIn(0, slabs - 1)
-            slabMass[slab] += population.mass[k]
-            slabRest[slab] += population.mass[k] * (population.vx[k] - mean[0] - slope * y)
+        for (k in 0 until size) {
+            val slab = ((y[k] - least) / (most - least) * slabs).toInt().coerceIn(0, slabs - 1)
+            slabMass[slab] += m[k]
+            slabRest[slab] += m[k] * (u[k] - slope * y[k])
         }
         var explained = yu * slope
         for (slab in 0 until slabs) if (slabMass[slab] > 0) explained += slabRest[slab] * slabRest[slab] / slabMass[slab]

@@ -47,6 +47,9 @@ public class Run private constructor(
 ) : AutoCloseable {
     public val resumedFrom: Long = simulation.step
 
+    /** Whether it writes a time series. */
+    public val hasSeries: Boolean get() = scenario.output.seriesEvery > 0
+
     /** Time at which it ends. */
     public val until: Double get() = scenario.until
 
