@@ -7,6 +7,7 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import daphnis.core.FixedTimeStep
 import daphnis.core.boundary.Open
+import daphnis.core.run.engineOf
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.search.Grid
@@ -24,12 +25,13 @@ class DescribeCommand : CliktCommand(name = "describe") {
 
     override fun run() {
         val scenario = scenarioNamed(word, settings)
+        engineOf(scenario, word).close()
         val setup = ScenarioSetup.of(scenario, word)
         row("scenario", scenario.name)
         if (scenario.description.isNotEmpty()) row("", scenario.description)
         describeParticles(setup, scenario)
         describeStep(setup, scenario)
-        row("memory", "%.0f MiB", setup.population.size * BYTES_PER_SPHERE / (1 shl 20))
+        row("memory", "%.0f MiB", setup.population.size * ScenarioSetup.BYTES_PER_SPHERE / (1 shl 20))
     }
 
     private fun describeParticles(setup: ScenarioSetup, scenario: Scenario) {
@@ -72,6 +74,5 @@ class DescribeCommand : CliktCommand(name = "describe") {
 
     private companion object {
         const val LABEL = 18
-        const val BYTES_PER_SPHERE = 260.0
     }
 }

@@ -100,6 +100,7 @@ class CommandLineTest {
     fun `wrong input is one line and exit code 2`() {
         assertRefused(daphnis("run", "nowhere.json"), "nowhere.json", "no such file")
         assertRefused(daphnis("describe", home.toString()), "is a directory")
+        assertRefused(daphnis("describe", "cooling-gas", "--set", "engine.name=warp"), "engine.name", "warp", "serial")
         assertRefused(daphnis("scenarios", "paper"), "paper-figure-1")
         assertRefused(daphnis("run", "cooling-gas", "--set", "timestep.dt=1", "--out", at("x")), "timestep", "timeStep")
         assertRefused(daphnis("run", "cooling-gas", "--steps", "3", "--until", "4", "--out", at("x")), "--steps")

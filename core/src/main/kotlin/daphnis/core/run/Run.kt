@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.CollapseException
+import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.Engines
@@ -233,10 +234,7 @@ public class Run private constructor(
         }
 
         private fun simulation(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory): Simulation {
-            val spec = setup.scenario.engine
-            val engine =
-                engines.create(spec.name, spec.threads) ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${Engines.names.joinToString()}")
-            if (engine.threads != spec.threads) throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")
+            val engine = engineOf(setup.scenario, source, engines)
             val forcing = CollisionForcing(setup.restitution, setup.guard, engine, setup.scenario.output.collisionLog)
             if (meta != null) {
                 forcing.counters.collisions = meta.collisions
@@ -254,4 +252,15 @@ public class Run private constructor(
 public fun Scenario.atHome(home: Path): Scenario {
     val placement = placement as? PlacementSpec.File ?: return this
     return copy(placement = PlacementSpec.File(home.resolve(placement.path).toString()))
+}
+
+/** The engine that [scenario] asks for. @throws InputException when [engines] has none of that name and number of threads */
+public fun engineOf(scenario: Scenario, source: String, engines: EngineFactory = Engines): CollisionEngine {
+    val spec = scenario.engine
+    val engine = engines.create(spec.name, spec.threads)
+        ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${Engines.names.joinToString()}")
+    if (engine.threads != spec.threads) {
+        throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")
+    }
+    return engine
 }

@@ -103,7 +103,7 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
 
     private fun checkMemory(key: String, count: Double) {
         check.that(key, count, count <= MOST_PARTICLES) { "spheres are too many; it must be at most $MOST_PARTICLES" }
-        val needed = count * BYTES_PER_SPHERE
+        val needed = count * ScenarioSetup.BYTES_PER_SPHERE
         val heap = Runtime.getRuntime().maxMemory()
         check.that(key, count.toLong(), needed < heap) {
             "spheres need about ${"%.1f".format(java.util.Locale.ROOT, needed / (1 shl 30))} GiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
@@ -185,8 +185,5 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         const val VELOCITIES = 2L
         const val CLOSEST_PACKING = 0.7405
         const val MOST_PARTICLES = 200_000_000
-
-        /** Population, packed rows, grid and queue together are 215 to 228 (docs/performance.md); some room beside. */
-        const val BYTES_PER_SPHERE = 260.0
     }
 }

@@ -115,7 +115,7 @@ class SerialEngineTest {
 
     @Test
     fun `without a guard a collapse is noticed, and the population is as it was`() {
-        // Two that close in on a third from both sides with coefficient 0 would rattle without end between walls of spheres.
+        // Forty in a row, all closing in on the middle.
         val spheres = Array(40) { Sphere(x = 2.0001 * it, vx = (20 - it) * 1.0, r = 1.0) }
         val p = populationOf(*spheres)
         val before = stateDigest(p)
