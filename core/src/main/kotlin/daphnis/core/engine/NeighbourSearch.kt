@@ -6,6 +6,7 @@ import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.queue.EventQueue
+import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
 import kotlin.math.sqrt
 
@@ -19,6 +20,7 @@ import kotlin.math.sqrt
  * numbers this holds with τ larger by a few units of rounding, for which [ROUNDING] leaves ample room.
  */
 internal class NeighbourSearch(private val rows: StepRows, private val grid: Grid, private val queue: EventQueue) {
+    private val near = CellRuns(grid)
     private var duration = 0.0
 
     /** For a step of [duration]. */
@@ -43,16 +45,16 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
         val vy = state[p + VX + 1]
         val vz = state[p + VX + 2]
         val radius = state[p + RADIUS]
-        val runs = grid.forwardRuns(slot, x, y, z, vx * duration, vy * duration, vz * duration, radius)
+        val runs = near.ahead(slot, x, y, z, vx * duration, vy * duration, vz * duration, radius)
         for (r in 0 until runs) {
-            val image = grid.runImage[r]
+            val image = near.image[r]
             val sx = images.shift(image, 0)
             val sy = images.shift(image, 1)
             val sz = images.shift(image, 2)
             val wx = images.slide(image, 0)
             val wy = images.slide(image, 1)
-            var q = grid.runFrom[r] * STRIDE
-            val end = grid.runTo[r] * STRIDE
+            var q = near.from[r] * STRIDE
+            val end = near.to[r] * STRIDE
             while (q < end) {
                 val ux = state[q + VX] - vx + wx
                 val uy = state[q + VX + 1] - vy + wy
@@ -83,17 +85,17 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
         val vz = state[p + VX + 2]
         val radius = state[p + RADIUS]
         val rest = duration - time
-        val runs = grid.allRuns(x, y, z, vx * rest, vy * rest, vz * rest, radius)
+        val runs = near.around(x, y, z, vx * rest, vy * rest, vz * rest, radius)
         val exceptRow = except * STRIDE
         for (r in 0 until runs) {
-            val image = grid.runImage[r]
+            val image = near.image[r]
             val wx = images.slide(image, 0)
             val wy = images.slide(image, 1)
             val sx = images.shift(image, 0) + wx * time
             val sy = images.shift(image, 1) + wy * time
             val sz = images.shift(image, 2)
-            var q = grid.runFrom[r] * STRIDE
-            val end = grid.runTo[r] * STRIDE
+            var q = near.from[r] * STRIDE
+            val end = near.to[r] * STRIDE
             while (q < end) {
                 val vqx = state[q + VX]
                 val vqy = state[q + VX + 1]

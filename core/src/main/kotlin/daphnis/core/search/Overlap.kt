@@ -16,16 +16,17 @@ public class Overlap private constructor(public val first: Int, public val secon
         public fun deepest(population: Population, boundary: BoundaryConditions, time: Double): Overlap {
             val grid = Grid()
             grid.build(population, boundary, time, 0.0, DoubleArray(3))
+            val near = CellRuns(grid)
             var first = -1
             var second = -1
             var depth = 0.0
             for (slot in 0 until population.size) {
                 val k = grid.order[slot]
-                val runs = grid.forwardRuns(slot, population.x[k], population.y[k], population.z[k], 0.0, 0.0, 0.0, population.radius[k])
+                val runs = near.ahead(slot, population.x[k], population.y[k], population.z[k], 0.0, 0.0, 0.0, population.radius[k])
                 for (r in 0 until runs) {
-                    for (other in grid.runFrom[r] until grid.runTo[r]) {
+                    for (other in near.from[r] until near.to[r]) {
                         if (other == slot) continue
-                        val found = depth(population, grid, k, grid.order[other], grid.runImage[r])
+                        val found = depth(population, grid, k, grid.order[other], near.image[r])
                         if (found <= depth) continue
                         depth = found
                         first = population.id[k]

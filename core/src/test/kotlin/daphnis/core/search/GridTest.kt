@@ -42,6 +42,7 @@ class GridTest {
     private fun compare(p: Population, boundary: BoundaryConditions, time: Double, duration: Double, reach: DoubleArray, story: String) {
         val grid = Grid().apply { build(p, boundary, time, duration, reach) }
         assertEquals((0 until p.size).toSet(), grid.order.take(p.size).toSet()) { story }
+        val near = CellRuns(grid)
         // Ways within the reach, by index.
         val random = SeededRandom(p.size.toLong())
         val way = Array(3) { axis -> DoubleArray(p.size) { random.nextDouble(-reach[axis], reach[axis]) } }
@@ -50,10 +51,10 @@ class GridTest {
         for (slot in 0 until p.size) {
             val k = grid.order[slot]
             fun name(other: Int) = p.id[grid.order[other]]
-            val ahead = grid.forwardRuns(slot, p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
-            each(grid, ahead) { other, code -> forward += canonical(p.id[k], name(other), code) }
-            val around = grid.allRuns(p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
-            each(grid, around) { other, code -> all += Pair(p.id[k], name(other), code) }
+            val ahead = near.ahead(slot, p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
+            each(near, ahead) { other, code -> forward += canonical(p.id[k], name(other), code) }
+            val around = near.around(p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
+            each(near, around) { other, code -> all += Pair(p.id[k], name(other), code) }
         }
         val once = forward.filter { it.a != it.b }
         assertEquals(once.size, once.toSet().size) { "$story: a pair is named twice" }
@@ -80,8 +81,8 @@ class GridTest {
         }
     }
 
-    private inline fun each(grid: Grid, runs: Int, action: (Int, Int) -> Unit) {
-        for (r in 0 until runs) for (other in grid.runFrom[r] until grid.runTo[r]) action(other, grid.runImage[r])
+    private inline fun each(near: CellRuns, runs: Int, action: (Int, Int) -> Unit) {
+        for (r in 0 until runs) for (other in near.from[r] until near.to[r]) action(other, near.image[r])
     }
 
     private inline fun eachImage(p: Population, boundary: BoundaryConditions, action: (Int, Int, Int) -> Unit) {
@@ -112,7 +113,8 @@ class GridTest {
             p.z[k] = 3.0
         }
         val grid = Grid().apply { build(p, Open, 0.0, 0.1, DoubleArray(3)) }
-        assertEquals(1, grid.forwardRuns(0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.1))
-        assertEquals(4, grid.runTo[0] - grid.runFrom[0])
+        val near = CellRuns(grid)
+        assertEquals(1, near.ahead(0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.1))
+        assertEquals(4, near.to[0] - near.from[0])
     }
 }

@@ -1,0 +1,144 @@
+package daphnis.core.search
+
+import daphnis.core.boundary.Images
+import kotlin.math.ceil
+import kotlin.math.floor
+
+/**
+ * The runs of slots of a [Grid] that a sphere has to look through. Holds the runs of one query at a time, so each thread has its own.
+ */
+public class CellRuns(private val grid: Grid) {
+    /** First slot of run r; runs are set by [ahead] and [around]. */
+    public var from: IntArray = IntArray(INITIAL)
+        private set
+
+    /** One past the last slot of run r. */
+    public var to: IntArray = IntArray(INITIAL)
+        private set
+
+    /** Image of the spheres in run r, see [Images]. */
+    public var image: IntArray = IntArray(INITIAL)
+        private set
+
+    private val layout = grid.layout
+    private val cells = layout.cells
+    private val periodic = layout.periodic
+    private var starts = grid.cellStart
+    private var count = 0
+
+    // The box of cells at hand along row axis, middle and slow axis; may reach beyond the faces of periodic axes.
+    private val least = IntArray(3)
+    private val most = IntArray(3)
+
+    /**
+     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its way in this step, from its
+     * place ([x], [y], [z]) at the start by ([wayX], [wayY], [wayZ]). Only at the start, when nobody has collided.
+     *
+     * @return number of runs
+     */
+    public fun ahead(slot: Int, x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double): Int {
+        count = 0
+        starts = grid.cellStart
+        cover(x, y, z, wayX, wayY, wayZ, radius)
+        val c1 = layout.cellAt(layout.pick(1, x, y, z), 1)
+        val c2 = layout.cellAt(layout.pick(2, x, y, z), 2)
+        // Rest of the own row: later slots, then cells ahead; then the rows ahead, those of the own layer and those of the layers above.
+        val rowStart = (c2 * cells[1] + c1) * cells[0]
+        addRun(slot + 1, starts[rowStart + minOf(most[0], cells[0] - 1) + 1], 0)
+        if (periodic[0]) addCells(rowStart, cells[0], most[0], 0, 0)
+        for (row in c1 + 1..most[1]) addRow(row, c2)
+        for (layer in c2 + 1..most[2]) {
+            for (row in least[1]..most[1]) addRow(row, layer)
+        }
+        return count
+    }
+
+    /**
+     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its way, from its place ([x], [y], [z]) now by
+     * ([wayX], [wayY], [wayZ]); they hold the sphere itself too.
+     *
+     * @return number of runs
+     */
+    public fun around(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double): Int {
+        count = 0
+        starts = grid.cellStart
+        cover(x, y, z, wayX, wayY, wayZ, radius)
+        for (layer in least[2]..most[2]) {
+            for (row in least[1]..most[1]) addRow(row, layer)
+        }
+        return count
+    }
+
+    private fun cover(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double) {
+        for (k in 0..2) {
+            val from = layout.pick(k, x, y, z)
+            val to = from + layout.pick(k, wayX, wayY, wayZ)
+            val margin = radius + layout.margin[k]
+            least[k] = layout.cellToward(Math.min(from, to) - margin, k)
+            most[k] = layout.cellToward(Math.max(from, to) + margin, k)
+        }
+    }
+
+    /** Adds the cells at hand in the row ([r1], [r2]), which may lie beyond a face. */
+    private fun addRow(r1: Int, r2: Int) {
+        var c1 = r1
+        var c2 = r2
+        var image1 = 0
+        var image2 = 0
+        if (c1 < 0 || c1 >= cells[1]) {
+            image1 = Math.floorDiv(c1, cells[1])
+            c1 -= image1 * cells[1]
+        }
+        if (c2 < 0 || c2 >= cells[2]) {
+            image2 = Math.floorDiv(c2, cells[2])
+            c2 -= image2 * cells[2]
+        }
+        val rowStart = (c2 * cells[1] + c1) * cells[0]
+        var from = least[0]
+        var to = most[0]
+        if (image2 != 0 && layout.slides) {
+            // The image row is displaced by s, so its spheres are looked for s earlier in the row.
+            from -= ceil(maxOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
+            to -= floor(minOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
+        }
+        if (from >= 0 && to < cells[0]) {
+            addRun(starts[rowStart + from], starts[rowStart + to + 1], if (image1 or image2 == 0) 0 else code(0, image1, image2))
+        } else {
+            addCells(rowStart, from, to, image1, image2)
+        }
+    }
+
+    /** Adds the cells [from]..[to] of a periodic row, split where an image begins. */
+    private fun addCells(rowStart: Int, from: Int, to: Int, image1: Int, image2: Int) {
+        var c = from
+        while (c <= to) {
+            val image0 = Math.floorDiv(c, cells[0])
+            val end = minOf(to, (image0 + 1) * cells[0] - 1)
+            val base = rowStart - image0 * cells[0]
+            addRun(starts[base + c], starts[base + end + 1], code(image0, image1, image2))
+            c = end + 1
+        }
+    }
+
+    private fun addRun(first: Int, end: Int, code: Int) {
+        if (first >= end) return
+        if (count == from.size) grow()
+        from[count] = first
+        to[count] = end
+        image[count] = code
+        count++
+    }
+
+    private fun grow() {
+        from = from.copyOf(count * 2)
+        to = to.copyOf(count * 2)
+        image = image.copyOf(count * 2)
+    }
+
+    private fun code(image0: Int, image1: Int, image2: Int): Int =
+        ((image0 and 0xff) shl (8 * layout.axes[0])) or ((image1 and 0xff) shl (8 * layout.axes[1])) or ((image2 and 0xff) shl (8 * layout.axes[2]))
+
+    private companion object {
+        const val INITIAL = 64
+    }
+}
