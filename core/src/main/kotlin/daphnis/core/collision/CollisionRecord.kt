@@ -59,6 +59,44 @@ public class CollisionRecord {
         data[p + 5] = sign * law.separationZ
     }
 
+    /** Appends entries [from] until [to] of [other]. */
+    public fun addAll(other: CollisionRecord, from: Int, to: Int) {
+        while (size + to - from > time.size) grow()
+        other.time.copyInto(time, size, from, to)
+        other.lower.copyInto(lower, size, from, to)
+        other.higher.copyInto(higher, size, from, to)
+        other.data.copyInto(data, size * WIDTH, from * WIDTH, to * WIDTH)
+        size += to - from
+    }
+
+    /**
+     * Puts the entries in order; those of one pair at one time stay as they came. Engines call it at the end of the step, since in the order
+     * in which they process collisions, simultaneous ones may stand otherwise.
+     */
+    public fun sort() {
+        var k = 1
+        while (k < size && !isBefore(k, k - 1)) k++
+        if (k >= size) return
+        val order = (0 until size).sortedWith { a, b ->
+            if (isBefore(a, b)) {
+                -1
+            } else if (isBefore(b, a)) {
+                1
+            } else {
+                0
+            }
+        }
+        val old = CollisionRecord().also { it.addAll(this, 0, size) }
+        size = 0
+        for (e in order) addAll(old, e, e + 1)
+    }
+
+    private fun isBefore(a: Int, b: Int): Boolean {
+        if (time[a] != time[b]) return time[a] < time[b]
+        if (lower[a] != lower[b]) return lower[a] < lower[b]
+        return higher[a] < higher[b]
+    }
+
     private fun grow() {
         val n = size * 2
         time = time.copyOf(n)

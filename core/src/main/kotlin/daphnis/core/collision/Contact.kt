@@ -23,22 +23,22 @@ public const val NEVER: Double = Double.POSITIVE_INFINITY
  * A pure function of the two states, and the same to the last bit from either side of the pair: exchanging the spheres negates
  * **d** and **u** exactly. Every search in daphnis computes exactly this expression.
  */
-public fun contactTime(rows: StepRows, first: Int, second: Int, image: Int, images: Images): Double {
-    val state = rows.state
-    val p = first * STRIDE
-    val q = second * STRIDE
+public fun contactTime(rows: StepRows, first: Int, second: Int, image: Int, images: Images): Double =
+    contactTime(rows.state, first * STRIDE, rows.state, second * STRIDE, image, images)
+
+/** The same for rows that begin at entry [p] of [a] and entry [q] of [b]. */
+public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: Int, images: Images): Double {
     // Both at the later of the two local times: the earlier one is carried there along its path, without being changed.
-    val t = maxOf(state[p + TIME], state[q + TIME])
-    val dtP = t - state[p + TIME]
-    val dtQ = t - state[q + TIME]
-    val ux = state[q + VX] - state[p + VX] + images.slide(image, 0)
-    val uy = state[q + VX + 1] - state[p + VX + 1] + images.slide(image, 1)
-    val uz = state[q + VX + 2] - state[p + VX + 2]
-    val dx = (state[q] + state[q + VX] * dtQ) - (state[p] + state[p + VX] * dtP) + (images.shift(image, 0) + images.slide(image, 0) * t)
-    val dy = (state[q + 1] + state[q + VX + 1] * dtQ) - (state[p + 1] + state[p + VX + 1] * dtP) +
-        (images.shift(image, 1) + images.slide(image, 1) * t)
-    val dz = (state[q + 2] + state[q + VX + 2] * dtQ) - (state[p + 2] + state[p + VX + 2] * dtP) + images.shift(image, 2)
-    return t + timeToContact(dx, dy, dz, ux, uy, uz, state[p + RADIUS] + state[q + RADIUS])
+    val t = maxOf(a[p + TIME], b[q + TIME])
+    val dtP = t - a[p + TIME]
+    val dtQ = t - b[q + TIME]
+    val ux = b[q + VX] - a[p + VX] + images.slide(image, 0)
+    val uy = b[q + VX + 1] - a[p + VX + 1] + images.slide(image, 1)
+    val uz = b[q + VX + 2] - a[p + VX + 2]
+    val dx = (b[q] + b[q + VX] * dtQ) - (a[p] + a[p + VX] * dtP) + (images.shift(image, 0) + images.slide(image, 0) * t)
+    val dy = (b[q + 1] + b[q + VX + 1] * dtQ) - (a[p + 1] + a[p + VX + 1] * dtP) + (images.shift(image, 1) + images.slide(image, 1) * t)
+    val dz = (b[q + 2] + b[q + VX + 2] * dtQ) - (a[p + 2] + a[p + VX + 2] * dtP) + images.shift(image, 2)
+    return t + timeToContact(dx, dy, dz, ux, uy, uz, a[p + RADIUS] + b[q + RADIUS])
 }
 
 /** The root described at [contactTime], counted from the moment of the given relative position and velocity; ≥ 0 or [NEVER]. */

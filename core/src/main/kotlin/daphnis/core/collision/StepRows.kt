@@ -1,5 +1,7 @@
 package daphnis.core.collision
 
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
@@ -42,11 +44,14 @@ public class StepRows {
     private var tracksLastCollision = false
 
     /** Takes [population] over in the given [order] (index by slot), every local time 0. Allocates only when the population grew. */
-    public fun load(population: Population, order: IntArray, tracksLastCollision: Boolean) {
-        val n = population.size
-        reserve(n)
-        size = n
+    public fun load(population: Population, order: IntArray, tracksLastCollision: Boolean, loop: RangeLoop = InlineLoop) {
+        reserve(population.size)
+        size = population.size
         this.tracksLastCollision = tracksLastCollision
+        loop.run(size) { _, from, to -> loadRange(population, order, from, to) }
+    }
+
+    private fun loadRange(population: Population, order: IntArray, from: Int, to: Int) {
         val state = state
         val x = population.x
         val y = population.y
@@ -55,8 +60,8 @@ public class StepRows {
         val vy = population.vy
         val vz = population.vz
         val r = population.radius
-        var p = 0
-        for (slot in 0 until n) {
+        var p = from * STRIDE
+        for (slot in from until to) {
             val k = order[slot]
             state[p] = x[k]
             state[p + 1] = y[k]
@@ -70,7 +75,7 @@ public class StepRows {
         }
         val m = population.mass
         val ids = population.id
-        for (slot in 0 until n) {
+        for (slot in from until to) {
             val k = order[slot]
             mass[slot] = m[k]
             id[slot] = ids[k]
@@ -78,14 +83,18 @@ public class StepRows {
         }
         if (tracksLastCollision) {
             val last = population.lastCollision
-            for (slot in 0 until n) lastCollision[slot] = last[order[slot]]
+            for (slot in from until to) lastCollision[slot] = last[order[slot]]
         }
     }
 
     /** Brings every sphere to the end of a step of [duration] and writes all back: index k of [population] is slot k from now on. */
-    public fun store(population: Population, duration: Double) {
+    public fun store(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
+        loop.run(size) { _, from, to -> storeRange(population, duration, from, to) }
+        population.orderChanged()
+    }
+
+    private fun storeRange(population: Population, duration: Double, from: Int, to: Int) {
         val state = state
-        val n = size
         val x = population.x
         val y = population.y
         val z = population.z
@@ -93,8 +102,8 @@ public class StepRows {
         val vy = population.vy
         val vz = population.vz
         val r = population.radius
-        var p = 0
-        for (slot in 0 until n) {
+        var p = from * STRIDE
+        for (slot in from until to) {
             val rest = duration - state[p + TIME]
             val u = state[p + VX]
             val v = state[p + VX + 1]
@@ -108,13 +117,45 @@ public class StepRows {
             r[slot] = state[p + RADIUS]
             p += STRIDE
         }
-        mass.copyInto(population.mass, 0, 0, n)
-        id.copyInto(population.id, 0, 0, n)
+        mass.copyInto(population.mass, from, from, to)
+        id.copyInto(population.id, from, from, to)
         if (tracksLastCollision) {
             val last = population.lastCollision
-            for (slot in 0 until n) last[slot] = lastCollision[slot] - duration
+            for (slot in from until to) last[slot] = lastCollision[slot] - duration
         }
-        population.orderChanged()
+    }
+
+    /** Forgets all rows, for a set that is filled by [take]. */
+    public fun clear() {
+        size = 0
+    }
+
+    /** Appends a copy of row [slot] of [rows] with everything that belongs to it; its place here. Allocates when full. */
+    public fun take(rows: StepRows, slot: Int): Int {
+        val k = size++
+        if (k * STRIDE == state.size) grow()
+        tracksLastCollision = rows.tracksLastCollision
+        rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
+        mass[k] = rows.mass[slot]
+        id[k] = rows.id[slot]
+        origin[k] = rows.origin[slot]
+        if (tracksLastCollision) lastCollision[k] = rows.lastCollision[slot]
+        return k
+    }
+
+    /** Takes over the state of row [k] of [rows] as that of [slot]. */
+    public fun put(slot: Int, rows: StepRows, k: Int) {
+        rows.state.copyInto(state, slot * STRIDE, k * STRIDE, (k + 1) * STRIDE)
+        if (tracksLastCollision) lastCollision[slot] = rows.lastCollision[k]
+    }
+
+    private fun grow() {
+        val n = maxOf(INITIAL, size * 2)
+        state = state.copyOf(n * STRIDE)
+        mass = mass.copyOf(n)
+        id = id.copyOf(n)
+        origin = origin.copyOf(n)
+        lastCollision = lastCollision.copyOf(n)
     }
 
     private fun reserve(n: Int) {
@@ -127,6 +168,8 @@ public class StepRows {
     }
 
     public companion object {
+        private const val INITIAL = 64
+
         /** Doubles a sphere in [state]. */
         public const val STRIDE: Int = 8
 

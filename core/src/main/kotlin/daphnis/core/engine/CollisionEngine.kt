@@ -4,6 +4,8 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
@@ -17,6 +19,9 @@ public interface CollisionEngine : AutoCloseable {
 
     /** How many threads work. */
     public val threads: Int
+
+    /** Runs loops over spheres on the engine's threads; for what else a step has to do. Not while [advance] runs. */
+    public val loop: RangeLoop get() = InlineLoop
 
     /**
      * Brings every sphere of the step's population from its start to its end. Boundaries are not applied at the end; that is

@@ -5,7 +5,7 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
-import daphnis.core.queue.EventQueue
+import daphnis.core.queue.EventSink
 import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
 import kotlin.math.sqrt
@@ -19,7 +19,7 @@ import kotlin.math.sqrt
  * c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time τ has c ≤ −2bτ; in the same floating-point
  * numbers this holds with τ larger by a few units of rounding, for which [ROUNDING] leaves ample room.
  */
-internal class NeighbourSearch(private val rows: StepRows, private val grid: Grid, private val queue: EventQueue) {
+internal class NeighbourSearch(private val rows: StepRows, private val grid: Grid, private val queue: EventSink) {
     private val near = CellRuns(grid)
     private var duration = 0.0
 
@@ -28,9 +28,9 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
         this.duration = duration
     }
 
-    /** Queues every potential collision there is before anybody has moved. */
-    fun queueStart() {
-        for (slot in 0 until rows.size) queueForward(slot)
+    /** Queues every potential collision there is before anybody has moved, each from that of its slots which comes first in the grid; slots [from] until [to]. */
+    fun queueStart(from: Int = 0, to: Int = rows.size) {
+        for (slot in from until to) queueForward(slot)
     }
 
     private fun queueForward(slot: Int) {

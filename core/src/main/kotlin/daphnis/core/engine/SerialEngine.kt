@@ -1,14 +1,11 @@
 package daphnis.core.engine
 
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.StepRows.Companion.STRIDE
-import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.collision.WallContact
 import daphnis.core.queue.BucketEventQueue
 import daphnis.core.queue.EventQueue
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
-import kotlin.math.abs
 
 /**
  * The specification: section 2 of Lewis & Massingill on one thread.
@@ -48,6 +45,7 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
         walls.prepare(step.boundary)
         while (!attempt(step)) step.counters.redoneSteps++
         rows.store(step.population, step.duration)
+        step.record?.sort()
         step.counters.collisions += collisions
         step.counters.wallCollisions += wallCollisions
         step.counters.guardActivations += guarded
@@ -98,7 +96,10 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
     }
 
     private fun requeue(step: CollisionStep, slot: Int, time: Double, except: Int): Boolean {
-        if (isOutrun(step, slot, time)) return false
+        if (reach.isOutrun(rows, slot, step.population, step.duration)) {
+            reach.enlarge(rows, slot, step.duration)
+            return false
+        }
         search.queueAll(slot, time, except)
         if (walls.present) queueWalls(slot, step.duration)
         return true
@@ -109,26 +110,6 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
             val t = walls.time(rows, slot, face)
             if (t <= duration) queue.add(t, slot, WallContact.partner(face), 0)
         }
-    }
-
-    private fun isOutrun(step: CollisionStep, slot: Int, time: Double): Boolean {
-        val state = rows.state
-        val p = slot * STRIDE
-        val ux = abs(state[p + VX])
-        val uy = abs(state[p + VX + 1])
-        val uz = abs(state[p + VX + 2])
-        val speed = reach.speed
-        // Nearly always nobody is faster than the bound on speed, and where the sphere started need not be looked up.
-        if (ux <= speed[0] && uy <= speed[1] && uz <= speed[2]) return false
-        val k = rows.origin[slot]
-        val rest = step.duration - time
-        val population = step.population
-        val bound = reach.bound
-        val outrun = abs(state[p] + state[p + VX] * rest - population.x[k]) > bound[0] ||
-            abs(state[p + 1] + state[p + VX + 1] * rest - population.y[k]) > bound[1] ||
-            abs(state[p + 2] + state[p + VX + 2] * rest - population.z[k]) > bound[2]
-        if (outrun) reach.enlarge(ux, uy, uz, step.duration)
-        return outrun
     }
 
     private companion object {

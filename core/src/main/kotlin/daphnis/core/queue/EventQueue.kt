@@ -1,5 +1,11 @@
 package daphnis.core.queue
 
+/** Takes the potential collisions that a search finds. */
+public interface EventSink {
+    /** Queues the potential collision of [first] with [second] (a slot, or a negative partner number). */
+    public fun add(time: Double, first: Int, second: Int, image: Int)
+}
+
 /**
  * Potential collisions of one step, handed out in the order (time, lower id, higher id, image).
  *
@@ -7,7 +13,7 @@ package daphnis.core.queue
  * that the collision changed and by [add] for what they can now hit. Times lie in `[0, duration]`; an event added while another is
  * processed is not earlier than that one. Spheres are addressed by slot; ids only break ties. Single-threaded.
  */
-public interface EventQueue {
+public interface EventQueue : EventSink {
     /** Time of the event that [pop] handed out, from the start of the step. */
     public val time: Double
 
@@ -22,9 +28,6 @@ public interface EventQueue {
 
     /** Forgets everything and prepares for a step of [duration] with [count] slots whose ids are `ids[slot]`. */
     public fun reset(duration: Double, ids: IntArray, count: Int)
-
-    /** Queues the potential collision of [first] with [second] (a slot, or a negative partner number). */
-    public fun add(time: Double, first: Int, second: Int, image: Int)
 
     /** Removes the earliest event and puts it into [time], [first], [second], [image]; false when none is left. */
     public fun pop(): Boolean

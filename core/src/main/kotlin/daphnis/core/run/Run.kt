@@ -6,7 +6,7 @@ import daphnis.core.engine.CollapseException
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
-import daphnis.core.engine.Engines
+import daphnis.core.engine.named.Engines
 import daphnis.core.population.Conserved
 import daphnis.core.population.granularTemperature
 import daphnis.core.population.stateDigest

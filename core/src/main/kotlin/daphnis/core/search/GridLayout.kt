@@ -3,6 +3,8 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
+import daphnis.core.parallel.Extremes
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import kotlin.math.abs
 import kotlin.math.floor
@@ -34,16 +36,16 @@ internal class GridLayout {
     private val extent = DoubleArray(3)
     private val perLength = DoubleArray(3)
     private var spheres = 0
+    private val extremes = Extremes()
 
-    fun prepare(population: Population, boundary: BoundaryConditions, images: Images, duration: Double, reach: DoubleArray) {
+    fun prepare(population: Population, boundary: BoundaryConditions, images: Images, duration: Double, reach: DoubleArray, loop: RangeLoop) {
         spheres = population.size
         val shear = boundary.shear
         axes[0] = shear?.slideAxis ?: 0
         axes[2] = shear?.normalAxis ?: 1
         axes[1] = 3 - axes[0] - axes[2]
-        var largest = 0.0
-        for (r in population.radius) largest = maxOf(largest, r)
-        for (k in 0..2) layOutAxis(k, population, boundary, largest, reach[axes[k]])
+        val largest = extremes.of(population.radius, spheres, loop).magnitude
+        for (k in 0..2) layOutAxis(k, population, boundary, largest, reach[axes[k]], loop)
         limitCells()
         for (k in 0..2) perLength[k] = if (extent[k] > 0) cells[k] / extent[k] else 1.0
         slides = shear != null
@@ -55,22 +57,16 @@ internal class GridLayout {
         }
     }
 
-    private fun layOutAxis(k: Int, population: Population, boundary: BoundaryConditions, largest: Double, reach: Double) {
+    private fun layOutAxis(k: Int, population: Population, boundary: BoundaryConditions, largest: Double, reach: Double, loop: RangeLoop) {
         val axis = axes[k]
         periodic[k] = boundary.contactFaces(axis) == ContactFaces.PERIODIC
         if (periodic[k]) {
             low[k] = boundary.box.lower(axis)
             extent[k] = boundary.box.length(axis)
         } else {
-            val a = coordinate(population, k)
-            var least = Double.POSITIVE_INFINITY
-            var most = Double.NEGATIVE_INFINITY
-            for (v in a) {
-                least = Math.min(least, v)
-                most = Math.max(most, v)
-            }
-            low[k] = if (spheres == 0) 0.0 else least
-            extent[k] = if (spheres == 0) 0.0 else most - least
+            extremes.of(coordinate(population, k), spheres, loop)
+            low[k] = if (spheres == 0) 0.0 else extremes.least
+            extent[k] = if (spheres == 0) 0.0 else extremes.greatest - extremes.least
         }
         // Far from the origin the rounding of positions counts more than that of the range.
         val rounding = ROUNDING_UNITS * Math.ulp(maxOf(abs(low[k]), abs(low[k] + extent[k])))

@@ -1,5 +1,9 @@
 package daphnis.core.search
 
+import daphnis.core.collision.StepRows
+import daphnis.core.parallel.Extremes
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import kotlin.math.abs
 
@@ -10,6 +14,7 @@ import kotlin.math.abs
  */
 public class Reach {
     private val fastest = DoubleArray(AXES)
+    private val extremes = Extremes()
     private var headroom = LEAST_HEADROOM
 
     /** The bound along x, y, z, in units of length. */
@@ -19,20 +24,38 @@ public class Reach {
     public val speed: DoubleArray = DoubleArray(AXES)
 
     /** Looks at all velocities of [population] for a step of [duration]. */
-    public fun measure(population: Population, duration: Double) {
+    public fun measure(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
-        fastest[0] = largest(population.vx)
-        fastest[1] = largest(population.vy)
-        fastest[2] = largest(population.vz)
+        fastest[0] = extremes.of(population.vx, population.size, loop).magnitude
+        fastest[1] = extremes.of(population.vy, population.size, loop).magnitude
+        fastest[2] = extremes.of(population.vz, population.size, loop).magnitude
         apply(duration)
     }
 
-    /** After [speedX] … turned out larger than the bound allows: makes room for twice the excess on that axis. */
-    public fun enlarge(speedX: Double, speedY: Double, speedZ: Double, duration: Double) {
+    /**
+     * Whether sphere [slot] of [rows], if nothing more happens to it, ends the step of [duration] farther from where it started in
+     * [population] than the bound. Its path so far has been asked about before.
+     */
+    public fun isOutrun(rows: StepRows, slot: Int, population: Population, duration: Double): Boolean {
+        val state = rows.state
+        val p = slot * StepRows.STRIDE
+        val u = state[p + StepRows.VX]
+        val v = state[p + StepRows.VX + 1]
+        val w = state[p + StepRows.VX + 2]
+        // Nearly always nobody is faster than the bound on speed, and where the sphere started need not be looked up.
+        if (abs(u) <= speed[0] && abs(v) <= speed[1] && abs(w) <= speed[2]) return false
+        val k = rows.origin[slot]
+        val rest = duration - state[p + StepRows.TIME]
+        return abs(state[p] + u * rest - population.x[k]) > bound[0] ||
+            abs(state[p + 1] + v * rest - population.y[k]) > bound[1] ||
+            abs(state[p + 2] + w * rest - population.z[k]) > bound[2]
+    }
+
+    /** After sphere [slot] of [rows] turned out to outrun the bound: makes room for twice the excess of its speed on each axis. */
+    public fun enlarge(rows: StepRows, slot: Int, duration: Double) {
+        val v = slot * StepRows.STRIDE + StepRows.VX
         headroom *= 1.5
-        raise(0, speedX)
-        raise(1, speedY)
-        raise(2, speedZ)
+        for (axis in 0 until AXES) raise(axis, abs(rows.state[v + axis]))
         apply(duration)
     }
 
@@ -47,12 +70,6 @@ public class Reach {
             speed[axis] = maxOf(fastest[axis], floor) * (1 + headroom)
             bound[axis] = speed[axis] * duration * (1 + ROUNDING)
         }
-    }
-
-    private fun largest(a: DoubleArray): Double {
-        var most = 0.0
-        for (v in a) most = Math.max(most, abs(v))
-        return most
     }
 
     private companion object {

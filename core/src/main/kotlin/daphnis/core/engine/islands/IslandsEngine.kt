@@ -1,0 +1,98 @@
+package daphnis.core.engine.islands
+
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionStep
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ParallelLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.ThreadHandler
+
+/**
+ * The fast engine: islands of spheres that meet nobody else within a window of time, each processed alone by one worker without locks. See
+ * [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the phases of a step.
+ *
+ * Dense gases and long steps would grow islands into one another; then windows get shorter, which changes no bit. Islands are dealt out as workers
+ * become free, so it does not matter where in space they lie.
+ *
+ * @param handler the threads; closed with the engine
+ */
+public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine {
+    public constructor(threads: Int) : this(FixedPool(threads))
+
+    override val name: String get() = "islands"
+    override val threads: Int get() = handler.threads
+    override val loop: RangeLoop = ParallelLoop(handler, LoopStrategy.DYNAMIC)
+
+    private val field = IslandField(threads)
+
+    /** For figures on how windows and islands come out. */
+    public val crew: IslandCrew = IslandCrew(field, threads)
+
+    override fun advance(step: CollisionStep) {
+        field.measure(step, loop)
+        while (!attempt(step)) {
+            field.enlarge()
+            step.counters.redoneSteps++
+        }
+        field.store(step, loop)
+        crew.finish(step.counters, step.record)
+    }
+
+    /** @return false when somebody outran the bound */
+    private fun attempt(step: CollisionStep): Boolean {
+        field.prepare(step, loop)
+        crew.prepare()
+        loop.run(field.size, SPHERES_A_PIECE) { worker, from, to -> crew[worker].searchStart(from, to) }
+        while (!crew.isLastWindow) {
+            val seeds = crew.openWindow()
+            if (seeds == 0) continue
+            // Too few to be worth waking anybody.
+            val alone = threads == 1 || seeds < LEAST_IN_PARALLEL
+            if (!window(alone)) return false
+        }
+        return true
+    }
+
+    private fun window(alone: Boolean): Boolean {
+        each(alone) { crew.propose(it) }
+        each(alone) { crew[it].group() }
+        crew.collectRoots()
+        do {
+            if (!process(alone)) return false
+            each(alone) { crew[it].check() }
+        } while (crew.mergeConflicts())
+        each(alone) { crew[it].commit() }
+        if (!crew.isLastWindow) each(alone) { crew[it].hintSuspects() }
+        crew.closeWindow()
+        return true
+    }
+
+    private fun process(alone: Boolean): Boolean {
+        val count = crew.rootCount
+        val grain = if (alone) count else (count / (threads * PIECES_A_THREAD)).coerceIn(1, MOST_A_PIECE)
+        loop.run(count, maxOf(grain, 1)) { worker, from, to ->
+            for (k in from until to) if (!crew[worker].process(crew.roots[k])) break
+        }
+        return !field.isOutrun
+    }
+
+    private inline fun each(alone: Boolean, crossinline phase: (Int) -> Unit) {
+        if (alone) {
+            for (worker in 0 until threads) phase(worker)
+        } else {
+            handler.run { phase(it) }
+        }
+    }
+
+    override fun close() {
+        handler.close()
+    }
+
+    private companion object {
+        const val SPHERES_A_PIECE = 512
+        const val LEAST_IN_PARALLEL = 64
+        const val PIECES_A_THREAD = 8
+        const val MOST_A_PIECE = 64
+    }
+}

@@ -1,0 +1,40 @@
+package daphnis.core.engine.islands
+
+import daphnis.core.collision.StepRows.Companion.STRIDE
+
+/**
+ * Pieces of path that the spheres in one worker's islands have left behind in this window, the one they began with included. A piece is named by a
+ * number ≥ 0; [NONE] ends a chain.
+ */
+internal class PathLog {
+    private var rows = DoubleArray(INITIAL * STRIDE)
+    private var links = IntArray(INITIAL)
+    private var size = 0
+
+    fun clear() {
+        size = 0
+    }
+
+    /** Keeps the row at [p] of [state], which came after the piece [older]; its name. */
+    fun add(state: DoubleArray, p: Int, older: Int): Int {
+        if (size == links.size) {
+            links = links.copyOf(size * 2)
+            rows = rows.copyOf(size * 2 * STRIDE)
+        }
+        state.copyInto(rows, size * STRIDE, p, p + STRIDE)
+        links[size] = older
+        return size++
+    }
+
+    /** The array that holds the pieces; the row of one begins at [offset]. */
+    fun rows(): DoubleArray = rows
+
+    fun older(name: Int): Int = links[name]
+
+    companion object {
+        const val NONE = -1
+        private const val INITIAL = 64
+
+        fun offset(name: Int): Int = name * STRIDE
+    }
+}

@@ -1,0 +1,19 @@
+package daphnis.core.engine.named
+
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.EngineFactory
+import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.threadpool.ThreadPoolEngine
+
+/** The engines of this module. */
+public object Engines : EngineFactory {
+    public val names: List<String> = listOf("islands", "thread-pool", "serial")
+
+    override fun create(name: String, threads: Int): CollisionEngine? = when (name) {
+        "serial" -> SerialEngine()
+        "thread-pool" -> ThreadPoolEngine(threads)
+        "islands" -> IslandsEngine(threads)
+        else -> null
+    }
+}

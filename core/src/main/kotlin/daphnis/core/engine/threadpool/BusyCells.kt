@@ -1,0 +1,115 @@
+package daphnis.core.engine.threadpool
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.collision.StepRows
+import daphnis.core.population.Population
+import daphnis.core.search.Grid
+import kotlin.math.abs
+
+/**
+ * The paper's busy cells: the neighbourhoods of the collisions that are being processed, and of earlier ones that had to be passed over. Processing a
+ * collision writes its two spheres and reads whoever stands in the cells that these could look through; two collisions are **safe** beside one
+ * another when neither writes what the other reads.
+ *
+ * A neighbourhood is kept by the places of its spheres at the start of the step, by which cells are assigned; it reaches [extent] along each
+ * axis. There are few at a time, so a list of them is quicker than flags on cells. Guarded by the lock of [SafeQueue].
+ */
+internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
+    /** How far along x, y, z a sphere that is read can be from one that is written, both at the start of the step. */
+    private val extent = DoubleArray(3)
+    private val length = DoubleArray(3)
+    private var normalAxis = -1
+    private var slideAxis = -1
+    private lateinit var population: Population
+
+    /** Slots of the pairs that are busy, the second negative for a wall. */
+    private var first = IntArray(16)
+    private var second = IntArray(16)
+    private var time = DoubleArray(16)
+    private var size = 0
+
+    fun prepare(population: Population, boundary: BoundaryConditions, reach: DoubleArray, largestRadius: Double) {
+        this.population = population
+        size = 0
+        normalAxis = boundary.shear?.normalAxis ?: -1
+        slideAxis = boundary.shear?.slideAxis ?: -1
+        for (axis in 0..2) {
+            // Out to the end of the way, the radii, and back from where the other may have gone to; and the width of a cell on top.
+            extent[axis] = 2 * (largestRadius + reach[axis]) * (1 + SLACK) + grid.cellWidth(axis)
+            length[axis] = if (boundary.contactFaces(axis) == ContactFaces.PERIODIC) boundary.box.length(axis) else 0.0
+        }
+    }
+
+    fun add(a: Int, b: Int, t: Double) {
+        if (size == first.size) {
+            first = first.copyOf(size * 2)
+            second = second.copyOf(size * 2)
+            time = time.copyOf(size * 2)
+        }
+        first[size] = a
+        second[size] = b
+        time[size++] = t
+    }
+
+    fun remove(a: Int, b: Int) {
+        var k = 0
+        while (first[k] != a || second[k] != b) k++
+        size--
+        first[k] = first[size]
+        second[k] = second[size]
+        time[k] = time[size]
+    }
+
+    /** Whether the collision of [a] with [b] at [t] is safe beside all that are busy; simultaneous ones are done one after the other, in their order. */
+    fun areFree(a: Int, b: Int, t: Double): Boolean {
+        for (k in 0 until size) {
+            if (t == time[k]) return false
+            if (isNear(a, first[k]) || isNear(a, second[k])) return false
+            if (b >= 0 && (isNear(b, first[k]) || isNear(b, second[k]))) return false
+        }
+        return true
+    }
+
+    /** Whether any that is busy comes before [t]. */
+    fun hasBefore(t: Double): Boolean {
+        for (k in 0 until size) if (time[k] < t) return true
+        return false
+    }
+
+    private fun isNear(a: Int, b: Int): Boolean {
+        if (b < 0) return false
+        val i = rows.origin[a]
+        val j = rows.origin[b]
+        for (axis in 0..2) {
+            val x = if (axis == 0) {
+                population.x
+            } else if (axis == 1) {
+                population.y
+            } else {
+                population.z
+            }
+            val direct = abs(x[i] - x[j])
+            val through = if (length[axis] > 0) abs(length[axis] - direct) else Double.POSITIVE_INFINITY
+            // Images across the sheared faces may be anywhere along the slide.
+            if (axis == slideAxis && acrossSlidingFaces(i, j)) continue
+            if (direct > extent[axis] && through > extent[axis]) return false
+        }
+        return true
+    }
+
+    private fun acrossSlidingFaces(i: Int, j: Int): Boolean {
+        val x = if (normalAxis == 0) {
+            population.x
+        } else if (normalAxis == 1) {
+            population.y
+        } else {
+            population.z
+        }
+        return abs(length[normalAxis] - abs(x[i] - x[j])) <= extent[normalAxis]
+    }
+
+    private companion object {
+        const val SLACK = 1e-9
+    }
+}

@@ -1,0 +1,131 @@
+package daphnis.core.engine.threadpool
+
+import daphnis.core.engine.ProgressWatch
+import daphnis.core.queue.BucketEventQueue
+
+/** The potential collision that a worker has taken. */
+internal class Taken {
+    var time = 0.0
+    var first = -1
+    var second = -1
+    var image = 0
+
+    /** Whether it was taken before its turn: while an earlier one was being processed, or past one. */
+    var isEarly = false
+
+    /** Whether another, at this time or later, had been taken before its turn. */
+    var isLate = false
+}
+
+/**
+ * The synchronised queue: hands out the next collision that is safe beside all that are being processed **and** beside every earlier one that was passed
+ * over because it was not. All fields are guarded by [lock].
+ */
+internal class SafeQueue(private val busy: BusyCells) {
+    private val lock = SpinLock()
+    private val queue = BucketEventQueue()
+    private val progress = ProgressWatch()
+    private var stepStart = 0.0
+    private var working = 0
+
+    /** Latest time of those that were taken early. */
+    private var latestEarly = NONE_TAKEN
+    private val passedOver = Array(MOST_PASSED_OVER) { Taken() }
+
+    /** Counts changes that may have made a collision safe. */
+    @Volatile
+    private var changes = 0
+
+    /** Set when everybody has to stop: the queue is empty and nobody works, or somebody has given up. */
+    @Volatile
+    var isOver = false
+        private set
+
+    fun reset(stepStart: Double, duration: Double, ids: IntArray, count: Int) {
+        queue.reset(duration, ids, count)
+        progress.start(count, duration)
+        this.stepStart = stepStart
+        working = 0
+        latestEarly = NONE_TAKEN
+        isOver = false
+    }
+
+    /** Adds all of [found]; only while nobody works. */
+    fun addAll(found: EventList) {
+        for (k in 0 until found.size) queue.add(found.time(k), found.first(k), found.second(k), found.image(k))
+    }
+
+    fun stop() {
+        isOver = true
+    }
+
+    /** Takes the next safe collision into [taken], waiting while there is none; false when it is over. */
+    fun take(taken: Taken): Boolean {
+        var spins = 0
+        while (!isOver) {
+            val seen = changes
+            if (lock.use { takeLocked(taken) }) return true
+            while (seen == changes && !isOver) SpinLock.relax(spins++)
+        }
+        return false
+    }
+
+    /** Returns [taken], which has been processed and led to [found]. */
+    fun finish(taken: Taken, found: EventList) {
+        lock.use {
+            queue.removeAllOf(taken.first)
+            if (taken.second >= 0) queue.removeAllOf(taken.second)
+            addAll(found)
+            busy.remove(taken.first, taken.second)
+            working--
+            changes++
+        }
+    }
+
+    private fun takeLocked(taken: Taken): Boolean {
+        if (isOver) return false
+        var passed = 0
+        var isTaken = false
+        while (passed < MOST_PASSED_OVER && queue.pop()) {
+            if (busy.areFree(queue.first, queue.second, queue.time)) {
+                copyTo(taken)
+                isTaken = true
+                break
+            }
+            // Nothing near it may be taken before it.
+            busy.add(queue.first, queue.second, queue.time)
+            copyTo(passedOver[passed++])
+        }
+        // Whatever is busy now and comes before it, being processed or passed over.
+        if (isTaken) taken.isEarly = busy.hasBefore(taken.time)
+        for (k in 0 until passed) {
+            val event = passedOver[k]
+            busy.remove(event.first, event.second)
+            queue.add(event.time, event.first, event.second, event.image)
+        }
+        if (!isTaken) {
+            if (working == 0 && passed == 0) isOver = true
+            return false
+        }
+        progress.check(taken.time, stepStart)
+        taken.isLate = taken.time <= latestEarly
+        if (taken.isEarly) latestEarly = maxOf(latestEarly, taken.time)
+        busy.add(taken.first, taken.second, taken.time)
+        working++
+        return true
+    }
+
+    private fun copyTo(event: Taken) {
+        event.time = queue.time
+        event.first = queue.first
+        event.second = queue.second
+        event.image = queue.image
+    }
+
+    private companion object {
+        const val NONE_TAKEN = -1.0
+
+        /** How many unsafe collisions a worker passes over before it rather waits. */
+        const val MOST_PASSED_OVER = 16
+    }
+}

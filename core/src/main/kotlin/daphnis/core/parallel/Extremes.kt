@@ -1,0 +1,33 @@
+package daphnis.core.parallel
+
+import kotlin.math.abs
+
+/** Least, greatest and greatest absolute entry of an array, found by all workers of a loop. NaN anywhere gives NaN. */
+public class Extremes {
+    public var least: Double = Double.POSITIVE_INFINITY
+        private set
+    public var greatest: Double = Double.NEGATIVE_INFINITY
+        private set
+
+    /** max |a|; 0 for an empty array. */
+    public val magnitude: Double get() = if (least > greatest) 0.0 else Math.max(abs(least), abs(greatest))
+
+    /** Looks through the first [size] entries of [a]. */
+    public fun of(a: DoubleArray, size: Int, loop: RangeLoop): Extremes {
+        least = Double.POSITIVE_INFINITY
+        greatest = Double.NEGATIVE_INFINITY
+        loop.run(size, RangeLoop.GRAIN * 4) { _, from, to ->
+            var low = Double.POSITIVE_INFINITY
+            var high = Double.NEGATIVE_INFINITY
+            for (k in from until to) {
+                low = Math.min(low, a[k])
+                high = Math.max(high, a[k])
+            }
+            synchronized(this) {
+                least = Math.min(least, low)
+                greatest = Math.max(greatest, high)
+            }
+        }
+        return this
+    }
+}

@@ -1,0 +1,26 @@
+package daphnis.core.parallel
+
+import java.util.concurrent.atomic.AtomicReference
+
+/** Keeps the first thing that any worker threw; later ones are suppressed in it. */
+internal class FirstFailure {
+    private val first = AtomicReference<Throwable?>()
+
+    inline fun guard(work: () -> Unit) {
+        try {
+            work()
+        } catch (e: Throwable) {
+            add(e)
+        }
+    }
+
+    fun add(e: Throwable) {
+        val earlier = first.compareAndExchange(null, e)
+        if (earlier != null && earlier !== e) earlier.addSuppressed(e)
+    }
+
+    /** Throws what was kept, if anything, and forgets it. */
+    fun rethrow() {
+        first.getAndSet(null)?.let { throw it }
+    }
+}

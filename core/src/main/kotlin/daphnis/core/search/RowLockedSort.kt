@@ -1,0 +1,70 @@
+package daphnis.core.search
+
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Population
+
+/**
+ * The paper's parallel grid: cells are linked lists, every worker takes spheres and hangs each into the list of its cell while it holds the
+ * lock of that row. The lists are then written out in order of cells, sorted by index, so that the result does not depend on who came first.
+ */
+internal class RowLockedSort : CellSort {
+    private var head = IntArray(0)
+    private var next = IntArray(0)
+    private var rowCount = IntArray(0)
+    private var locks = arrayOf<Any>()
+
+    override fun sort(population: Population, layout: GridLayout, into: CellOrder, loop: RangeLoop) {
+        val n = population.size
+        val columns = layout.cells[0]
+        val rows = layout.cells[1] * layout.cells[2]
+        val total = columns * rows
+        into.reserve(n, total)
+        if (head.size < total) head = IntArray(total + total / 4)
+        if (next.size < n) next = IntArray(n)
+        if (locks.size < rows) {
+            locks = Array(rows + rows / 4) { Any() }
+            rowCount = IntArray(locks.size + 1)
+        }
+        loop.run(total) { _, from, to -> head.fill(NONE, from, to) }
+        rowCount.fill(0, 0, rows + 1)
+        loop.run(n) { _, from, to ->
+            findCells(population, layout, into, from, to)
+            for (k in from until to) hang(k, into.cellOf[k], into.cellOf[k] / columns)
+        }
+        for (row in 0 until rows) rowCount[row + 1] += rowCount[row]
+        loop.run(rows, ROWS_A_PIECE) { _, from, to -> for (row in from until to) writeOut(row, columns, into) }
+        into.start[total] = n
+    }
+
+    private fun hang(k: Int, cell: Int, row: Int) {
+        synchronized(locks[row]) {
+            next[k] = head[cell]
+            head[cell] = k
+            rowCount[row + 1]++
+        }
+    }
+
+    private fun writeOut(row: Int, columns: Int, into: CellOrder) {
+        var slot = rowCount[row]
+        for (cell in row * columns until (row + 1) * columns) {
+            into.start[cell] = slot
+            val first = slot
+            var k = head[cell]
+            while (k != NONE) {
+                // Insertion: lists are short and nearly in falling order.
+                var place = slot++
+                while (place > first && into.order[place - 1] > k) {
+                    into.order[place] = into.order[place - 1]
+                    place--
+                }
+                into.order[place] = k
+                k = next[k]
+            }
+        }
+    }
+
+    private companion object {
+        const val NONE = -1
+        const val ROWS_A_PIECE = 16
+    }
+}
