@@ -25,7 +25,7 @@ class DescribeCommand : CliktCommand(name = "describe") {
 
     override fun run() {
         val scenario = scenarioNamed(word, settings)
-        engineOf(scenario, word).close()
+        engineOf(scenario, word, allEngines).close()
         val setup = ScenarioSetup.of(scenario, word)
         row("scenario", scenario.name)
         if (scenario.description.isNotEmpty()) row("", scenario.description)

@@ -18,6 +18,6 @@ class ResumeCommand : CliktCommand(name = "resume") {
     override fun help(context: Context) = "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
 
     override fun run() {
-        carryOut(quiet) { Run.resume(Path.of(directory), until) }
+        carryOut(quiet) { Run.resume(Path.of(directory), until, allEngines) }
     }
 }

@@ -20,8 +20,8 @@ import java.nio.file.Path
 /** `daphnis run`. */
 class RunCommand : CliktCommand(name = "run") {
     private val scenario by argument(help = "scenario file or built-in name (default: paper-figure-1)").default("paper-figure-1")
-    private val engine by option("--engine", help = "collision engine")
-    private val threads by option("--threads", help = "threads of the engine").int()
+    private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
+    private val threads by option("--threads", help = "threads of the engine (default: all there are)").int()
     private val steps by option("--steps", help = "end after this many steps").long()
     private val until by option("--until", help = "end at this time").double()
     private val seed by option("--seed", help = "seed of the initial state").long()
@@ -35,7 +35,7 @@ class RunCommand : CliktCommand(name = "run") {
     override fun run() {
         val resolved = resolve(scenarioNamed(scenario, settings + shorthands()))
         val directory = out?.let { Path.of(it) } ?: freeDirectory(resolved.name)
-        carryOut(quiet) { Run.start(resolved, scenario, directory, force) }
+        carryOut(quiet) { Run.start(resolved, scenario, directory, force, allEngines) }
     }
 
     private fun shorthands() = listOfNotNull(

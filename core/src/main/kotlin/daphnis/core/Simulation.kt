@@ -1,8 +1,10 @@
 package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 
 /**
@@ -37,6 +39,8 @@ public class Simulation(
     public var step: Long = startStep
         private set
 
+    private val loop = collisions?.engine?.loop ?: InlineLoop
+    private val velocities = KeptVelocities()
     private var opened = false
     private val origin = if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else 0.0
 
@@ -47,17 +51,26 @@ public class Simulation(
     /**
      * Carries the simulation on by one step.
      *
+     * When the drift with its collisions fails, what it threw is thrown on and the population is as it was before the step.
+     *
      * @throws IllegalStateException when the state is no longer finite
      */
     public fun advance() {
         open()
         val start = time
         val duration = timeStep.next(population)
+        if (forces.isNotEmpty()) velocities.keep(population)
         for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
-        if (collisions != null) collisions.advance(population, boundary, start, duration) else drift(duration)
+        try {
+            if (collisions != null) collisions.advance(population, boundary, start, duration) else drift(duration)
+        } catch (e: Throwable) {
+            // The engine leaves the population as it got it; the kicks have to be taken back.
+            if (forces.isNotEmpty()) velocities.restore(population)
+            throw e
+        }
         step++
         time = if (timeStep is FixedTimeStep) origin + step * duration else start + duration
-        boundary.endStep(population, time)
+        applyBoundary()
         for (k in forces.indices.reversed()) forces[k].afterDrift(population, start, duration)
         checkFinite()
         for (k in outputs.indices) outputs[k].write(this)
@@ -75,6 +88,14 @@ public class Simulation(
         collisions?.close()
     }
 
+    private fun applyBoundary() {
+        if (boundary is PerSphereBoundary) {
+            loop.run(population.size) { _, from, to -> boundary.endStep(population, time, from, to) }
+        } else {
+            boundary.endStep(population, time)
+        }
+    }
+
     private fun drift(duration: Double) {
         val p = population
         for (k in 0 until p.size) {
@@ -87,8 +108,31 @@ public class Simulation(
     /** One sum over everything is NaN or infinite as soon as one number is; cheap against a step. */
     private fun checkFinite() {
         val p = population
-        var sum = 0.0
-        for (k in 0 until p.size) sum += (p.x[k] + p.y[k] + p.z[k] + p.vx[k] + p.vy[k] + p.vz[k]) * 0.0
-        check(sum == 0.0) { "the state is no longer finite after step $step at time $time" }
+        loop.run(p.size) { _, from, to ->
+            var sum = 0.0
+            for (k in from until to) sum += (p.x[k] + p.y[k] + p.z[k] + p.vx[k] + p.vy[k] + p.vz[k]) * 0.0
+            check(sum == 0.0) { "the state is no longer finite after step $step at time $time" }
+        }
     }
+}
+
+/** The velocities of a population before its forces acted. */
+private class KeptVelocities {
+    private var x = DoubleArray(0)
+    private var y = DoubleArray(0)
+    private var z = DoubleArray(0)
+
+    fun keep(population: Population) {
+        x = copy(population.vx, x)
+        y = copy(population.vy, y)
+        z = copy(population.vz, z)
+    }
+
+    fun restore(population: Population) {
+        x.copyInto(population.vx)
+        y.copyInto(population.vy)
+        z.copyInto(population.vz)
+    }
+
+    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size == from.size) from.copyInto(into) else from.copyOf()
 }

@@ -32,6 +32,16 @@ public interface BoundaryConditions {
     public fun endStep(population: Population, time: Double)
 }
 
+/** A boundary that brings spheres back one by one and removes none, so that engines with threads can do parts of a population at the same time. */
+public interface PerSphereBoundary : BoundaryConditions {
+    /** [endStep] for the indices [from] until [to]. */
+    public fun endStep(population: Population, time: Double, from: Int, to: Int)
+
+    override fun endStep(population: Population, time: Double) {
+        endStep(population, time, 0, population.size)
+    }
+}
+
 /** What a sphere that moves through a face can hit within the step. */
 public enum class ContactFaces {
     /** Nothing: there are no images beyond the face. */

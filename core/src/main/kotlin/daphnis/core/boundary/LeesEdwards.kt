@@ -8,7 +8,7 @@ import kotlin.math.floor
  * above the upper y face slides with `shearRate · L_y` along x, its offset is `shearRate · L_y · t` (mod L_x), and contacts are
  * found through all faces. x and z are periodic.
  */
-public class LeesEdwards(override val box: Box, public val shearRate: Double) : BoundaryConditions {
+public class LeesEdwards(override val box: Box, public val shearRate: Double) : PerSphereBoundary {
     init {
         requireFinite(box) { true }
         require(shearRate.isFinite()) { "shear rate is $shearRate; it must be finite" }
@@ -18,20 +18,20 @@ public class LeesEdwards(override val box: Box, public val shearRate: Double) : 
 
     override fun contactFaces(axis: Int): ContactFaces = ContactFaces.PERIODIC
 
-    override fun endStep(population: Population, time: Double) {
+    override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val x = population.x
         val y = population.y
         val vx = population.vx
         val offset = shear.offset(time)
         val length = box.length(1)
-        for (k in 0 until population.size) {
+        for (k in from until to) {
             if (y[k] >= box.lowerY && y[k] < box.upperY) continue
             val boxes = floor((y[k] - box.lowerY) / length)
             y[k] = inside(y[k] - boxes * length, box.lowerY, box.upperY)
             x[k] -= boxes * offset
             vx[k] -= boxes * shear.velocity
         }
-        wrap(x, box.lowerX, box.upperX)
-        wrap(population.z, box.lowerZ, box.upperZ)
+        wrap(x, box.lowerX, box.upperX, from, to)
+        wrap(population.z, box.lowerZ, box.upperZ, from, to)
     }
 }

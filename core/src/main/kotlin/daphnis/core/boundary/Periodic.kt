@@ -3,7 +3,7 @@ package daphnis.core.boundary
 import daphnis.core.population.Population
 
 /** A box that repeats along the axes marked in [periodic] (x, y, z) and is open along the others; contacts are found through the faces. */
-public class Periodic(override val box: Box, periodicX: Boolean = true, periodicY: Boolean = true, periodicZ: Boolean = true) : BoundaryConditions {
+public class Periodic(override val box: Box, periodicX: Boolean = true, periodicY: Boolean = true, periodicZ: Boolean = true) : PerSphereBoundary {
     private val periodic = booleanArrayOf(periodicX, periodicY, periodicZ)
 
     init {
@@ -12,9 +12,9 @@ public class Periodic(override val box: Box, periodicX: Boolean = true, periodic
 
     override fun contactFaces(axis: Int): ContactFaces = if (periodic[axis]) ContactFaces.PERIODIC else ContactFaces.OPEN
 
-    override fun endStep(population: Population, time: Double) {
-        if (periodic[0]) wrap(population.x, box.lowerX, box.upperX)
-        if (periodic[1]) wrap(population.y, box.lowerY, box.upperY)
-        if (periodic[2]) wrap(population.z, box.lowerZ, box.upperZ)
+    override fun endStep(population: Population, time: Double, from: Int, to: Int) {
+        if (periodic[0]) wrap(population.x, box.lowerX, box.upperX, from, to)
+        if (periodic[1]) wrap(population.y, box.lowerY, box.upperY, from, to)
+        if (periodic[2]) wrap(population.z, box.lowerZ, box.upperZ, from, to)
     }
 }

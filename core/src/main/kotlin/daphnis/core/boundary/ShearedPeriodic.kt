@@ -9,7 +9,7 @@ import kotlin.math.floor
  * through the faces, so such a box is not a consistent replica of itself and a wrap can land one sphere on another; the
  * pair then collides if it approaches and separates if it recedes. Use it for the paper's figures, [LeesEdwards] for physics.
  */
-public class ShearedPeriodic(override val box: Box, public val velocityJump: Double) : BoundaryConditions {
+public class ShearedPeriodic(override val box: Box, public val velocityJump: Double) : PerSphereBoundary {
     init {
         requireFinite(box) { true }
         require(velocityJump.isFinite()) { "velocity jump is $velocityJump; it must be finite" }
@@ -17,18 +17,18 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
 
     override val isSheared: Boolean get() = true
 
-    override fun endStep(population: Population, time: Double) {
+    override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val y = population.y
         val vx = population.vx
         val length = box.length(1)
-        for (k in 0 until population.size) {
+        for (k in from until to) {
             if (y[k] >= box.lowerY && y[k] < box.upperY) continue
             // v_x = γ y with γ L_y = jump: who leaves above enters below, where the flow is slower by the jump.
             val boxes = floor((y[k] - box.lowerY) / length)
             y[k] = inside(y[k] - boxes * length, box.lowerY, box.upperY)
             vx[k] -= boxes * velocityJump
         }
-        wrap(population.x, box.lowerX, box.upperX)
-        wrap(population.z, box.lowerZ, box.upperZ)
+        wrap(population.x, box.lowerX, box.upperX, from, to)
+        wrap(population.z, box.lowerZ, box.upperZ, from, to)
     }
 }

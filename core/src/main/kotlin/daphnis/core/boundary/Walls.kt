@@ -7,7 +7,7 @@ import daphnis.core.population.Population
  * multiplied by [wallRestitution]. Axes for which [walled] is false are periodic.
  */
 public class Walls(override val box: Box, override val wallRestitution: Double = 1.0, private val walled: BooleanArray = booleanArrayOf(true, true, true)) :
-    BoundaryConditions {
+    PerSphereBoundary {
     init {
         requireFinite(box) { true }
         require(wallRestitution in 0.0..1.0) { "wall restitution is $wallRestitution; it must be in [0, 1]" }
@@ -16,9 +16,9 @@ public class Walls(override val box: Box, override val wallRestitution: Double =
 
     override fun contactFaces(axis: Int): ContactFaces = if (walled[axis]) ContactFaces.WALL else ContactFaces.PERIODIC
 
-    override fun endStep(population: Population, time: Double) {
-        if (!walled[0]) wrap(population.x, box.lowerX, box.upperX)
-        if (!walled[1]) wrap(population.y, box.lowerY, box.upperY)
-        if (!walled[2]) wrap(population.z, box.lowerZ, box.upperZ)
+    override fun endStep(population: Population, time: Double, from: Int, to: Int) {
+        if (!walled[0]) wrap(population.x, box.lowerX, box.upperX, from, to)
+        if (!walled[1]) wrap(population.y, box.lowerY, box.upperY, from, to)
+        if (!walled[2]) wrap(population.z, box.lowerZ, box.upperZ, from, to)
     }
 }

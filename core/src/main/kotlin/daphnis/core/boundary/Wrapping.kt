@@ -11,10 +11,10 @@ internal inline fun requireFinite(box: Box, which: (Int) -> Boolean) {
     }
 }
 
-/** Puts every entry back into [lower, upper). */
-internal fun wrap(a: DoubleArray, lower: Double, upper: Double) {
+/** Puts the entries [from] until [to] back into [lower, upper). */
+internal fun wrap(a: DoubleArray, lower: Double, upper: Double, from: Int, to: Int) {
     val length = upper - lower
-    for (k in a.indices) {
+    for (k in from until to) {
         val v = a[k]
         if (v >= lower && v < upper) continue
         a[k] = inside(v - floor((v - lower) / length) * length, lower, upper)

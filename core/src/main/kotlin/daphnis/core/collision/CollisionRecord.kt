@@ -98,7 +98,7 @@ public class CollisionRecord {
     }
 
     private fun grow() {
-        val n = size * 2
+        val n = time.size * 2
         time = time.copyOf(n)
         lower = lower.copyOf(n)
         higher = higher.copyOf(n)

@@ -1,7 +1,25 @@
 package daphnis.core.engine
 
 /** Makes engines by name. */
-public fun interface EngineFactory {
-    /** @return null when the name is not known here */
+public interface EngineFactory {
+    /** The names known here, the one to recommend first. */
+    public val names: List<String>
+
+    /**
+     * @param threads 0 for as many as the machine has
+     * @return null when the name is not known here
+     */
     public fun create(name: String, threads: Int): CollisionEngine?
+
+    public companion object {
+        /** [threads], or as many as the machine has when that is 0. */
+        public fun threadsOrAll(threads: Int): Int = if (threads == 0) Runtime.getRuntime().availableProcessors() else threads
+    }
+}
+
+/** Looks a name up in one factory after the other. */
+public class CombinedEngines(private vararg val factories: EngineFactory) : EngineFactory {
+    override val names: List<String> = factories.flatMap { it.names }
+
+    override fun create(name: String, threads: Int): CollisionEngine? = factories.firstNotNullOfOrNull { it.create(name, threads) }
 }

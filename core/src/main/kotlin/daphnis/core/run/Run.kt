@@ -2,7 +2,6 @@ package daphnis.core.run
 
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.engine.CollapseException
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
@@ -71,7 +70,7 @@ public class Run private constructor(
                 }
                 var finished = isDone()
                 while (!finished && !cancelled()) {
-                    simulation.advance()
+                    advance(outputs) { secondsBefore + seconds() }
                     outputs.write(simulation)
                     observer.afterStep(simulation, until, seconds())
                     finished = isDone()
@@ -82,14 +81,23 @@ public class Run private constructor(
                 checkpoint(outputs, secondsBefore + seconds())
                 return summary(finished, secondsBefore + seconds()).also { it.write(directory.summary) }
             }
-        } catch (e: CollapseException) {
-            throw RunException(e.message.orEmpty())
         } catch (e: IllegalStateException) {
             throw RunException(e.message.orEmpty())
         } catch (e: IllegalArgumentException) {
             throw RunException("step ${simulation.step + 1}: ${e.message}")
         } catch (e: IOException) {
             throw RunException("cannot write to ${directory.path}: ${RunDirectory.reason(e)}; what was written before stands, go on with resume when there is room")
+        }
+    }
+
+    /** One step. When it fails and left the state as it was, that is kept as a checkpoint. */
+    private fun advance(outputs: RunOutputs, wallSeconds: () -> Double) {
+        val step = simulation.step
+        try {
+            simulation.advance()
+        } catch (e: RuntimeException) {
+            if (simulation.step == step) checkpoint(outputs, wallSeconds())
+            throw RunException("step ${step + 1}: ${e.message ?: e.javaClass.name}")
         }
     }
 
@@ -258,8 +266,9 @@ public fun Scenario.atHome(home: Path): Scenario {
 public fun engineOf(scenario: Scenario, source: String, engines: EngineFactory = Engines): CollisionEngine {
     val spec = scenario.engine
     val engine = engines.create(spec.name, spec.threads)
-        ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${Engines.names.joinToString()}")
-    if (engine.threads != spec.threads) {
+        ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${engines.names.joinToString()}")
+    if (spec.threads != 0 && engine.threads != spec.threads) {
+        engine.close()
         throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")
     }
     return engine

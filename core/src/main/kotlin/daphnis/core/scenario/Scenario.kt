@@ -194,7 +194,7 @@ public sealed interface TimeStepSpec {
 }
 
 @Serializable
-public class EngineSpec(public val name: String = "serial", public val threads: Int = 1)
+public class EngineSpec(public val name: String = "islands", public val threads: Int = 0)
 
 /** How often to write, in steps; 0 means never (checkpoints: only at the end). */
 @Serializable

@@ -20,6 +20,7 @@ import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
 import daphnis.core.force.UniformAcceleration
+import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
 
@@ -70,7 +71,7 @@ public class ScenarioSetup private constructor(
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
             check.positive("until", scenario.until)
             check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
-            check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 1..MOST_THREADS) { "must be in 1..$MOST_THREADS" }
+            check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) { "must be in 1..${ThreadHandler.MOST}, or 0 for all there are" }
             val output = scenario.output
             check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) { "must be >= 0 (0 for never)" }
             check.that("output.snapshotEvery", output.snapshotEvery, output.snapshotEvery >= 0) { "must be >= 0 (0 for never)" }
@@ -186,6 +187,5 @@ public class ScenarioSetup private constructor(
         }
 
         private const val DEFAULT_FLOOR = 1e-6
-        private const val MOST_THREADS = 1024
     }
 }

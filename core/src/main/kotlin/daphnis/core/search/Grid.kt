@@ -56,6 +56,16 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
     public fun cellWidth(axis: Int): Double = layout.width(layout.axes.indexOf(axis))
 
     /**
+     * How far apart along [axis] two spheres, both at the start of the step, can be at most if one looks through the cell of the other at any
+     * moment of the step.
+     */
+    public fun sight(axis: Int): Double {
+        val k = layout.axes.indexOf(axis)
+        // Out to the end of the way, the radii, and back from where the other may have gone to; and a cell on top, of which a part may be seen.
+        return 2 * layout.margin[k] + layout.width(k)
+    }
+
+    /**
      * Sorts [population] into cells for a step from [time] of [duration] in which nobody goes farther than [reach].
      *
      * @param reach bound along x, y, z; zeros find what touches at the start

@@ -3,6 +3,7 @@ package daphnis.core.engine.islands
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.engine.islands.IslandField.Companion.FREE
+import java.util.function.IntConsumer
 
 /**
  * The workers on one [IslandField], and what is done between their phases by one thread alone. A step goes
@@ -30,7 +31,6 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     private var dropped = IntArray(256)
     private var droppedCount = 0
     private var share = FIRST_SHARE
-    private var islandsInWindow = 0
     private var redoneInWindow = 0
 
     /** Islands processed since the start, and how many of them were dropped because they met another. */
@@ -83,7 +83,6 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         lastSlice = slice - 1
         field.windowEnd = Hints.endOf(lastSlice, field.duration)
         field.seeds.reset(total)
-        islandsInWindow = 0
         redoneInWindow = 0
         windows++
         return total
@@ -92,6 +91,47 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     /** Phase of each worker: seeds of its own hints. */
     public fun propose(worker: Int) {
         get(worker).propose(firstSlice, lastSlice)
+    }
+
+    /**
+     * Joins the islands that share a seed which no worker could make its own, and puts them into [roots]. Between [propose] and
+     * [IslandWorker.group], where workers keep to their own spheres.
+     */
+    public fun joinBorders() {
+        rootCount = 0
+        val seeds = field.seeds
+        for (worker in workers) {
+            for (s in worker!!.borderFrom until worker.borderTo) if (seeds.second[s] >= 0) field.union(seeds.first[s], seeds.second[s])
+        }
+        for (worker in workers) {
+            for (s in worker!!.borderFrom until worker.borderTo) {
+                val root = field.find(seeds.first[s])
+                own(seeds.first[s], root)
+                if (seeds.second[s] >= 0) own(seeds.second[s], root)
+                if (field.hang(s, root)) addRoot(root)
+            }
+        }
+    }
+
+    /** Calls [action] with every sphere that has a seed in the island of [root]; some more than once. */
+    public fun forEachSeeded(root: Int, action: IntConsumer) {
+        var s = field.seedHead[root]
+        while (s != FREE) {
+            action.accept(field.seeds.first[s])
+            if (field.seeds.second[s] >= 0) action.accept(field.seeds.second[s])
+            s = field.seeds.next[s]
+        }
+    }
+
+    /** Time of the first seed of the island of [root]. */
+    public fun startOf(root: Int): Double {
+        var start = Double.POSITIVE_INFINITY
+        var s = field.seedHead[root]
+        while (s != FREE) {
+            start = minOf(start, field.seeds.time[s])
+            s = field.seeds.next[s]
+        }
+        return start
     }
 
     /** Puts the roots that the workers found into [roots]. */
@@ -103,7 +143,6 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
             worker.roots.copyInto(roots, rootCount, 0, count)
             rootCount += count
         }
-        islandsInWindow = rootCount
     }
 
     /**
@@ -181,7 +220,11 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
 
     /** Counts what the window did and learns how long the next may be. */
     public fun closeWindow() {
-        for (worker in workers) worker!!.addTo(counted)
+        var islandsInWindow = 0
+        for (worker in workers) {
+            worker!!.addTo(counted)
+            islandsInWindow += worker.attempts.size
+        }
         islands += islandsInWindow
         redone += redoneInWindow
         if (redoneInWindow > islandsInWindow * MOST_REDONE) {

@@ -150,6 +150,9 @@ public class IslandField(private val workers: Int) {
         seedHead[slot] = FREE
     }
 
+    /** Whether [slot] takes part in a seed of this window. */
+    internal fun isSeeded(slot: Int): Boolean = seedHead[slot] != FREE || ticket[slot * TICKET + PARENT] != slot
+
     internal fun owner(slot: Int): Int = ticket[slot * TICKET + OWNER]
 
     internal fun attempt(slot: Int): Int = ticket[slot * TICKET + ATTEMPT]

@@ -75,6 +75,12 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     private var seedsFrom = 0
     private var seedsTo = 0
 
+    /** The own seeds that concern spheres which [claimRule] does not allow. */
+    internal var borderFrom = 0
+        private set
+    internal var borderTo = 0
+        private set
+
     // Of the island being processed.
     private var root = FREE
     private var attempt = 0
@@ -119,8 +125,11 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         var count = 0
         for (slice in from..to) count += hints.count(slice)
         val seeds = field.seeds
+        val rule = claimRule
         seedsFrom = seeds.reserve(count)
-        var s = seedsFrom
+        borderTo = seedsFrom + count
+        borderFrom = borderTo
+        var own = seedsFrom
         for (slice in from..to) {
             var hint = hints.head(slice)
             while (hint != FREE) {
@@ -129,17 +138,18 @@ public class IslandWorker internal constructor(private val field: IslandField, p
                 val image = hints.image(hint)
                 val time = hints.time(hint)
                 if (time == timeOf(first, second, image)) {
+                    val isOwn = rule == null || (rule.mayClaim(first) && (second < 0 || rule.mayClaim(second)))
+                    val s = if (isOwn) own++ else --borderFrom
                     seeds.time[s] = time
                     seeds.first[s] = first
                     seeds.second[s] = second
                     seeds.image[s] = image
-                    s++
-                    if (second >= 0) field.union(first, second)
+                    if (isOwn && second >= 0) field.union(first, second)
                 }
                 hint = hints.next(hint)
             }
         }
-        seedsTo = s
+        seedsTo = own
     }
 
     private fun timeOf(first: Int, second: Int, image: Int): Double =
@@ -160,6 +170,30 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         }
         // In the order of memory, so that islands one after the other find their neighbourhoods in the cache.
         roots.sort(0, rootCount)
+    }
+
+    /** Roots of the islands that [processOwn] had to give up, and whom each needed: two numbers an island, [givenUpCount] islands. */
+    public var givenUp: IntArray = IntArray(INITIAL)
+        private set
+    public var givenUpCount: Int = 0
+        private set
+
+    /** Processes the islands that [group] found here first. */
+    public fun processOwn() {
+        process(roots, rootCount)
+    }
+
+    /** Processes the islands of the first [count] of [roots]; those that need somebody whom [claimRule] refuses are left and noted. */
+    public fun process(roots: IntArray, count: Int) {
+        givenUpCount = 0
+        for (k in 0 until count) {
+            if (process(roots[k])) continue
+            if (field.stopped) return
+            if ((givenUpCount + 1) * 2 > givenUp.size) givenUp = givenUp.copyOf(givenUp.size * 2)
+            givenUp[givenUpCount * 2] = roots[k]
+            givenUp[givenUpCount * 2 + 1] = refused
+            givenUpCount++
+        }
     }
 
     /**
@@ -397,7 +431,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     /** One past the last row of attempt [index]. */
     internal fun endOfRows(index: Int): Int = if (index + 1 < attempts.size) attempts.firstRow(index + 1) else local.size
 
-    /** Makes it as if attempt [index] had not been. Claims on spheres with seeds are renewed by whoever processes them next. */
+    /** Makes it as if attempt [index] had not been. */
     internal fun restore(index: Int) {
         for (k in attempts.firstRow(index) until endOfRows(index)) {
             val slot = slotOf[k]
@@ -410,7 +444,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
                 older = paths.older(older)
             }
             field.rows.state[slot * STRIDE + TIME] = state[p + TIME]
-            field.ticket[slot * TICKET + OWNER] = FREE
+            // Who has seeds stays claimed, for whoever tries next.
+            if (!field.isSeeded(slot)) field.ticket[slot * TICKET + OWNER] = FREE
             field.ticket[slot * TICKET + ATTEMPT] = 0
         }
     }

@@ -8,12 +8,12 @@ import daphnis.core.engine.threadpool.ThreadPoolEngine
 
 /** The engines of this module. */
 public object Engines : EngineFactory {
-    public val names: List<String> = listOf("islands", "thread-pool", "serial")
+    override val names: List<String> = listOf("islands", "thread-pool", "serial")
 
     override fun create(name: String, threads: Int): CollisionEngine? = when (name) {
         "serial" -> SerialEngine()
-        "thread-pool" -> ThreadPoolEngine(threads)
-        "islands" -> IslandsEngine(threads)
+        "thread-pool" -> ThreadPoolEngine(EngineFactory.threadsOrAll(threads))
+        "islands" -> IslandsEngine(EngineFactory.threadsOrAll(threads))
         else -> null
     }
 }

@@ -29,14 +29,13 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     private var time = DoubleArray(16)
     private var size = 0
 
-    fun prepare(population: Population, boundary: BoundaryConditions, reach: DoubleArray, largestRadius: Double) {
+    fun prepare(population: Population, boundary: BoundaryConditions) {
         this.population = population
         size = 0
         normalAxis = boundary.shear?.normalAxis ?: -1
         slideAxis = boundary.shear?.slideAxis ?: -1
         for (axis in 0..2) {
-            // Out to the end of the way, the radii, and back from where the other may have gone to; and the width of a cell on top.
-            extent[axis] = 2 * (largestRadius + reach[axis]) * (1 + SLACK) + grid.cellWidth(axis)
+            extent[axis] = grid.sight(axis)
             length[axis] = if (boundary.contactFaces(axis) == ContactFaces.PERIODIC) boundary.box.length(axis) else 0.0
         }
     }
@@ -107,9 +106,5 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
             population.z
         }
         return abs(length[normalAxis] - abs(x[i] - x[j])) <= extent[normalAxis]
-    }
-
-    private companion object {
-        const val SLACK = 1e-9
     }
 }

@@ -6,7 +6,6 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.threadpool.PoolWorker.Outcome
-import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -66,7 +65,6 @@ public class ThreadPoolEngine(
     private val queue = SafeQueue(busy)
     private val trails = Trails()
     private val workers = Array(threads) { PoolWorker(rows, grid, walls, reach, trails) }
-    private val radii = Extremes()
     private val replay = SerialEngine()
 
     private val failedWith = AtomicInteger(Outcome.DONE.ordinal)
@@ -105,7 +103,7 @@ public class ThreadPoolEngine(
         failedWith.set(Outcome.DONE.ordinal)
         grid.build(step.population, step.boundary, step.start, step.duration, reach.bound, loop)
         rows.load(step.population, grid.order, step.law.guard.needsLastCollision, loop)
-        busy.prepare(step.population, step.boundary, reach.bound, radii.of(step.population.radius, rows.size, loop).magnitude)
+        busy.prepare(step.population, step.boundary)
         queue.reset(step.start, step.duration, rows.id, rows.size)
         trails.reset(rows.size)
         for (worker in workers) worker.prepare(step)

@@ -1,0 +1,43 @@
+package daphnis.actors.region
+
+import daphnis.core.engine.islands.ClaimRule
+import daphnis.core.engine.islands.IslandCrew
+
+/**
+ * The work of one region, without any framework: whoever owns it calls [handle] with one command after the other, from one thread at a time, each call
+ * happening after the one before.
+ */
+public class Region(public val number: Int, private val map: RegionMap, private val crew: IslandCrew) {
+    private val worker = crew[number]
+    private var locked = BooleanArray(0)
+    private val ownSpheres = ClaimRule { map.regionOf(it) == number }
+    private val lockedSpheres = ClaimRule { locked[map.regionOf(it)] }
+
+    /** Called before each command; for tests that make a region fail or dawdle. */
+    public var probe: (RegionCommand) -> Unit = {}
+
+    /** Does what [command] says and answers it. Throws what goes wrong. */
+    public fun handle(command: RegionCommand): RegionReply {
+        probe(command)
+        worker.claimRule = ownSpheres
+        when (command.phase) {
+            Phase.SEARCH -> map.forEachStretch(number) { from, to -> worker.searchStart(from, to) }
+            Phase.PROPOSE -> crew.propose(number)
+            Phase.WORK -> {
+                worker.group()
+                worker.processOwn()
+                return RegionReply(number, command.phase, worker.givenUp.copyOf(worker.givenUpCount * 2))
+            }
+            Phase.GRANT -> {
+                locked = command.locked
+                worker.claimRule = lockedSpheres
+                worker.process(command.islands, command.islands.size)
+                return RegionReply(number, command.phase, worker.givenUp.copyOf(worker.givenUpCount * 2))
+            }
+            Phase.CHECK -> worker.check()
+            Phase.COMMIT -> worker.commit()
+            Phase.LOOK_AHEAD -> worker.hintSuspects()
+        }
+        return RegionReply(number, command.phase)
+    }
+}

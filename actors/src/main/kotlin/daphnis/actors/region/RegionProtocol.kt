@@ -1,0 +1,54 @@
+package daphnis.actors.region
+
+/** What a region does on command. */
+public enum class Phase {
+    /** Find the potential collisions of the step that its own spheres can have. */
+    SEARCH,
+
+    /** Make seeds of those of the window; those that cross a border are left for the coordinator. */
+    PROPOSE,
+
+    /** Process the islands that lie wholly inside. */
+    WORK,
+
+    /** Process the islands of a batch that cross borders; the region and those around it are locked for that. */
+    GRANT,
+
+    /** Compare the paths of spheres that came near those of other islands. */
+    CHECK,
+
+    /** Take over the results. */
+    COMMIT,
+
+    /** Find what spheres of different islands may do to one another in later windows. */
+    LOOK_AHEAD,
+}
+
+/**
+ * From the coordinator to region [region]. A region gets a command only after it has answered the last one, so that a mailbox for one suffices.
+ *
+ * @property islands roots of the islands of a [Phase.GRANT], the batch; not changed after sending
+ * @property locked by region, whose spheres may be touched in a [Phase.GRANT]; not changed after sending
+ */
+public class RegionCommand(public val region: Int, public val phase: Phase, public val islands: IntArray = NOTHING, public val locked: BooleanArray = NONE) {
+    private companion object {
+        val NOTHING = IntArray(0)
+        val NONE = BooleanArray(0)
+    }
+}
+
+/**
+ * From region [region] to the coordinator, one for each command.
+ *
+ * @property border islands that the region could not process since they need a sphere of a region that is not its own or locked: root and slot of that
+ *   sphere in turn
+ * @property failure what the region threw, null when all went well
+ */
+public class RegionReply(public val region: Int, public val phase: Phase, public val border: IntArray = NOTHING, public val failure: Throwable? = null) {
+    private companion object {
+        val NOTHING = IntArray(0)
+    }
+}
+
+/** A region threw twice at the same step. The population is as it was before the step. */
+public class RegionFailedException(message: String, cause: Throwable) : RuntimeException(message, cause)

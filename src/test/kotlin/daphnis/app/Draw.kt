@@ -1,0 +1,140 @@
+package daphnis.app
+
+import daphnis.actors.coroutine.RegionActorEngine
+import daphnis.actors.pekko.PekkoEngine
+import daphnis.actors.region.RegionLayout
+import daphnis.core.FixedTimeStep
+import daphnis.core.Simulation
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Open
+import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.boundary.Walls
+import daphnis.core.collision.BridgesRestitution
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.collision.ContactDurationGuard
+import daphnis.core.collision.FloorSpeedGuard
+import daphnis.core.collision.NoGuard
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ThreadHandler
+import daphnis.core.parallel.ThreadPerTask
+import daphnis.core.population.Population
+import daphnis.core.search.GridSort
+import daphnis.core.setup.Lattice
+import daphnis.core.setup.LatticePlacement
+import daphnis.core.setup.PlacementException
+import daphnis.core.setup.RandomPlacement
+import daphnis.core.setup.SeededRandom
+import org.apache.pekko.actor.typed.ActorSystem
+
+/** A random case for engines: everything follows from [seed]. */
+class Draw(val seed: Long) {
+    private val random = SeededRandom(seed)
+    private val filling = Math.exp(random.nextDouble(Math.log(0.01), Math.log(0.5)))
+    private val clumped = random.nextInt(4) == 0
+    private val flat = random.nextInt(3) == 0
+    private val radii = drawRadii()
+    private val volume = radii.sumOf { 4.0 / 3 * Math.PI * it * it * it } / filling
+    private val box = drawBox()
+    var boundary = drawBoundary()
+        private set
+    val population = populate()
+
+    /** Three decades, in units of the mean time between collisions, so that some steps have a collision a thousand spheres and some several each. */
+    val dt = Math.exp(random.nextDouble(Math.log(1e-3), Math.log(1.0))) * radii.average() / (6 * population.fillingNow())
+    private val restitution = listOf(ConstantRestitution(1.0), ConstantRestitution(0.6), BridgesRestitution())[random.nextInt(3)]
+
+    // Inelastic spheres in dense heaps collapse without one.
+    private val guard = listOf(FloorSpeedGuard(1e-3), ContactDurationGuard(1e-4 * dt), NoGuard)[if (filling > 0.05 || clumped) random.nextInt(2) else random.nextInt(3)]
+
+    private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
+
+    private fun drawRadii(): DoubleArray {
+        val count = if (random.nextInt(5) == 0) 1 + random.nextInt(30) else Math.exp(random.nextDouble(Math.log(30.0), Math.log(3000.0))).toInt()
+        val smallest = if (filling > 0.3 || random.nextInt(2) == 0) 1.0 else random.nextDouble(0.1, 1.0)
+        return DoubleArray(count) { if (smallest == 1.0) 1.0 else random.nextDouble(smallest, 1.0) }
+    }
+
+    private fun drawBox(): Box {
+        val height = if (flat) maxOf(2.2, Math.cbrt(volume) / 5) else Math.cbrt(volume) * random.nextDouble(0.7, 1.4)
+        val x = Math.sqrt(volume / height) * random.nextDouble(0.7, 1.4)
+        return Box.centred(maxOf(x, 2.2), maxOf(volume / height / x, 2.2), maxOf(height, 2.2))
+    }
+
+    private fun drawBoundary(): BoundaryConditions = when (random.nextInt(8)) {
+        0 -> Open
+        1 -> Periodic(box, random.nextInt(2) == 0, true, random.nextInt(2) == 0)
+        2 -> Walls(box, random.nextDouble(0.5, 1.0))
+        3 -> Walls(box, 1.0, booleanArrayOf(false, true, false))
+        4 -> ShearedPeriodic(box, random.nextDouble(-1.0, 1.0))
+        5, 6 -> LeesEdwards(box, random.nextDouble(-0.3, 0.3))
+        else -> Periodic(box)
+    }
+
+    private fun populate(): Population {
+        val room = if (clumped) corner() else box
+        val walled = BooleanArray(3) { clumped || boundary.contactFaces(it) != ContactFaces.PERIODIC }
+        val places = try {
+            if (filling > 0.3 && !clumped) {
+                LatticePlacement(Lattice.FACE_CENTRED_CUBIC).place(radii, room, walled, random)
+            } else {
+                RandomPlacement(2_000).place(radii, room, walled, random)
+            }
+        } catch (e: PlacementException) {
+            null
+        }
+        if (places == null) {
+            // Too dense a draw: loosely packed in open space does as well.
+            boundary = Open
+            val edge = Math.ceil(Math.cbrt(radii.size.toDouble())).toInt()
+            fun at(k: Int) = 2.01 * k
+            return made(
+                DoubleArray(radii.size) { at(it % edge) },
+                DoubleArray(radii.size) { at(it / edge % edge) },
+                DoubleArray(radii.size) { at(it / edge / edge) },
+            )
+        }
+        return made(places.x, places.y, places.z)
+    }
+
+    /** A corner of the box, eight times as dense if it can be. */
+    private fun corner(): Box {
+        fun part(axis: Int) = box.lower(axis) + maxOf(2.2, 0.55 * box.length(axis)).coerceAtMost(box.length(axis))
+        return Box(box.lowerX, box.lowerY, box.lowerZ, part(0), part(1), part(2))
+    }
+
+    private fun made(x: DoubleArray, y: DoubleArray, z: DoubleArray): Population {
+        val n = x.size
+        fun gauss() = DoubleArray(n) { random.nextGaussian() }
+        return Population(x, y, z, gauss(), gauss(), gauss(), radii, DoubleArray(n) { radii[it] * radii[it] * radii[it] })
+    }
+
+    fun simulation(engine: CollisionEngine) =
+        Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine, recordCollisions = true), FixedTimeStep(dt))
+
+    /** One of each parallel engine, with random threads and settings. */
+    fun engines(host: ActorSystem<*>): List<CollisionEngine> {
+        fun threads() = 1 + random.nextInt(8)
+        val handler: ThreadHandler = if (random.nextInt(4) == 0) ThreadPerTask(1 + random.nextInt(3)) else FixedPool(threads())
+        return listOf(
+            IslandsEngine(threads()),
+            ThreadPoolEngine(handler, LoopStrategy.entries[random.nextInt(3)], GridSort.entries[random.nextInt(2)]),
+            RegionActorEngine(threads(), layout()),
+            PekkoEngine(threads(), layout(), host),
+        )
+    }
+
+    private fun layout(): RegionLayout =
+        if (random.nextInt(2) == 0) RegionLayout.Stretches(1 + random.nextInt(12)) else RegionLayout.Blocks(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))
+
+    override fun toString() =
+        "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, ${boundary.javaClass.simpleName}, dt $dt"
+}

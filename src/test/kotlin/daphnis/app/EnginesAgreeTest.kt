@@ -1,0 +1,97 @@
+package daphnis.app
+
+import com.typesafe.config.ConfigFactory
+import daphnis.core.Simulation
+import daphnis.core.engine.SerialEngine
+import daphnis.core.population.stateDigest
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.FixedTimeStep
+import daphnis.core.engine.CollisionForcing
+import org.apache.pekko.actor.typed.ActorSystem
+import org.apache.pekko.actor.typed.javadsl.Behaviors
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.parallel.Execution
+import org.junit.jupiter.api.parallel.ExecutionMode
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+
+/** The contract: every engine gives the bits of the serial one, after every step, for every number of threads and every division into regions. */
+@Execution(ExecutionMode.SAME_THREAD)
+class EnginesAgreeTest {
+    @Test
+    fun `every engine gives the digest, counts and collisions of the serial one after every step of every drawn case`() {
+        val host = ActorSystem.create(Behaviors.empty<Void>(), "host", ConfigFactory.parseString("pekko.loglevel=WARNING, pekko.daemonic=on").withFallback(ConfigFactory.load()))
+        var collisions = 0L
+        var replays = 0L
+        try {
+            for (seed in FIRST..FIRST + DRAWS - 1) {
+                val draw = Draw(seed)
+                val serial = draw.simulation(SerialEngine())
+                val others = draw.engines(host).map { draw.simulation(it) }
+                try {
+                    for (step in 1..STEPS) {
+                        serial.advance()
+                        for (other in others) {
+                            other.advance()
+                            compare(serial, other, "$draw, step $step, ${other.collisions!!.engine.name} on ${other.collisions!!.engine.threads}")
+                        }
+                    }
+                } finally {
+                    others.forEach { it.close() }
+                }
+                collisions += serial.collisions!!.counters.collisions
+                replays += others.sumOf { it.collisions!!.counters.causalityReplays }
+            }
+        } finally {
+            host.terminate()
+        }
+        println("$DRAWS draws, $collisions collisions an engine, $replays replays")
+        assertTrue(collisions > 100 * DRAWS) { "only $collisions collisions" }
+    }
+
+    private fun compare(serial: Simulation, other: Simulation, story: String) {
+        assertEquals(stateDigest(serial.population), stateDigest(other.population)) { story }
+        val a = serial.collisions!!
+        val b = other.collisions!!
+        fun counts(f: CollisionForcing) = with(f.counters) { listOf(collisions, wallCollisions, guardActivations) }
+        assertEquals(counts(a), counts(b)) { story }
+        val r = a.record!!
+        val s = b.record!!
+        assertEquals(r.size, s.size) { story }
+        for (k in 0 until r.size) {
+            val same = r.time[k] == s.time[k] && r.lower[k] == s.lower[k] && r.higher[k] == s.higher[k] && r.impulse(k) == s.impulse(k) &&
+                (0..2).all { r.separation(k, it) == s.separation(k, it) }
+            assertTrue(same) { "$story: collision $k differs" }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = ["paper-figure-1", "paper-figure-2", "paper-figure-3"])
+    fun `the paper's systems at full size`(name: String) {
+        val setup = ScenarioSetup.of(BuiltIn.scenario(name), name)
+        fun simulation(engine: String, threads: Int) = Simulation(
+            setup.population.copy(),
+            setup.boundary,
+            CollisionForcing(setup.restitution, setup.guard, allEngines.create(engine, threads)!!),
+            setup.timeStep as FixedTimeStep,
+        )
+        val steps = if (LONG) 30 else 6
+        val digests = listOf("serial" to 1, "islands" to 1, "islands" to 2, "islands" to 3, "thread-pool" to 2, "actors" to 2, "pekko" to 2).map { (engine, threads) ->
+            simulation(engine, threads).use {
+                repeat(steps) { _ -> it.advance() }
+                "$engine on $threads" to stateDigest(it.population)
+            }
+        }
+        for ((engine, digest) in digests) assertEquals(digests[0].second, digest) { "$name with $engine" }
+    }
+
+    private companion object {
+        val LONG = System.getProperty("daphnis.long") == "true"
+        val DRAWS = Integer.getInteger("daphnis.draws", if (LONG) 5000 else 250).toLong()
+        val FIRST = Integer.getInteger("daphnis.firstDraw", 1).toLong()
+        const val STEPS = 3
+    }
+}
