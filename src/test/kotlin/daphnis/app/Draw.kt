@@ -132,9 +132,13 @@ class Draw(val seed: Long) {
         )
     }
 
-    private fun layout(): RegionLayout =
-        if (random.nextInt(2) == 0) RegionLayout.Stretches(1 + random.nextInt(12)) else RegionLayout.Blocks(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))
+    private fun layout(): RegionLayout = if (random.nextInt(2) ==
+        0
+    ) {
+        RegionLayout.Stretches(1 + random.nextInt(12))
+    } else {
+        RegionLayout.Blocks(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))
+    }
 
-    override fun toString() =
-        "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, ${boundary.javaClass.simpleName}, dt $dt"
+    override fun toString() = "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, ${boundary.javaClass.simpleName}, dt $dt"
 }

@@ -17,11 +17,14 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.asCoroutineDispatcher
 import kotlinx.coroutines.cancel
 import kotlinx.coroutines.channels.Channel
+import kotlinx.coroutines.currentCoroutineContext
+import kotlinx.coroutines.ensureActive
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import java.util.concurrent.CancellationException
@@ -149,20 +152,19 @@ public class RegionActorEngine(override val threads: Int, private val layout: Re
         current = coordinator
         coordinator.begin(step)
         if (closed) coordinator.cancel()
+        val job = currentCoroutineContext()[Job]
+        // Not cancellable, since a receive that is cancelled may lose what it has received; the job is asked after every answer instead.
         try {
-            exchange(actors)
-        } catch (e: CancellationException) {
-            coordinator.cancel()
-            withContext(NonCancellable) { exchange(actors) }
-            throw e
+            withContext(NonCancellable) { exchange(actors) { job?.isActive != false } }
         } finally {
             current = null
         }
+        currentCoroutineContext().ensureActive()
         if (coordinator.isCancelled) throw CancellationException(CLOSED)
         return coordinator.failure
     }
 
-    private suspend fun exchange(actors: Actors) {
+    private suspend fun exchange(actors: Actors, isWanted: () -> Boolean) {
         val coordinator = actors.coordinator
         while (true) {
             var command = coordinator.poll()
@@ -171,7 +173,9 @@ public class RegionActorEngine(override val threads: Int, private val layout: Re
                 command = coordinator.poll()
             }
             if (coordinator.isFinished) return
-            coordinator.accept(actors.replies.receive())
+            val reply = actors.replies.receive()
+            if (!isWanted()) coordinator.cancel()
+            coordinator.accept(reply)
         }
     }
 

@@ -82,7 +82,17 @@ public class PekkoEngine(override val threads: Int, private val layout: RegionLa
         return (host ?: ownSystem()).systemActorOf(behavior, "daphnis-${ENGINES.incrementAndGet()}", Props.empty())
     }
 
-    private fun ownSystem(): ActorSystem<Void> = own ?: ActorSystem.create(
+    /** An actor system does not start on an interrupted thread, so the interrupt is put off. */
+    private fun ownSystem(): ActorSystem<Void> = own ?: run {
+        val interrupted = Thread.interrupted()
+        try {
+            newSystem().also { own = it }
+        } finally {
+            if (interrupted) Thread.currentThread().interrupt()
+        }
+    }
+
+    private fun newSystem(): ActorSystem<Void> = ActorSystem.create(
         Behaviors.empty<Void>(),
         "daphnis",
         ConfigFactory.parseMap(
@@ -97,7 +107,7 @@ public class PekkoEngine(override val threads: Int, private val layout: RegionLa
                 "pekko.actor.default-dispatcher.throughput" to 1,
             ),
         ).withFallback(ConfigFactory.load(PekkoEngine::class.java.classLoader)),
-    ).also { own = it }
+    )
 
     private fun awaitUninterruptibly(done: CompletableFuture<Void?>) {
         var interrupted = false

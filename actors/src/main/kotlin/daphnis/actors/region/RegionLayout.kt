@@ -37,7 +37,6 @@ public sealed class RegionLayout {
         }
 
         /** What suits [spheres] and [threads]: some regions a thread, so that one which has less to do is no loss, but none too small. */
-        public fun of(spheres: Int, threads: Int): RegionLayout =
-            Stretches(minOf(threads * REGIONS_A_THREAD, spheres / SPHERES_A_REGION).coerceIn(1, MOST))
+        public fun of(spheres: Int, threads: Int): RegionLayout = Stretches(minOf(threads * REGIONS_A_THREAD, spheres / SPHERES_A_REGION).coerceIn(1, MOST))
     }
 }

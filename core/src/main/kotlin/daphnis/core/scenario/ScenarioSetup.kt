@@ -71,7 +71,9 @@ public class ScenarioSetup private constructor(
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
             check.positive("until", scenario.until)
             check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
-            check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) { "must be in 1..${ThreadHandler.MOST}, or 0 for all there are" }
+            check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
+                "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
+            }
             val output = scenario.output
             check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) { "must be >= 0 (0 for never)" }
             check.that("output.snapshotEvery", output.snapshotEvery, output.snapshotEvery >= 0) { "must be >= 0 (0 for never)" }

@@ -72,14 +72,7 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
      * @param loop runs the loops over spheres
      * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond ±[GridLayout.MOST_BOXES] would matter
      */
-    public fun build(
-        population: Population,
-        boundary: BoundaryConditions,
-        time: Double,
-        duration: Double,
-        reach: DoubleArray,
-        loop: RangeLoop = InlineLoop,
-    ) {
+    public fun build(population: Population, boundary: BoundaryConditions, time: Double, duration: Double, reach: DoubleArray, loop: RangeLoop = InlineLoop) {
         images.prepare(boundary, time)
         layout.prepare(population, boundary, images, duration, reach, loop)
         sorting.sort(population, layout, sorted, loop)

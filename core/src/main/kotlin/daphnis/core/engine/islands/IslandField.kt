@@ -1,6 +1,5 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact

@@ -291,7 +291,11 @@ public class IslandWorker internal constructor(private val field: IslandField, p
             for (face in 0 until WallContact.FACES) {
                 val t = field.walls.time(local, k, face)
                 val partner = WallContact.partner(face)
-                if (t <= field.windowEnd) queue.add(t, k, partner, 0) else if (t <= field.duration) hints.add(t, slotOf[k], partner, 0)
+                if (t <= field.windowEnd) {
+                    queue.add(t, k, partner, 0)
+                } else if (t <= field.duration) {
+                    hints.add(t, slotOf[k], partner, 0)
+                }
             }
         }
         return true
@@ -370,7 +374,11 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         }
         val place = field.place(other)
         val t = contactTime(local, k, place, image, field.grid.images)
-        if (t <= field.windowEnd) queue.add(t, k, place, image) else if (t <= field.duration) hints.add(t, slotOf[k], other, image)
+        if (t <= field.windowEnd) {
+            queue.add(t, k, place, image)
+        } else if (t <= field.duration) {
+            hints.add(t, slotOf[k], other, image)
+        }
     }
 
     /** Compares the paths of the own suspects; the islands that touch go into [conflicts]. */

@@ -144,7 +144,13 @@ internal class PoolWorker(private val rows: StepRows, private val grid: Grid, pr
         val p = slot * STRIDE
         val rest = duration - time
         val runs = near.around(
-            state[p], state[p + 1], state[p + 2], state[p + VX] * rest, state[p + VX + 1] * rest, state[p + VX + 2] * rest, state[p + RADIUS],
+            state[p],
+            state[p + 1],
+            state[p + 2],
+            state[p + VX] * rest,
+            state[p + VX + 1] * rest,
+            state[p + VX + 2] * rest,
+            state[p + RADIUS],
         )
         for (r in 0 until runs) {
             val image = near.image[r]

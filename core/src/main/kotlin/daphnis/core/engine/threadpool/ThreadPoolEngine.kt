@@ -45,11 +45,8 @@ import java.util.concurrent.atomic.AtomicInteger
  * @param strategy of the loops over spheres; the first search is always dynamic, as in the paper
  * @param gridSort how the grid is built
  */
-public class ThreadPoolEngine(
-    private val handler: ThreadHandler,
-    strategy: LoopStrategy = LoopStrategy.CHUNKS,
-    gridSort: GridSort = GridSort.ROW_LOCKS,
-) : CollisionEngine {
+public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: LoopStrategy = LoopStrategy.CHUNKS, gridSort: GridSort = GridSort.ROW_LOCKS) :
+    CollisionEngine {
     public constructor(threads: Int) : this(FixedPool(threads))
 
     override val name: String get() = "thread-pool"

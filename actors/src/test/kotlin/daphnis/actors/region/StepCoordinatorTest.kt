@@ -1,0 +1,97 @@
+package daphnis.actors.region
+
+import daphnis.actors.gas
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.CollisionStep
+import daphnis.core.engine.SerialEngine
+import daphnis.core.population.Population
+import daphnis.core.population.stateDigest
+import daphnis.core.setup.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** The protocol without any framework: one thread that delivers messages in random orders, so every interleaving of deliveries may come up. */
+class StepCoordinatorTest {
+    private fun step(p: Population, boundary: BoundaryConditions, duration: Double) =
+        CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also { it.duration = duration }
+
+    @Test
+    fun `any order of deliveries gives the bits of the serial engine, with at most one message in each mailbox and disjoint locks`() {
+        var grants = 0
+        var together = 0
+        for (seed in 1L..60L) {
+            val random = SeededRandom(seed)
+            val (p, boundary) = gas(800, seed)
+            // A long step, and one so short that regions at a distance cannot see one another.
+            val duration = if (seed % 2 == 0L) 0.05 else 0.3
+            val expected = p.copy().also { SerialEngine().advance(step(it, boundary, duration)) }
+            val layout = if (seed % 2 ==
+                0L
+            ) {
+                RegionLayout.Stretches(1 + random.nextInt(12))
+            } else {
+                RegionLayout.Blocks(1 + random.nextInt(3), 1 + random.nextInt(3), 1 + random.nextInt(3))
+            }
+            val coordinator = StepCoordinator(RegionMap(layout))
+            val mailboxes = arrayOfNulls<RegionCommand>(layout.count)
+            val working = arrayOfNulls<RegionCommand>(layout.count)
+            coordinator.begin(step(p, boundary, duration))
+            while (!coordinator.isFinished) {
+                while (true) {
+                    val command = coordinator.poll() ?: break
+                    assertTrue(mailboxes[command.region] == null && working[command.region] == null) { "seed $seed: region ${command.region} gets a second message" }
+                    mailboxes[command.region] = command
+                }
+                val ready = mailboxes.indices.filter { mailboxes[it] != null }
+                assertFalse(ready.isEmpty()) { "seed $seed: nobody has anything to do, and the step is not over" }
+                val granted = ready.mapNotNull { mailboxes[it] }.filter { it.phase == Phase.GRANT }
+                grants += granted.size
+                if (granted.size > 1) together++
+                for (a in granted) {
+                    for (b in granted) {
+                        if (a !==
+                            b
+                        ) {
+                            assertFalse(a.locked.indices.any { a.locked[it] && b.locked[it] }) { "seed $seed: two grants share a region" }
+                        }
+                    }
+                }
+                val region = ready[random.nextInt(ready.size)]
+                working[region] = mailboxes[region]
+                mailboxes[region] = null
+                val reply = coordinator.regions[region].handle(working[region]!!)
+                working[region] = null
+                coordinator.accept(reply)
+            }
+            assertEquals(stateDigest(expected), stateDigest(p)) { "seed $seed, $layout" }
+        }
+        assertTrue(grants > 100) { "only $grants grants: borders were not tested" }
+        assertTrue(together > 0) { "never two grants at the same time" }
+    }
+
+    @Test
+    fun `a step that is cancelled ends when all have answered, and leaves the population alone`() {
+        val (p, boundary) = gas(300, 1)
+        val before = stateDigest(p)
+        val coordinator = StepCoordinator(RegionMap(RegionLayout.Stretches(4)))
+        coordinator.begin(step(p, boundary, 0.3))
+        val commands = generateSequence { coordinator.poll() }.toList()
+        coordinator.cancel()
+        for (command in commands) coordinator.accept(coordinator.regions[command.region].handle(command))
+        assertTrue(coordinator.isFinished && coordinator.isCancelled)
+        assertEquals(before, stateDigest(p))
+    }
+
+    @Test
+    fun `stretches hold equally many spheres, and every slot belongs to one region`() {
+        val layout = RegionLayout.of(100_000, 4)
+        assertEquals(8, layout.count)
+        assertEquals(1, RegionLayout.of(10, 64).count)
+        assertEquals(12, RegionLayout.Blocks(2, 3, 2).count)
+    }
+}
