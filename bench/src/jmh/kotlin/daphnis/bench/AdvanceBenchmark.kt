@@ -21,7 +21,7 @@ import java.util.concurrent.TimeUnit
  * `advance()` over a whole workload: one operation is all its steps, from the same state each time. The counters give collisions and
  * particle-steps of all measured operations together, so nanoseconds a collision are score · 1e6 · Cnt / collisions.
  *
- * `java -jar bench/target/bench-0.1.0.jar AdvanceBenchmark -p engine=SERIAL -rf json -rff results.json`
+ * `java -jar bench/target/bench-0.1.0.jar AdvanceBenchmark -p engine=ISLANDS,THREAD_POOL -p threads=1,2 -rf json -rff results.json`
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SingleShotTime)
@@ -33,8 +33,11 @@ open class AdvanceBenchmark {
     @Param
     lateinit var workload: Workload
 
-    @Param("SERIAL")
+    @Param("SERIAL", "ISLANDS", "THREAD_POOL", "ACTORS", "PEKKO")
     lateinit var engine: EngineName
+
+    @Param("1", "2")
+    var threads: Int = 1
 
     private lateinit var start: Workload.Start
     private lateinit var simulation: Simulation
@@ -57,7 +60,7 @@ open class AdvanceBenchmark {
 
     @Setup(Level.Iteration)
     fun makeSimulation() {
-        simulation = start.simulation(engine.create())
+        simulation = start.simulation(engine.create(threads))
         // The arrays get their size in the first step, which is not what is measured.
         simulation.advance()
     }

@@ -1,16 +1,41 @@
 package daphnis.bench
 
+import daphnis.actors.ActorEngines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ThreadPerTask
 import daphnis.core.queue.ReferenceEventQueue
+import daphnis.core.search.GridSort
 
-/** All competitors, one parameter. */
-enum class EngineName(private val make: () -> CollisionEngine) {
+/** All competitors, one parameter. Those that work on one thread only ignore the number of threads. */
+enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
+    ISLANDS({ IslandsEngine(it) }),
+
+    /** The yardstick: the paper's engine on a fixed pool, consecutive chunks, row-locked grid. */
+    THREAD_POOL({ ThreadPoolEngine(it) }),
+    ACTORS({ ActorEngines.create("actors", it)!! }),
+    PEKKO({ ActorEngines.create("pekko", it)!! }),
 
     /** The serial engine on the queue that is a sorted set: what the calendar is worth. */
     SERIAL_SORTED_SET({ SerialEngine(ReferenceEventQueue()) }),
+
+    /** The paper's remarks: a new thread for every task. */
+    THREAD_POOL_NEW_THREADS({ ThreadPoolEngine(ThreadPerTask(it)) }),
+
+    /** The paper's remarks: loops dealt round robin. */
+    THREAD_POOL_ROUND_ROBIN({ ThreadPoolEngine(FixedPool(it), LoopStrategy.ROUND_ROBIN) }),
+
+    /** The paper's remarks: loops dealt as workers become free. */
+    THREAD_POOL_DYNAMIC({ ThreadPoolEngine(FixedPool(it), LoopStrategy.DYNAMIC) }),
+
+    /** The paper's remarks: the grid built without locks. */
+    THREAD_POOL_COUNTING_SORT({ ThreadPoolEngine(FixedPool(it), gridSort = GridSort.COUNTING) }),
     ;
 
-    fun create(): CollisionEngine = make()
+    fun create(threads: Int): CollisionEngine = make(threads)
 }

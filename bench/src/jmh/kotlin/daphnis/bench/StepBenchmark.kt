@@ -34,11 +34,14 @@ open class StepBenchmark {
     @Param("SERIAL")
     lateinit var engine: EngineName
 
+    @Param("1")
+    var threads: Int = 1
+
     private lateinit var simulation: Simulation
 
     @Setup(Level.Trial)
     fun makeSimulation() {
-        simulation = workload.Start().simulation(engine.create())
+        simulation = workload.Start().simulation(engine.create(threads))
     }
 
     @Benchmark

@@ -21,6 +21,7 @@ import daphnis.core.scenario.ScenarioSetup
  * | | |
  * |---|---|
  * | PAPER_1, PAPER_2, PAPER_3 | the runs of the paper's figures, all 30 time units |
+ * | CLUMPED | 1e5 elastic spheres that start at φ = 0.3 in the lower corner of a box that is eight times as large each way |
  * | DENSE | 1e5 elastic spheres at φ = 0.45, molten, 0.6 τ |
  * | GAS_1E4, GAS_1E5, GAS_1E6 | elastic gases at φ = 0.1, steps of 0.1 τ |
  */
@@ -29,6 +30,7 @@ enum class Workload(val dt: Double, val steps: Int, private val make: () -> Scen
     PAPER_2(0.1, 300, { builtIn("paper-figure-2") }),
     PAPER_3(0.3, 100, { builtIn("paper-figure-3") }),
     DENSE(0.03, 20, { gas(100_000, 0.45, "lattice") }),
+    CLUMPED(0.05, 20, { clump(100_000, 0.3) }),
     GAS_1E4(0.1, 100, { gas(10_000, 0.1, "random") }),
     GAS_1E5(0.1, 20, { gas(100_000, 0.1, "random") }),
     GAS_1E6(0.1, 5, { gas(1_000_000, 0.1, "random") }),
@@ -55,13 +57,26 @@ private const val MELTING = 1.5
 
 private fun builtIn(name: String) = ScenarioSetup.of(BuiltIn.scenario(name), name)
 
+/** The gas at [filling], walled into a corner of a box with eight times its edge. */
+private fun clump(count: Int, filling: Double): ScenarioSetup {
+    val dense = gas(count, filling, "lattice")
+    val p = dense.population
+    val edge = dense.boundary.box.length(0)
+    for (a in listOf(p.x, p.y, p.z)) for (k in a.indices) a[k] -= CLUMPED_EDGES / 2 * edge - edge / 2 - 1
+    val text = gasText(count, CLUMPED_EDGES * edge, "lattice").replace("\"periodic\"", "\"walls\"")
+    return ScenarioSetup.of(ScenarioJson.parse(text, "clump"), "clump", p)
+}
+
+private const val CLUMPED_EDGES = 8.0
+
 private fun gas(count: Int, filling: Double, placement: String): ScenarioSetup {
     val edge = StrictMath.cbrt(count * Math.PI / 6 / filling)
-    val text = """{
-      "box": { "lengths": [$edge, $edge, $edge] }, "boundary": { "type": "periodic" },
-      "particles": { "count": $count, "sizes": { "type": "equal", "radius": 0.5 }, "mass": 1 },
-      "placement": { "type": "$placement" }, "velocities": { "type": "gaussian", "sigma": 1 },
-      "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1
-    }"""
-    return ScenarioSetup.of(ScenarioJson.parse(text, "gas"), "gas").also { check(it.boundary is Periodic) }
+    return ScenarioSetup.of(ScenarioJson.parse(gasText(count, edge, placement), "gas"), "gas").also { check(it.boundary is Periodic) }
 }
+
+private fun gasText(count: Int, edge: Double, placement: String) = """{
+  "box": { "lengths": [$edge, $edge, $edge] }, "boundary": { "type": "periodic" },
+  "particles": { "count": $count, "sizes": { "type": "equal", "radius": 0.5 }, "mass": 1 },
+  "placement": { "type": "$placement" }, "velocities": { "type": "gaussian", "sigma": 1 },
+  "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1
+}"""

@@ -69,8 +69,12 @@ public class PekkoEngine(override val threads: Int, private val layout: RegionLa
             check(!closed) { "the engine is closed" }
             val actor = actor ?: start(RegionMap(layout ?: RegionLayout.of(step.population.size, threads))).also { actor = it }
             val done = CompletableFuture<Void?>()
-            actor.tell(CoordinatorBehavior.Begin(step, done))
-            awaitUninterruptibly(done)
+            uninterruptibly { actor.tell(CoordinatorBehavior.Begin(step, done)) }
+            try {
+                uninterruptibly { done.get() }
+            } catch (e: ExecutionException) {
+                throw e.cause ?: e
+            }
         } finally {
             stepping.release()
         }
@@ -82,14 +86,10 @@ public class PekkoEngine(override val threads: Int, private val layout: RegionLa
         return (host ?: ownSystem()).systemActorOf(behavior, "daphnis-${ENGINES.incrementAndGet()}", Props.empty())
     }
 
-    /** An actor system does not start on an interrupted thread, so the interrupt is put off. */
-    private fun ownSystem(): ActorSystem<Void> = own ?: run {
-        val interrupted = Thread.interrupted()
-        try {
-            newSystem().also { own = it }
-        } finally {
-            if (interrupted) Thread.currentThread().interrupt()
-        }
+    private fun ownSystem(): ActorSystem<Void> {
+        // It does not start on an interrupted thread.
+        if (own == null) uninterruptibly { own = newSystem() }
+        return own!!
     }
 
     private fun newSystem(): ActorSystem<Void> = ActorSystem.create(
@@ -109,19 +109,18 @@ public class PekkoEngine(override val threads: Int, private val layout: RegionLa
         ).withFallback(ConfigFactory.load(PekkoEngine::class.java.classLoader)),
     )
 
-    private fun awaitUninterruptibly(done: CompletableFuture<Void?>) {
-        var interrupted = false
+    /** Does [work], again when an interrupt broke it off, and leaves the interrupt set. Also a message to an actor that is just starting can break off. */
+    private inline fun uninterruptibly(work: () -> Unit) {
+        var interrupted = Thread.interrupted()
         try {
             while (true) {
                 try {
-                    done.get()
+                    work()
                     return
                 } catch (e: InterruptedException) {
                     interrupted = true
                 }
             }
-        } catch (e: ExecutionException) {
-            throw e.cause ?: e
         } finally {
             if (interrupted) Thread.currentThread().interrupt()
         }
@@ -133,7 +132,7 @@ public class PekkoEngine(override val threads: Int, private val layout: RegionLa
         logic?.cancel()
         stepping.acquireUninterruptibly()
         try {
-            actor?.tell(CoordinatorBehavior.Stop)
+            uninterruptibly { actor?.tell(CoordinatorBehavior.Stop) }
             actor = null
             own?.terminate()
             own = null

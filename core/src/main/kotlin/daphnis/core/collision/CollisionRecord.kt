@@ -70,7 +70,7 @@ public class CollisionRecord {
     }
 
     /**
-     * Puts the entries in order; those of one pair at one time stay as they came. Engines call it at the end of the step, since in the order
+     * Puts the entries in order; those of one pair at one time by what they hold. Engines call it at the end of the step, since in the order
      * in which they process collisions, simultaneous ones may stand otherwise.
      */
     public fun sort() {
@@ -94,7 +94,9 @@ public class CollisionRecord {
     private fun isBefore(a: Int, b: Int): Boolean {
         if (time[a] != time[b]) return time[a] < time[b]
         if (lower[a] != lower[b]) return lower[a] < lower[b]
-        return higher[a] < higher[b]
+        if (higher[a] != higher[b]) return higher[a] < higher[b]
+        for (k in 0 until WIDTH) if (data[a * WIDTH + k] != data[b * WIDTH + k]) return data[a * WIDTH + k] < data[b * WIDTH + k]
+        return false
     }
 
     private fun grow() {

@@ -8,6 +8,7 @@ import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.queue.EventSink
 import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
+import daphnis.core.search.RowBounds
 import kotlin.math.sqrt
 
 /**
@@ -19,8 +20,8 @@ import kotlin.math.sqrt
  * c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time τ has c ≤ −2bτ; in the same floating-point
  * numbers this holds with τ larger by a few units of rounding, for which [ROUNDING] leaves ample room.
  */
-internal class NeighbourSearch(private val rows: StepRows, private val grid: Grid, private val queue: EventSink) {
-    private val near = CellRuns(grid)
+internal class NeighbourSearch(private val rows: StepRows, private val grid: Grid, private val queue: EventSink, bounds: RowBounds? = null) {
+    private val near = CellRuns(grid, bounds)
     private var duration = 0.0
 
     /** For a step of [duration]. */
@@ -85,7 +86,7 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
         val vz = state[p + VX + 2]
         val radius = state[p + RADIUS]
         val rest = duration - time
-        val runs = near.around(x, y, z, vx * rest, vy * rest, vz * rest, radius)
+        val runs = near.around(x, y, z, vx * rest, vy * rest, vz * rest, radius, time)
         val exceptRow = except * STRIDE
         for (r in 0 until runs) {
             val image = near.image[r]

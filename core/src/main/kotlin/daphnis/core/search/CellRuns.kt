@@ -6,8 +6,10 @@ import kotlin.math.floor
 
 /**
  * The runs of slots of a [Grid] that a sphere has to look through. Holds the runs of one query at a time, so each thread has its own.
+ *
+ * @param bounds closer bounds on the others than the reach that the grid was built for; null to do without
  */
-public class CellRuns(private val grid: Grid) {
+public class CellRuns(private val grid: Grid, private val bounds: RowBounds? = null) {
     /** First slot of run r; runs are set by [ahead] and [around]. */
     public var from: IntArray = IntArray(INITIAL)
         private set
@@ -30,6 +32,14 @@ public class CellRuns(private val grid: Grid) {
     private val least = IntArray(3)
     private val most = IntArray(3)
 
+    // For closer bounds: where the sphere is and where it will be at the end of the step, along these axes, its radius, and the time now.
+    private val here = DoubleArray(3)
+    private val there = DoubleArray(3)
+    private var radius = 0.0
+    private var time = 0.0
+    private var closeFrom = 0
+    private var closeTo = 0
+
     /**
      * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its way in this step, from its
      * place ([x], [y], [z]) at the start by ([wayX], [wayY], [wayZ]). Only at the start, when nobody has collided.
@@ -38,14 +48,17 @@ public class CellRuns(private val grid: Grid) {
      */
     public fun ahead(slot: Int, x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double): Int {
         count = 0
+        time = 0.0
         starts = grid.cellStart
         cover(x, y, z, wayX, wayY, wayZ, radius)
         val c1 = layout.cellAt(layout.pick(1, x, y, z), 1)
         val c2 = layout.cellAt(layout.pick(2, x, y, z), 2)
         // Rest of the own row: later slots, then cells ahead; then the rows ahead, those of the own layer and those of the layers above.
         val rowStart = (c2 * cells[1] + c1) * cells[0]
-        addRun(slot + 1, starts[rowStart + minOf(most[0], cells[0] - 1) + 1], 0)
-        if (periodic[0]) addCells(rowStart, cells[0], most[0], 0, 0)
+        var last = most[0]
+        if (bounds != null) last = if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0)) closeTo else -1
+        if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)
+        if (periodic[0]) addCells(rowStart, cells[0], last, 0, 0)
         for (row in c1 + 1..most[1]) addRow(row, c2)
         for (layer in c2 + 1..most[2]) {
             for (row in least[1]..most[1]) addRow(row, layer)
@@ -55,12 +68,13 @@ public class CellRuns(private val grid: Grid) {
 
     /**
      * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its way, from its place ([x], [y], [z]) now by
-     * ([wayX], [wayY], [wayZ]); they hold the sphere itself too.
+     * ([wayX], [wayY], [wayZ]); they hold the sphere itself too. [time] is now, from the start of the step; needed for closer bounds.
      *
      * @return number of runs
      */
-    public fun around(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double): Int {
+    public fun around(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double, time: Double = 0.0): Int {
         count = 0
+        this.time = time
         starts = grid.cellStart
         cover(x, y, z, wayX, wayY, wayZ, radius)
         for (layer in least[2]..most[2]) {
@@ -70,9 +84,12 @@ public class CellRuns(private val grid: Grid) {
     }
 
     private fun cover(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double) {
+        this.radius = radius
         for (k in 0..2) {
             val from = layout.pick(k, x, y, z)
             val to = from + layout.pick(k, wayX, wayY, wayZ)
+            here[k] = from
+            there[k] = to
             val margin = radius + layout.margin[k]
             least[k] = layout.cellToward(Math.min(from, to) - margin, k)
             most[k] = layout.cellToward(Math.max(from, to) + margin, k)
@@ -96,7 +113,11 @@ public class CellRuns(private val grid: Grid) {
         val rowStart = (c2 * cells[1] + c1) * cells[0]
         var from = least[0]
         var to = most[0]
-        if (image2 != 0 && layout.slides) {
+        if (bounds != null) {
+            if (!isWithin(bounds, c2 * cells[1] + c1, r1, r2, image2)) return
+            from = closeFrom
+            to = closeTo
+        } else if (image2 != 0 && layout.slides) {
             // The image row is displaced by s, so its spheres are looked for s earlier in the row.
             from -= ceil(maxOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
             to -= floor(minOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
@@ -106,6 +127,49 @@ public class CellRuns(private val grid: Grid) {
         } else {
             addCells(rowStart, from, to, image1, image2)
         }
+    }
+
+    /**
+     * Whether a sphere that started in [row], at hand as the one numbered ([r1], [r2]), can be met, and in which of its cells: [closeFrom] to
+     * [closeTo]. A sphere there, at s at the start, is somewhere in s + [least, greatest velocity] · t at time t; the one that searches goes straight
+     * from [here] to [there]; so that where they can meet is bounded by what holds now and at the end.
+     */
+    private fun isWithin(bounds: RowBounds, row: Int, r1: Int, r2: Int, image2: Int): Boolean {
+        val v = bounds.values
+        val p = row * RowBounds.WIDTH
+        if (v[p] > v[p + 1]) return false
+        val t = time
+        val end = bounds.duration
+        if (!isAxisWithin(1, r1, v[p + 2], v[p + 3], end) || !isAxisWithin(2, r2, v[p + 4], v[p + 5], end)) return false
+        var low = v[p]
+        var high = v[p + 1]
+        var offset = 0.0
+        if (image2 != 0 && layout.slides) {
+            low += image2 * grid.images.shearVelocity
+            high += image2 * grid.images.shearVelocity
+            offset = image2 * grid.images.shearOffset
+        }
+        val slack = radius + layout.ownMargin[0]
+        val now = here[0] - offset
+        val later = there[0] - offset
+        val a = now - high * t
+        val b = later - high * end
+        val c = now - low * t
+        val d = later - low * end
+        closeFrom = layout.cellToward((if (a < b) a else b) - slack, 0)
+        closeTo = layout.cellToward((if (c > d) c else d) + slack, 0)
+        return true
+    }
+
+    private fun isAxisWithin(k: Int, r: Int, low: Double, high: Double, end: Double): Boolean {
+        val now = here[k]
+        val later = there[k]
+        val width = layout.widths[k]
+        val slack = radius + layout.ownMargin[k]
+        val top = layout.low[k] + (r + 1) * width + slack
+        if (now - high * time > top && later - high * end > top) return false
+        val bottom = layout.low[k] + r * width - slack
+        return now - low * time >= bottom || later - low * end >= bottom
     }
 
     /** Adds the cells [from]..[to] of a periodic row, split where an image begins. */

@@ -32,9 +32,15 @@ internal class GridLayout {
     var slideHigh = 0.0
         private set
 
-    private val low = DoubleArray(3)
+    /** Of [margin], what does not come from the reach of others. */
+    val ownMargin = DoubleArray(3)
+
+    val low = DoubleArray(3)
     private val extent = DoubleArray(3)
     private val perLength = DoubleArray(3)
+
+    /** Widths of cells. */
+    val widths = DoubleArray(3)
     private var spheres = 0
     private val extremes = Extremes()
 
@@ -47,7 +53,10 @@ internal class GridLayout {
         val largest = extremes.of(population.radius, spheres, loop).magnitude
         for (k in 0..2) layOutAxis(k, population, boundary, largest, reach[axes[k]], loop)
         limitCells()
-        for (k in 0..2) perLength[k] = if (extent[k] > 0) cells[k] / extent[k] else 1.0
+        for (k in 0..2) {
+            perLength[k] = if (extent[k] > 0) cells[k] / extent[k] else 1.0
+            widths[k] = 1 / perLength[k]
+        }
         slides = shear != null
         if (slides) {
             val offset = images.shearOffset
@@ -71,6 +80,7 @@ internal class GridLayout {
         // Far from the origin the rounding of positions counts more than that of the range.
         val rounding = ROUNDING_UNITS * Math.ulp(maxOf(abs(low[k]), abs(low[k] + extent[k])))
         margin[k] = (largest + reach) * (1 + SLACK) + rounding
+        ownMargin[k] = margin[k] - reach
         // What a pair can bridge at most.
         val range = 2 * margin[k]
         require(!periodic[k] || range < extent[k] * MOST_BOXES) {
@@ -97,7 +107,7 @@ internal class GridLayout {
         }
     }
 
-    fun width(k: Int): Double = 1 / perLength[k]
+    fun width(k: Int): Double = widths[k]
 
     /** Positions along axis [k] of the three. */
     fun coordinate(population: Population, k: Int): DoubleArray = when (axes[k]) {

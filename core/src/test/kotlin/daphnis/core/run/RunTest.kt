@@ -189,7 +189,7 @@ class RunTest {
     fun `an engine that is not there is named`() {
         val e = assertThrows(InputException::class.java) { run("a", 1, "engine.name=seriel") }
         assertTrue(e.message.orEmpty().contains("engine.name") && e.message.orEmpty().contains("serial"))
-        assertThrows(InputException::class.java) { run("b", 1, "engine.threads=2") }
+        assertThrows(InputException::class.java) { run("b", 1, "engine.name=serial", "engine.threads=2") }
         assertFalse(Files.exists(home.resolve("a"))) { "a refused scenario leaves no directory" }
     }
 

@@ -32,7 +32,7 @@ class ScenarioJsonTest {
     fun `comments and trailing commas are allowed, defaults are filled in`() {
         val setup = ScenarioSetup.of(ScenarioJson.parse(good, "my.json"), "my.json")
         assertEquals(20, setup.population.size)
-        assertEquals("serial", setup.scenario.engine.name)
+        assertEquals("islands", setup.scenario.engine.name)
         val guard = setup.scenario.guard as GuardSpec.FloorSpeed
         assertEquals(1.7e-6, guard.speed!!, 0.5e-6)
     }
@@ -115,7 +115,8 @@ class ScenarioJsonTest {
         assertWrong("timeStep.dt=1e6", "timeStep", "smaller dt")
         assertWrong("guard={\"type\":\"floor-speed\"}", "guard", "exactly one")
         assertWrong("velocities.shearProfile=true", "velocities.shearProfile", "lees-edwards")
-        assertWrong("engine.threads=0", "engine.threads", "1..")
+        assertWrong("engine.threads=-1", "engine.threads", "1..")
+        assertWrong("engine.threads=1000", "engine.threads", "1..")
         assertWrong("output.snapshotEvery=-1", "output.snapshotEvery", ">= 0")
         assertWrong("placement={\"type\":\"file\",\"path\":\"nowhere.csv\"}", "particles", "left out")
     }

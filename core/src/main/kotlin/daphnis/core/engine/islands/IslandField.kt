@@ -9,6 +9,7 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
+import daphnis.core.search.RowBounds
 import java.lang.invoke.MethodHandles
 import java.lang.invoke.VarHandle
 
@@ -64,6 +65,7 @@ public class IslandField(private val workers: Int) {
 
     internal val walls = WallContact()
     internal val reach = Reach()
+    internal val bounds = RowBounds()
     internal lateinit var population: Population
     internal lateinit var law: CollisionLaw
     internal var start = 0.0
@@ -119,6 +121,7 @@ public class IslandField(private val workers: Int) {
         walls.prepare(step.boundary)
         grid.build(population, step.boundary, start, duration, reach.bound, loop)
         rows.load(population, grid.order, law.guard.needsLastCollision, loop)
+        bounds.measure(grid, rows, duration, loop)
         if (seedHead.size < rows.size) {
             ticket = IntArray(rows.size * TICKET)
             seedHead = IntArray(rows.size)

@@ -41,8 +41,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     internal val record = CollisionRecord()
     private val tried = CollisionRecord()
     private val paths = PathLog()
-    private val start = NeighbourSearch(field.rows, field.grid, hints)
-    private val near = CellRuns(field.grid)
+    private val start = NeighbourSearch(field.rows, field.grid, hints, field.bounds)
+    private val near = CellRuns(field.grid, field.bounds)
 
     /** Copies of the spheres in this worker's islands, with their states now, by place. */
     private val local = StepRows()
@@ -284,7 +284,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
             field.outran(local, k)
             return false
         }
-        // What is read of others from here on is not older than the marks on this island's spheres.
+        field.bounds.include(slotOf[k], local, k)
+        // What is read of others from here on is not older than the marks on this island's spheres and the bounds widened for them.
         VarHandle.fullFence()
         searchAround(k, except)
         if (field.walls.present) {
@@ -317,7 +318,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         val radius = own[p + RADIUS]
         val rest = field.duration - time
         val closing = -2.0 * (rest + field.duration * ROUNDING)
-        val runs = near.around(x, y, z, vx * rest, vy * rest, vz * rest, radius)
+        val runs = near.around(x, y, z, vx * rest, vy * rest, vz * rest, radius, time)
         for (r in 0 until runs) {
             val image = near.image[r]
             val wx = images.slide(image, 0)

@@ -1,0 +1,88 @@
+package daphnis.core.search
+
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.StepRows.Companion.STRIDE
+import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.parallel.RangeLoop
+import java.lang.invoke.MethodHandles
+import java.lang.invoke.VarHandle
+
+/**
+ * For each row of a [Grid] the least and greatest velocity, along each axis, that any sphere which started there has had in this step: a closer bound
+ * on where others may be than the [Reach], which is one for all. In a shear flow it moves with the flow.
+ *
+ * **Why nothing is missed though the bounds grow within the step.** When a collision gives a sphere k a velocity beyond the bounds of its row, they are
+ * widened, and only then k searches. Who searches later sees the wider bounds and finds k. Who searched before and did not look where k now goes, has
+ * not moved since, or k would be found again from its side; and where it was, k's own search finds it.
+ */
+public class RowBounds {
+    /** Six numbers a row: least and greatest velocity along the row axis, the middle and the slow axis. Least above greatest where nobody started. */
+    internal var values = DoubleArray(0)
+        private set
+
+    /** Length of the step. */
+    internal var duration = 0.0
+        private set
+
+    private var rowOf = IntArray(0)
+    private var layout = GridLayout()
+
+    /** Measures the spheres of [rows], which [grid] has sorted, before any has collided. */
+    public fun measure(grid: Grid, rows: StepRows, duration: Double, loop: RangeLoop) {
+        this.duration = duration
+        layout = grid.layout
+        val columns = layout.cells[0]
+        val count = layout.cells[1] * layout.cells[2]
+        if (values.size < count * WIDTH) values = DoubleArray((count + count / 4) * WIDTH)
+        if (rowOf.size < rows.size) rowOf = IntArray(rows.size)
+        loop.run(count, ROWS_A_PIECE) { _, from, to ->
+            for (row in from until to) measureRow(row, grid.cellStart[row * columns], grid.cellStart[(row + 1) * columns], rows)
+        }
+    }
+
+    private fun measureRow(row: Int, from: Int, to: Int, rows: StepRows) {
+        for (slot in from until to) rowOf[slot] = row
+        for (k in 0..2) {
+            val v = VX + layout.axes[k]
+            var low = Double.POSITIVE_INFINITY
+            var high = Double.NEGATIVE_INFINITY
+            for (slot in from until to) {
+                val u = rows.state[slot * STRIDE + v]
+                low = Math.min(low, u)
+                high = Math.max(high, u)
+            }
+            values[row * WIDTH + 2 * k] = low
+            values[row * WIDTH + 2 * k + 1] = high
+        }
+    }
+
+    /** Takes in the velocity in row [place] of [rows], a sphere whose slot is [slot]. Before it searches; any number of threads at once. */
+    public fun include(slot: Int, rows: StepRows, place: Int) {
+        val p = rowOf[slot] * WIDTH
+        for (k in 0..2) {
+            val u = rows.state[place * STRIDE + VX + layout.axes[k]]
+            if (u < values[p + 2 * k]) lower(p + 2 * k, u)
+            if (u > values[p + 2 * k + 1]) raise(p + 2 * k + 1, u)
+        }
+    }
+
+    private fun lower(entry: Int, u: Double) {
+        while (true) {
+            val before = values[entry]
+            if (before <= u || ENTRY.compareAndSet(values, entry, before, u)) return
+        }
+    }
+
+    private fun raise(entry: Int, u: Double) {
+        while (true) {
+            val before = values[entry]
+            if (before >= u || ENTRY.compareAndSet(values, entry, before, u)) return
+        }
+    }
+
+    internal companion object {
+        const val WIDTH = 6
+        private const val ROWS_A_PIECE = 32
+        private val ENTRY: VarHandle = MethodHandles.arrayElementVarHandle(DoubleArray::class.java)
+    }
+}
