@@ -2,7 +2,7 @@ package daphnis.core.parallel
 
 import kotlin.math.abs
 
-/** Least, greatest and greatest absolute entry of an array, found by all workers of a loop. NaN anywhere gives NaN. */
+/** Least, greatest and greatest absolute entry of an array, found by all workers of a loop. NaN is passed over. */
 public class Extremes {
     public var least: Double = Double.POSITIVE_INFINITY
         private set
@@ -19,13 +19,15 @@ public class Extremes {
         loop.run(size, RangeLoop.GRAIN * 4) { _, from, to ->
             var low = Double.POSITIVE_INFINITY
             var high = Double.NEGATIVE_INFINITY
+            // Comparisons that are nearly always foreseen; Math.min and Math.max would wait for one another.
             for (k in from until to) {
-                low = Math.min(low, a[k])
-                high = Math.max(high, a[k])
+                val v = a[k]
+                if (v < low) low = v
+                if (v > high) high = v
             }
             synchronized(this) {
-                least = Math.min(least, low)
-                greatest = Math.max(greatest, high)
+                if (low < least) least = low
+                if (high > greatest) greatest = high
             }
         }
         return this

@@ -7,9 +7,9 @@ import kotlin.math.floor
 /**
  * The runs of slots of a [Grid] that a sphere has to look through. Holds the runs of one query at a time, so each thread has its own.
  *
- * @param bounds closer bounds on the others than the reach that the grid was built for; null to do without
+ * @param closer closer bounds on the others than the reach that the grid was built for; null to do without
  */
-public class CellRuns(private val grid: Grid, private val bounds: RowBounds? = null) {
+public class CellRuns(private val grid: Grid, private val closer: RowBounds? = null) {
     /** First slot of run r; runs are set by [ahead] and [around]. */
     public var from: IntArray = IntArray(INITIAL)
         private set
@@ -37,6 +37,7 @@ public class CellRuns(private val grid: Grid, private val bounds: RowBounds? = n
     private val there = DoubleArray(3)
     private var radius = 0.0
     private var time = 0.0
+    private var bounds: RowBounds? = null
     private var closeFrom = 0
     private var closeTo = 0
 
@@ -56,6 +57,7 @@ public class CellRuns(private val grid: Grid, private val bounds: RowBounds? = n
         // Rest of the own row: later slots, then cells ahead; then the rows ahead, those of the own layer and those of the layers above.
         val rowStart = (c2 * cells[1] + c1) * cells[0]
         var last = most[0]
+        val bounds = bounds
         if (bounds != null) last = if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0)) closeTo else -1
         if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)
         if (periodic[0]) addCells(rowStart, cells[0], last, 0, 0)
@@ -85,6 +87,7 @@ public class CellRuns(private val grid: Grid, private val bounds: RowBounds? = n
 
     private fun cover(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double) {
         this.radius = radius
+        bounds = if (closer != null && closer.isInUse) closer else null
         for (k in 0..2) {
             val from = layout.pick(k, x, y, z)
             val to = from + layout.pick(k, wayX, wayY, wayZ)
@@ -113,6 +116,7 @@ public class CellRuns(private val grid: Grid, private val bounds: RowBounds? = n
         val rowStart = (c2 * cells[1] + c1) * cells[0]
         var from = least[0]
         var to = most[0]
+        val bounds = bounds
         if (bounds != null) {
             if (!isWithin(bounds, c2 * cells[1] + c1, r1, r2, image2)) return
             from = closeFrom

@@ -107,6 +107,13 @@ internal class GridLayout {
         }
     }
 
+    /** About how many spheres stand in the cells that one of them looks through, if they are spread evenly. */
+    fun candidates(): Double {
+        var share = 1.0
+        for (k in 0..2) if (extent[k] > 0) share *= minOf(1.0, (2 * margin[k] + widths[k]) / extent[k])
+        return spheres * share
+    }
+
     fun width(k: Int): Double = widths[k]
 
     /** Positions along axis [k] of the three. */

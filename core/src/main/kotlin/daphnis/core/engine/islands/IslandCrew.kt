@@ -101,10 +101,10 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         rootCount = 0
         val seeds = field.seeds
         for (worker in workers) {
-            for (s in worker!!.borderFrom until worker.borderTo) if (seeds.second[s] >= 0) field.union(seeds.first[s], seeds.second[s])
+            for (s in worker!!.seeder.borderFrom until worker.seeder.borderTo) if (seeds.second[s] >= 0) field.union(seeds.first[s], seeds.second[s])
         }
         for (worker in workers) {
-            for (s in worker!!.borderFrom until worker.borderTo) {
+            for (s in worker!!.seeder.borderFrom until worker.seeder.borderTo) {
                 val root = field.find(seeds.first[s])
                 own(seeds.first[s], root)
                 if (seeds.second[s] >= 0) own(seeds.second[s], root)
@@ -138,9 +138,9 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     public fun collectRoots() {
         rootCount = 0
         for (worker in workers) {
-            val count = worker!!.rootCount
+            val count = worker!!.seeder.rootCount
             if (rootCount + count > roots.size) roots = roots.copyOf((rootCount + count) * 2)
-            worker.roots.copyInto(roots, rootCount, 0, count)
+            worker.seeder.roots.copyInto(roots, rootCount, 0, count)
             rootCount += count
         }
     }
@@ -154,9 +154,9 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         rootCount = 0
         droppedCount = 0
         for (worker in workers) {
-            for (k in 0 until worker!!.conflictCount) {
-                val a = worker.conflicts[2 * k]
-                val b = worker.conflicts[2 * k + 1]
+            for (k in 0 until worker!!.paths.count) {
+                val a = worker.paths.conflicts[2 * k]
+                val b = worker.paths.conflicts[2 * k + 1]
                 dropOnce(a)
                 if (b == FREE) continue
                 dropOnce(b)
@@ -247,7 +247,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
 
     private companion object {
         /** Of all spheres; beyond it islands meet too many others to compare themselves with. */
-        const val MOST_SHARE = 0.03
+        const val MOST_SHARE = 0.015
         const val FIRST_SHARE = 0.01
         const val LEAST_SHARE = 0.001
         const val LEAST_SEEDS = 16

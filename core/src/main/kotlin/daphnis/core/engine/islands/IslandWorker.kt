@@ -3,7 +3,6 @@ package daphnis.core.engine.islands
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
@@ -40,16 +39,13 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     /** Collisions of committed islands, in no order. */
     internal val record = CollisionRecord()
     private val tried = CollisionRecord()
-    private val paths = PathLog()
     private val start = NeighbourSearch(field.rows, field.grid, hints, field.bounds)
     private val near = CellRuns(field.grid, field.bounds)
 
-    /** Copies of the spheres in this worker's islands, with their states now, by place. */
-    private val local = StepRows()
-
-    /** By place: the slot, and where the pieces of path before the last are kept. */
-    private var slotOf = IntArray(INITIAL)
-    private var older = IntArray(INITIAL)
+    private val members = Members()
+    private val local = members.rows
+    internal val seeder = Seeder(field, hints)
+    internal val paths = PathCheck(field, members, attempts, suspects) { crew[it]!!.members }
     private val queue = IslandQueue(local)
     private val progress = ProgressWatch()
     private var sourceLaw: CollisionLaw? = null
@@ -60,25 +56,6 @@ public class IslandWorker internal constructor(private val field: IslandField, p
 
     /** A sphere that the last island needed and [claimRule] refused, −1 when there was none. */
     public var refused: Int = FREE
-        private set
-
-    /** Roots of the islands that [group] found first. */
-    internal var roots = IntArray(INITIAL)
-    internal var rootCount = 0
-        private set
-
-    /** Pairs of roots whose islands [check] found to touch; the second is −1 for a sphere of no island. */
-    internal var conflicts = IntArray(INITIAL)
-    internal var conflictCount = 0
-        private set
-
-    private var seedsFrom = 0
-    private var seedsTo = 0
-
-    /** The own seeds that concern spheres which [claimRule] does not allow. */
-    internal var borderFrom = 0
-        private set
-    internal var borderTo = 0
         private set
 
     // Of the island being processed.
@@ -101,10 +78,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     private fun clearWindow() {
         attempts.clear()
         suspects.clear()
-        paths.clear()
+        members.clear()
         tried.clear()
-        local.clear()
-        rootCount = 0
     }
 
     /** Finds every potential collision of the step that spheres [from] until [to] can have as they are at its start. */
@@ -122,54 +97,17 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     /** Makes seeds of the own hints of slices [from] to [to] that still hold, and puts whoever shares one into one island. */
     public fun propose(from: Int, to: Int) {
         clearWindow()
-        var count = 0
-        for (slice in from..to) count += hints.count(slice)
-        val seeds = field.seeds
-        val rule = claimRule
-        seedsFrom = seeds.reserve(count)
-        borderTo = seedsFrom + count
-        borderFrom = borderTo
-        var own = seedsFrom
-        for (slice in from..to) {
-            var hint = hints.head(slice)
-            while (hint != FREE) {
-                val first = hints.first(hint)
-                val second = hints.second(hint)
-                val image = hints.image(hint)
-                val time = hints.time(hint)
-                if (time == timeOf(first, second, image)) {
-                    val isOwn = rule == null || (rule.mayClaim(first) && (second < 0 || rule.mayClaim(second)))
-                    val s = if (isOwn) own++ else --borderFrom
-                    seeds.time[s] = time
-                    seeds.first[s] = first
-                    seeds.second[s] = second
-                    seeds.image[s] = image
-                    if (isOwn && second >= 0) field.union(first, second)
-                }
-                hint = hints.next(hint)
-            }
-        }
-        seedsTo = own
+        seeder.propose(from, to, claimRule)
     }
-
-    private fun timeOf(first: Int, second: Int, image: Int): Double =
-        if (second < 0) field.walls.time(field.rows, first, WallContact.face(second)) else contactTime(field.rows, first, second, image, field.grid.images)
 
     /** Hangs the own seeds into the lists of their islands. */
     public fun group() {
-        val seeds = field.seeds
-        val ticket = field.ticket
-        for (s in seedsFrom until seedsTo) {
-            val root = field.find(seeds.first[s])
-            ticket[seeds.first[s] * TICKET + OWNER] = root
-            if (seeds.second[s] >= 0) ticket[seeds.second[s] * TICKET + OWNER] = root
-            if (field.hang(s, root)) {
-                if (rootCount == roots.size) roots = roots.copyOf(rootCount * 2)
-                roots[rootCount++] = root
-            }
-        }
-        // In the order of memory, so that islands one after the other find their neighbourhoods in the cache.
-        roots.sort(0, rootCount)
+        seeder.group()
+    }
+
+    /** Compares the paths of spheres that came near those of other islands. */
+    public fun check() {
+        paths.run()
     }
 
     /** Roots of the islands that [processOwn] had to give up, and whom each needed: two numbers an island, [givenUpCount] islands. */
@@ -180,7 +118,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
 
     /** Processes the islands that [group] found here first. */
     public fun processOwn() {
-        process(roots, rootCount)
+        process(seeder.roots, seeder.rootCount)
     }
 
     /** Processes the islands of the first [count] of [roots]; those that need somebody whom [claimRule] refuses are left and noted. */
@@ -237,16 +175,10 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         val p = slot * TICKET
         val ticket = field.ticket
         if (ticket[p + ATTEMPT] == attempt) return ticket[p + PLACE]
-        val k = local.take(field.rows, slot)
+        val k = members.take(field.rows, slot)
         field.rows.state[slot * STRIDE + TIME] = Double.NaN
         ticket[p + ATTEMPT] = attempt
         ticket[p + PLACE] = k
-        if (k >= slotOf.size) {
-            slotOf = slotOf.copyOf(k * 2)
-            older = older.copyOf(k * 2)
-        }
-        slotOf[k] = slot
-        older[k] = PathLog.NONE
         queue.join(k)
         return k
     }
@@ -255,14 +187,14 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         val time = queue.time
         val first = queue.first
         val second = queue.second
-        leaveBehind(first)
+        members.leaveBehind(first)
         if (second < 0) {
             field.walls.reflect(local, first, WallContact.face(second), time)
             attempts.count(attemptIndex, Attempts.WALL_COLLISIONS)
             queue.removeAllOf(first)
             return goOn(first, NOBODY)
         }
-        leaveBehind(second)
+        members.leaveBehind(second)
         if (law.collide(local, first, second, queue.image, field.grid.images, time)) {
             attempts.count(attemptIndex, Attempts.COLLISIONS)
             if (law.guarded) attempts.count(attemptIndex, Attempts.GUARDED)
@@ -271,12 +203,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         queue.removeAllOf(first)
         queue.removeAllOf(second)
         // The pair itself is searched once, from the first; the second leaves it out.
-        return goOn(first, NOBODY) && goOn(second, slotOf[first])
-    }
-
-    /** Keeps the present path of the sphere at place [k]; the one that it had at the start of the window too, of which the state loses the local time. */
-    private fun leaveBehind(k: Int) {
-        older[k] = paths.add(local.state, k * STRIDE, older[k])
+        return goOn(first, NOBODY) && goOn(second, members.slot(first))
     }
 
     private fun goOn(k: Int, except: Int): Boolean {
@@ -284,7 +211,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
             field.outran(local, k)
             return false
         }
-        field.bounds.include(slotOf[k], local, k)
+        field.bounds.include(members.slot(k), local, k)
         // What is read of others from here on is not older than the marks on this island's spheres and the bounds widened for them.
         VarHandle.fullFence()
         searchAround(k, except)
@@ -295,7 +222,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
                 if (t <= field.windowEnd) {
                     queue.add(t, k, partner, 0)
                 } else if (t <= field.duration) {
-                    hints.add(t, slotOf[k], partner, 0)
+                    hints.add(t, members.slot(k), partner, 0)
                 }
             }
         }
@@ -358,19 +285,19 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         val t = time + wait
         if (t > field.duration) return
         if (t > field.windowEnd) {
-            hints.add(t, slotOf[k], other, image)
+            hints.add(t, members.slot(k), other, image)
         } else if (claimRule?.mayClaim(other) == false) {
             refused = other
         } else if (field.claim(other, root)) {
             queue.add(t, k, join(other), image)
         } else {
-            suspects.add(slotOf[k], other, image, attemptIndex)
+            suspects.add(members.slot(k), other, image, attemptIndex)
         }
     }
 
     private fun meetOwned(k: Int, other: Int, image: Int) {
         if (field.owner(other) != root) {
-            suspects.add(slotOf[k], other, image, attemptIndex)
+            suspects.add(members.slot(k), other, image, attemptIndex)
             return
         }
         val place = field.place(other)
@@ -378,62 +305,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         if (t <= field.windowEnd) {
             queue.add(t, k, place, image)
         } else if (t <= field.duration) {
-            hints.add(t, slotOf[k], other, image)
-        }
-    }
-
-    /** Compares the paths of the own suspects; the islands that touch go into [conflicts]. */
-    public fun check() {
-        conflictCount = 0
-        for (k in 0 until suspects.size) {
-            if (!attempts.isAlive(suspects.attempt(k))) continue
-            val slot = suspects.slot(k)
-            val other = suspects.other(k)
-            if (!pathsTouch(field.place(slot), other, suspects.image(k))) continue
-            if (conflictCount * 2 == conflicts.size) conflicts = conflicts.copyOf(conflicts.size * 2)
-            conflicts[conflictCount * 2] = field.owner(slot)
-            conflicts[conflictCount * 2 + 1] = field.owner(other)
-            conflictCount++
-        }
-    }
-
-    /** Whether any new piece of the path at place [k] touches any piece of that of [other] within the window. */
-    private fun pathsTouch(k: Int, other: Int, image: Int): Boolean {
-        var state = local.state
-        var p = k * STRIDE
-        var end = field.windowEnd
-        var older = older[k]
-        while (true) {
-            // The last of the chain is what it began with; that was compared with the others' beginnings when seeds were made, and
-            // with what they did since from their side.
-            if (older < 0) return false
-            if (touches(state, p, end, other, image)) return true
-            end = state[p + TIME]
-            state = paths.rows()
-            p = PathLog.offset(older)
-            older = paths.older(older)
-        }
-    }
-
-    /** Whether the piece of path in the row at [p] of [state], which ends at [end], touches any piece of that of [other]. */
-    private fun touches(state: DoubleArray, p: Int, end: Double, other: Int, image: Int): Boolean {
-        val images = field.grid.images
-        val attempt = field.attempt(other)
-        if (attempt == 0) return contactTime(state, p, field.rows.state, other * STRIDE, image, images) <= end
-        val worker = crew[field.workerOf(attempt)]!!
-        val k = field.place(other)
-        var otherState = worker.local.state
-        var q = k * STRIDE
-        var otherEnd = field.windowEnd
-        var older = worker.older[k]
-        while (true) {
-            val t = contactTime(state, p, otherState, q, image, images)
-            if (t <= end && t <= otherEnd) return true
-            if (older < 0) return false
-            otherEnd = otherState[q + TIME]
-            otherState = worker.paths.rows()
-            q = PathLog.offset(older)
-            older = worker.paths.older(older)
+            hints.add(t, members.slot(k), other, image)
         }
     }
 
@@ -443,16 +315,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     /** Makes it as if attempt [index] had not been. */
     internal fun restore(index: Int) {
         for (k in attempts.firstRow(index) until endOfRows(index)) {
-            val slot = slotOf[k]
-            var state = local.state
-            var p = k * STRIDE
-            var older = older[k]
-            while (older >= 0) {
-                state = paths.rows()
-                p = PathLog.offset(older)
-                older = paths.older(older)
-            }
-            field.rows.state[slot * STRIDE + TIME] = state[p + TIME]
+            val slot = members.slot(k)
+            field.rows.state[slot * STRIDE + TIME] = members.firstTime(k)
             // Who has seeds stays claimed, for whoever tries next.
             if (!field.isSeeded(slot)) field.ticket[slot * TICKET + OWNER] = FREE
             field.ticket[slot * TICKET + ATTEMPT] = 0
@@ -464,8 +328,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         for (index in 0 until attempts.size) {
             if (!attempts.isAlive(index)) continue
             for (k in attempts.firstRow(index) until endOfRows(index)) {
-                field.rows.put(slotOf[k], local, k)
-                field.release(slotOf[k])
+                field.rows.put(members.slot(k), local, k)
+                field.release(members.slot(k))
             }
             if (field.records) {
                 val end = if (index + 1 < attempts.size) attempts.firstRecord(index + 1) else tried.size

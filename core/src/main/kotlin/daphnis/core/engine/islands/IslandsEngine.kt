@@ -2,6 +2,7 @@ package daphnis.core.engine.islands
 
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
+import daphnis.core.engine.SerialEngine
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -13,7 +14,7 @@ import daphnis.core.parallel.ThreadHandler
  * [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the phases of a step.
  *
  * Dense gases and long steps would grow islands into one another; then windows get shorter, which changes no bit. Islands are dealt out as workers
- * become free, so it does not matter where in space they lie.
+ * become free, so it does not matter where in space they lie. On one thread it takes steps in the serial engine's way where that is quicker.
  *
  * @param handler the threads; closed with the engine
  */
@@ -29,7 +30,19 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
     /** For figures on how windows and islands come out. */
     public val crew: IslandCrew = IslandCrew(field, threads)
 
+    /** On one thread, where islands have nothing to give but work, the serial engine goes first, unless searches are so wide that closer bounds pay. */
+    private val alone = if (threads == 1) SerialEngine() else null
+    private var steps = 0L
+    private var isWide = true
+
     override fun advance(step: CollisionStep) {
+        if (alone != null) {
+            if (steps++ % STEPS_A_LOOK == 0L) isWide = isWideSearch(step)
+            if (!isWide) {
+                alone.advance(step)
+                return
+            }
+        }
         field.measure(step, loop)
         while (!attempt(step)) {
             field.enlarge()
@@ -37,6 +50,12 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
         }
         field.store(step, loop)
         crew.finish(step.counters, step.record)
+    }
+
+    private fun isWideSearch(step: CollisionStep): Boolean {
+        field.measure(step)
+        field.prepare(step)
+        return field.isWideSearch
     }
 
     /** @return false when somebody outran the bound */
@@ -91,6 +110,7 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
 
     private companion object {
         const val SPHERES_A_PIECE = 512
+        const val STEPS_A_LOOK = 64
         const val LEAST_IN_PARALLEL = 64
         const val PIECES_A_THREAD = 8
         const val MOST_A_PIECE = 64

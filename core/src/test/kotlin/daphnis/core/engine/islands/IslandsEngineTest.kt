@@ -33,7 +33,7 @@ class IslandsEngineTest {
             Sphere(x = 6.0, y = 4.5, vy = -10.0, r = 0.5),
         )
         val expected = populationOf(*spheres).also { simulationOf(it, Open, 1.0).advance() }
-        for (threads in 1..3) {
+        for (threads in 2..4) {
             val p = populationOf(*spheres)
             val engine = IslandsEngine(threads)
             val simulation = simulationOf(p, Open, 1.0, engine = engine)
