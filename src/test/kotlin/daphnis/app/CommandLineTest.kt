@@ -66,6 +66,27 @@ class CommandLineTest {
     }
 
     @Test
+    fun `every engine gives the same digest and the same log of collisions, and the summary says which it was`() {
+        val logs = HashSet<String>()
+        val digests = HashSet<String>()
+        for ((engine, threads) in listOf("serial" to 1, "islands" to 1, "islands" to 3, "thread-pool" to 2, "actors" to 2, "pekko" to 2)) {
+            val name = "$engine-$threads"
+            val result = small(name, "--engine", engine, "--threads", "$threads", "--set", "output.collisionLog=true")
+            assertEquals(0, result.code) { result.err }
+            digests += result.out.lines().first { it.startsWith("state digest") }
+            logs += Files.readString(home.resolve(name).resolve("collisions.csv"))
+            val summary = Files.readString(home.resolve(name).resolve("summary.json"))
+            assertTrue(summary.contains("\"engine\": \"$engine\"") && summary.contains("\"threads\": $threads")) { summary }
+        }
+        assertEquals(1, digests.size)
+        assertEquals(1, logs.size)
+        assertTrue(logs.first().lines().size > 10)
+        assertRefused(small("x", "--engine", "isles"), "engine.name", "islands", "pekko")
+        assertRefused(small("y", "--engine", "serial", "--threads", "2"), "engine.threads")
+        assertRefused(small("z", "--threads", "-1"), "engine.threads")
+    }
+
+    @Test
     fun `resume goes on to a later end, to the same bits as one run`() {
         small("a")
         assertEquals(0, daphnis("resume", at("a"), "--until", "4").code)

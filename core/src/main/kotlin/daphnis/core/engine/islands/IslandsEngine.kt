@@ -37,7 +37,9 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
 
     override fun advance(step: CollisionStep) {
         if (alone != null) {
-            if (steps++ % STEPS_A_LOOK == 0L) isWide = isWideSearch(step)
+            // Often at first, when a state is still far from what it will be, then now and then.
+            if (steps and (steps - 1) == 0L || steps % STEPS_A_LOOK == 0L) isWide = isWideSearch(step)
+            steps++
             if (!isWide) {
                 alone.advance(step)
                 return
@@ -90,10 +92,18 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
     private fun process(alone: Boolean): Boolean {
         val count = crew.rootCount
         val grain = if (alone) count else (count / (threads * PIECES_A_THREAD)).coerceIn(1, MOST_A_PIECE)
-        loop.run(count, maxOf(grain, 1)) { worker, from, to ->
-            for (k in from until to) if (!crew[worker].process(crew.roots[k])) break
-        }
+        loop.run(count, maxOf(grain, 1)) { worker, from, to -> processSome(crew[worker], from, to) }
         return !field.isOutrun
+    }
+
+    private fun processSome(worker: IslandWorker, from: Int, to: Int) {
+        try {
+            for (k in from until to) if (!worker.process(crew.roots[k])) return
+        } catch (e: Throwable) {
+            // The step has failed; what the others do is in vain.
+            field.stop()
+            throw e
+        }
     }
 
     private inline fun each(alone: Boolean, crossinline phase: (Int) -> Unit) {

@@ -1,0 +1,39 @@
+package daphnis.bench
+
+import daphnis.core.population.stateDigest
+import java.util.Locale
+
+/**
+ * Engines in turn in one process, round after round, on the same steps: on a noisy machine the only fair comparison. Prints the fastest round of each, in
+ * ms a step, and how much faster than the serial engine's that is.
+ *
+ * `java -cp bench/target/bench-0.1.0.jar daphnis.bench.CompareKt WORKLOAD STEPS ROUNDS`
+ */
+fun main(args: Array<String>) {
+    val workload = Workload.valueOf(args[0])
+    val steps = args[1].toInt()
+    val rounds = args[2].toInt()
+    val engines = listOf(EngineName.SERIAL to 1) +
+        listOf(EngineName.ISLANDS, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO).flatMap { engine -> listOf(1, 2).map { engine to it } }
+    val best = DoubleArray(engines.size) { Double.POSITIVE_INFINITY }
+    val digests = HashSet<String>()
+    val start = workload.Start()
+    // The first round warms up.
+    for (round in 0..rounds) {
+        for ((k, engine) in engines.withIndex()) {
+            start.simulation(engine.first.create(engine.second)).use { simulation ->
+                simulation.advance()
+                val begin = System.nanoTime()
+                repeat(steps) { simulation.advance() }
+                val milliseconds = (System.nanoTime() - begin) * 1e-6 / steps
+                if (round > 0) best[k] = minOf(best[k], milliseconds)
+                digests += stateDigest(simulation.population)
+            }
+        }
+    }
+    check(digests.size == 1) { "the engines disagree" }
+    for ((k, engine) in engines.withIndex()) {
+        val name = engine.first.name.lowercase().replace('_', '-')
+        println(String.format(Locale.ROOT, "| %s | %s | %d | %.1f | %.2f × |", workload, name, engine.second, best[k], best[0] / best[k]))
+    }
+}
