@@ -125,7 +125,7 @@ class Draw(val seed: Long) {
         fun threads() = 1 + random.nextInt(8)
         val handler: ThreadHandler = if (random.nextInt(4) == 0) ThreadPerTask(1 + random.nextInt(3)) else FixedPool(threads())
         return listOf(
-            IslandsEngine(threads()),
+            IslandsEngine(FixedPool(threads()), fewest = 0),
             ThreadPoolEngine(handler, LoopStrategy.entries[random.nextInt(3)], GridSort.entries[random.nextInt(2)]),
             RegionActorEngine(threads(), layout()),
             PekkoEngine(threads(), layout(), host),

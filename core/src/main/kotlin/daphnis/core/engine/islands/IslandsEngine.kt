@@ -14,11 +14,13 @@ import daphnis.core.parallel.ThreadHandler
  * [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the phases of a step.
  *
  * Dense gases and long steps would grow islands into one another; then windows get shorter, which changes no bit. Islands are dealt out as workers
- * become free, so it does not matter where in space they lie. On one thread it takes steps in the serial engine's way where that is quicker.
+ * become free, so it does not matter where in space they lie. Where that is quicker it takes steps in the serial engine's
+ * way: on one thread, and with few spheres.
  *
  * @param handler the threads; closed with the engine
+ * @param fewest spheres from which on islands are grown; 0 always grows them, also on one thread
  */
-public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine {
+public class IslandsEngine(private val handler: ThreadHandler, private val fewest: Int = WORTH_SPHERES) : CollisionEngine {
     public constructor(threads: Int) : this(FixedPool(threads))
 
     override val name: String get() = "islands"
@@ -30,20 +32,14 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
     /** For figures on how windows and islands come out. */
     public val crew: IslandCrew = IslandCrew(field, threads)
 
-    /** On one thread, where islands have nothing to give but work, the serial engine goes first, unless searches are so wide that closer bounds pay. */
-    private val alone = if (threads == 1) SerialEngine() else null
+    private val alone = SerialEngine()
     private var steps = 0L
     private var isWide = true
 
     override fun advance(step: CollisionStep) {
-        if (alone != null) {
-            // Often at first, when a state is still far from what it will be, then now and then.
-            if (steps and (steps - 1) == 0L || steps % STEPS_A_LOOK == 0L) isWide = isWideSearch(step)
-            steps++
-            if (!isWide) {
-                alone.advance(step)
-                return
-            }
+        if (isQuickerAlone(step)) {
+            alone.advance(step)
+            return
         }
         field.measure(step, loop)
         while (!attempt(step)) {
@@ -52,6 +48,19 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
         }
         field.store(step, loop)
         crew.finish(step.counters, step.record)
+    }
+
+    /**
+     * Few spheres are not worth the barriers. On one thread islands have nothing to give but work, unless searches are so wide that closer bounds pay:
+     * looked at often at first, when a state is still far from what it will be, then now and then.
+     */
+    private fun isQuickerAlone(step: CollisionStep): Boolean {
+        if (fewest == 0) return false
+        if (step.population.size < fewest) return true
+        if (threads > 1) return false
+        if (steps and (steps - 1) == 0L || steps % STEPS_A_LOOK == 0L) isWide = isWideSearch(step)
+        steps++
+        return !isWide
     }
 
     private fun isWideSearch(step: CollisionStep): Boolean {
@@ -119,6 +128,7 @@ public class IslandsEngine(private val handler: ThreadHandler) : CollisionEngine
     }
 
     private companion object {
+        const val WORTH_SPHERES = 20_000
         const val SPHERES_A_PIECE = 512
         const val STEPS_A_LOOK = 64
         const val LEAST_IN_PARALLEL = 64

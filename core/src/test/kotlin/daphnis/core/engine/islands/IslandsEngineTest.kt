@@ -33,9 +33,9 @@ class IslandsEngineTest {
             Sphere(x = 6.0, y = 4.5, vy = -10.0, r = 0.5),
         )
         val expected = populationOf(*spheres).also { simulationOf(it, Open, 1.0).advance() }
-        for (threads in 2..4) {
+        for (threads in 1..4) {
             val p = populationOf(*spheres)
-            val engine = IslandsEngine(threads)
+            val engine = IslandsEngine(FixedPool(threads), fewest = 0)
             val simulation = simulationOf(p, Open, 1.0, engine = engine)
             simulation.use { it.advance() }
             assertEquals(stateDigest(expected), stateDigest(p))
@@ -50,7 +50,7 @@ class IslandsEngineTest {
         val boundary = Periodic(Box.centred(14.0, 14.0, 14.0))
         val p = randomSpheres(700, boundary, 5, 1.0) { 0.8 }
         val q = p.copy()
-        val engine = IslandsEngine(3)
+        val engine = IslandsEngine(FixedPool(3), fewest = 0)
         val fast = simulationOf(p, boundary, 0.5, engine = engine)
         val slow = simulationOf(q, boundary, 0.5)
         fast.use {
@@ -67,7 +67,7 @@ class IslandsEngineTest {
     fun `a collapse is thrown, the population is as before, and the engine can go on`() {
         val p = populationOf(*Array(40) { Sphere(x = 2.0001 * it, vx = (20 - it) * 1.0, r = 1.0) })
         val before = stateDigest(p)
-        val engine = IslandsEngine(2)
+        val engine = IslandsEngine(FixedPool(2), fewest = 0)
         val simulation = simulationOf(p, Open, 100.0, ConstantRestitution(0.2), engine = engine)
         assertThrows(CollapseException::class.java) { simulation.advance() }
         assertEquals(before, stateDigest(p))
