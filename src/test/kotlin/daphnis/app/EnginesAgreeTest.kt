@@ -3,8 +3,14 @@ package daphnis.app
 import com.typesafe.config.ConfigFactory
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.parallel.FixedPool
+import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.ScenarioSetup
@@ -61,6 +67,35 @@ class EnginesAgreeTest {
         }
         println("$DRAWS draws, $collisions collisions an engine, $replays replays")
         assertTrue(collisions > 100 * DRAWS) { "only $collisions collisions" }
+    }
+
+    @Test
+    fun `no sphere, one, and a boundary that removes more of them each step`() {
+        val floor = object : BoundaryConditions {
+            override val box = Box.UNBOUNDED
+
+            override fun endStep(population: Population, time: Double) = population.retain { population.id[it] >= 100 * time }
+        }
+        for (count in listOf(0, 1, 400)) {
+            val start = Population(
+                DoubleArray(count) { it % 8 * 1.2 },
+                DoubleArray(count) { it / 8 % 8 * 1.2 },
+                DoubleArray(count) { it / 64 * 1.2 },
+                DoubleArray(count) { Math.sin(1.0 * it) },
+                DoubleArray(count) { Math.cos(2.0 * it) },
+                DoubleArray(count),
+                DoubleArray(count) { 0.5 },
+                DoubleArray(count) { 1.0 },
+            )
+            val digests = listOf(SerialEngine(), IslandsEngine(FixedPool(3), fewest = 0)) + listOf("thread-pool", "actors", "pekko").map { allEngines.create(it, 3)!! }
+            val ends = digests.map { engine ->
+                Simulation(start.copy(), floor, CollisionForcing(ConstantRestitution(1.0), engine = engine), FixedTimeStep(0.5)).use {
+                    repeat(10) { _ -> it.advance() }
+                    engine.name to stateDigest(it.population)
+                }
+            }
+            for ((name, digest) in ends) assertEquals(ends[0].second, digest) { "$count spheres, $name" }
+        }
     }
 
     /** Advances, unless the engine refuses so long a step. */

@@ -1,5 +1,9 @@
 package daphnis.core.run
 
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionStep
+import daphnis.core.engine.EngineFactory
+import daphnis.core.engine.SerialEngine
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
@@ -183,6 +187,32 @@ class RunTest {
         assertTrue(whole.steps > 5)
         run("broken", 4, *settings)
         assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
+    }
+
+    @Test
+    fun `an engine that fails ends the run with a checkpoint of the last good step, kicks taken back, to go on from`() {
+        val settings = arrayOf("forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-0.3]}]")
+        val whole = run("whole", Int.MAX_VALUE, *settings)
+        val failing = object : EngineFactory {
+            override val names = listOf("failing")
+
+            override fun create(name: String, threads: Int) = object : CollisionEngine {
+                private val serial = SerialEngine()
+                private var steps = 0
+                override val name = "serial"
+                override val threads = 1
+
+                override fun advance(step: CollisionStep) {
+                    if (++steps == 8) throw RuntimeException("on purpose")
+                    serial.advance(step)
+                }
+            }
+        }
+        val e = assertThrows(RunException::class.java) { Run.start(scenario(*settings), "test", home.resolve("broken"), engines = failing).use { it.execute() } }
+        assertTrue(e.message.orEmpty().contains("step 8") && e.message.orEmpty().contains("on purpose")) { e.message }
+        assertEquals(7L, Checkpoint.read(RunDirectory(home.resolve("broken")).checkpoint).meta.step)
+        assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
+        assertEquals(files("whole"), files("broken"))
     }
 
     @Test
