@@ -45,14 +45,14 @@ class DescribeCommand : CliktCommand(name = "describe") {
     private fun describeStep(setup: ScenarioSetup, scenario: Scenario) {
         val dt = setup.timeStep.next(setup.population)
         val steps = if (setup.timeStep is FixedTimeStep) {
-            "%.0f".format(Locale.ROOT, ceil(scenario.until / dt - 1e-6))
+            "%.0f".format(Locale.ROOT, ceil(setup.scenario.end / dt - 1e-6))
         } else {
             "at least %.0f".format(
                 Locale.ROOT,
-                scenario.until / dt,
+                setup.scenario.end / dt,
             )
         }
-        row("steps", "%s of %.6g to time %.6g", steps, dt, scenario.until)
+        row("steps", "%s of %.6g to time %.6g", steps, dt, setup.scenario.end)
         val reach = Reach().apply { measure(setup.population, dt) }
         row("reach in a step", "%.4g x %.4g x %.4g", reach.bound[0], reach.bound[1], reach.bound[2])
         val grid = Grid().apply { build(setup.population, setup.boundary, 0.0, dt, reach.bound) }

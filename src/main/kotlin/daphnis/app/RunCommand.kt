@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.long
 import daphnis.core.run.Run
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
@@ -49,8 +50,9 @@ class RunCommand : CliktCommand(name = "run") {
         val steps = steps ?: return scenario
         if (until != null) throw InputException("--steps", null, "is given together with --until; one of the two is enough")
         if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
-        val step = scenario.timeStep as? TimeStepSpec.Fixed ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
-        return scenario.copy(until = steps * step.dt)
+        val timed = FrameSetup.withTimes(scenario.copy(until = 1.0), this.scenario)
+        val step = timed.timeStep as? TimeStepSpec.Fixed ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
+        return timed.copy(until = steps * step.dt)
     }
 
     /** runs/NAME, or runs/NAME-2, -3, … */

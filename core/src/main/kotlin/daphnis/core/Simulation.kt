@@ -3,6 +3,7 @@ package daphnis.core
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.force.Drift
 import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
@@ -19,14 +20,14 @@ import daphnis.core.population.Population
  * forces act for its second half · outputs look. Not thread-safe: one thread calls; an engine may use more within [advance].
  *
  * @param collisions null for spheres that pass through one another
- * @param forces act in this order before the drift and in the reverse order after it
+ * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
  */
 public class Simulation(
     public val population: Population,
     public val boundary: BoundaryConditions,
     public val collisions: CollisionForcing?,
     private val timeStep: TimeStep,
-    private val forces: List<Force> = emptyList(),
+    forces: List<Force> = emptyList(),
     private val outputs: List<Output> = emptyList(),
     startTime: Double = 0.0,
     startStep: Long = 0,
@@ -39,6 +40,8 @@ public class Simulation(
     public var step: Long = startStep
         private set
 
+    // A drift acts next to the drift: last before it, first after it.
+    private val forces = forces.sortedBy { it is Drift }
     private val loop = collisions?.engine?.loop ?: InlineLoop
     private val velocities = KeptVelocities()
     private var opened = false
@@ -46,6 +49,8 @@ public class Simulation(
 
     init {
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
+        require(forces.count { it is Drift } <= 1) { "two forces want to stand for the drift; there can be one" }
+        for (force in forces) force.useLoop(loop)
     }
 
     /**
@@ -71,7 +76,7 @@ public class Simulation(
         step++
         time = if (timeStep is FixedTimeStep) origin + step * duration else start + duration
         applyBoundary()
-        for (k in forces.indices.reversed()) forces[k].afterDrift(population, start, duration)
+        for (k in forces.indices.reversed()) forces[k].afterDrift(population, time, duration)
         checkFinite()
         for (k in outputs.indices) outputs[k].write(this)
     }

@@ -1,5 +1,6 @@
 package daphnis.core.boundary
 
+import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 
 /**
@@ -19,8 +20,8 @@ public interface BoundaryConditions {
     /** How images slide against one another, or null when they stand still. */
     public val shear: ImageShear? get() = null
 
-    /** Whether the boundary drives a mean flow v_x(y), which a granular temperature has to leave out. */
-    public val isSheared: Boolean get() = shear != null
+    /** The mean flow that the boundary drives, which a granular temperature has to leave out; null when there is none. */
+    public val meanFlow: MeanFlow? get() = null
 
     /** Coefficient of restitution of walls, in [0, 1]; used where [contactFaces] says [ContactFaces.WALL]. */
     public val wallRestitution: Double get() = 1.0

@@ -1,5 +1,6 @@
 package daphnis.core.boundary
 
+import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import kotlin.math.floor
 
@@ -15,6 +16,8 @@ public class LeesEdwards(override val box: Box, public val shearRate: Double) : 
     }
 
     override val shear: ImageShear = ImageShear(normalAxis = 1, slideAxis = 0, velocity = shearRate * box.length(1), slideLength = box.length(0))
+
+    override val meanFlow: MeanFlow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = shearRate)
 
     override fun contactFaces(axis: Int): ContactFaces = ContactFaces.PERIODIC
 

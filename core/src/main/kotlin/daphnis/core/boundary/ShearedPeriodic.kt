@@ -1,5 +1,6 @@
 package daphnis.core.boundary
 
+import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import kotlin.math.floor
 
@@ -15,7 +16,7 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
         require(velocityJump.isFinite()) { "velocity jump is $velocityJump; it must be finite" }
     }
 
-    override val isSheared: Boolean get() = true
+    override val meanFlow: MeanFlow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = velocityJump / box.length(1))
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val y = population.y

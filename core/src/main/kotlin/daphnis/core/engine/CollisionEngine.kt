@@ -7,6 +7,7 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
+import daphnis.core.search.SearchStructure
 
 /**
  * Carries a population through one step of straight paths and collisions. All engines give the same state, bit for bit: the one that
@@ -41,6 +42,7 @@ public interface CollisionEngine : AutoCloseable {
  *
  * @property law the physics of a collision
  * @property counters where the engine adds what it counted, once the step has succeeded
+ * @property search how neighbours are found
  * @property record where collisions are to be written in order, or null when nobody wants them
  */
 public class CollisionStep(
@@ -48,6 +50,7 @@ public class CollisionStep(
     public val boundary: BoundaryConditions,
     public val law: CollisionLaw,
     public val counters: CollisionCounters,
+    public val search: SearchStructure = SearchStructure.AUTO,
 ) {
     /** Time at the start of the step. */
     public var start: Double = 0.0

@@ -8,10 +8,12 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.population.Population
+import daphnis.core.search.SearchStructure
 
 /**
  * The collisional forcing: moves the population through a step with every collision in time order.
  *
+ * @param search how neighbours are found; changes nothing but the time it takes
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
  */
 public class CollisionForcing(
@@ -19,6 +21,7 @@ public class CollisionForcing(
     guard: CollapseGuard = NoGuard,
     public val engine: CollisionEngine = SerialEngine(),
     recordCollisions: Boolean = false,
+    private val search: SearchStructure = SearchStructure.AUTO,
 ) : AutoCloseable {
     private val law = CollisionLaw(restitution, guard)
     private var step: CollisionStep? = null
@@ -32,7 +35,7 @@ public class CollisionForcing(
     /** Moves [population] from [start] over [duration]; boundaries at the end are the caller's. See [CollisionEngine.advance]. */
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
         val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
-            ?: CollisionStep(population, boundary, law, counters).also { step = it }
+            ?: CollisionStep(population, boundary, law, counters, search).also { step = it }
         step.start = start
         step.duration = duration
         step.record = record

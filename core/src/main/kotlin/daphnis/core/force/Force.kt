@@ -1,20 +1,24 @@
 package daphnis.core.force
 
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
  * Something that changes velocities. Within a step spheres drift on straight lines, so that collisions are exact; forces act before and
  * after the drift (kick–drift–kick, Quinn, Perrine, Richardson & Barnes 2010, AJ 139, 803).
  *
- * Most forces are a [Kick]; a force that maps the state as a whole, such as a rotating frame, implements the two calls itself.
- * Must not change positions, and must be a pure function of the population and the time.
+ * Most forces are a [Kick]; a rotating frame, which maps the state as a whole, is a [Drift]. Must not change positions, and must be a pure
+ * function of the population and the time: the same bits for the same state, whatever the order of the arrays.
  */
 public interface Force {
-    /** Called before the drift of a step from [start] of [duration]. */
+    /** Called before the drift of a step that begins at [start] and lasts [duration]. */
     public fun beforeDrift(population: Population, start: Double, duration: Double)
 
-    /** Called after the drift and the boundary conditions. */
-    public fun afterDrift(population: Population, start: Double, duration: Double)
+    /** Called after the drift and the boundary conditions of a step that ended at [end] and lasted [duration]. */
+    public fun afterDrift(population: Population, end: Double, duration: Double)
+
+    /** Offers the threads of the engine for loops over spheres. Called once, before the first step. */
+    public fun useLoop(loop: RangeLoop): Unit = Unit
 }
 
 /** A force given by the change of velocity it makes: applied for half the step before the drift and for half after. */
@@ -26,7 +30,13 @@ public fun interface Kick : Force {
         kick(population, start, duration / 2)
     }
 
-    override fun afterDrift(population: Population, start: Double, duration: Double) {
-        kick(population, start + duration, duration / 2)
+    override fun afterDrift(population: Population, end: Double, duration: Double) {
+        kick(population, end, duration / 2)
     }
 }
+
+/**
+ * What stands for a curved path by a straight one: replaces velocities by those of the drift, and the drift's by true ones. A simulation has at
+ * most one, and it acts last before the drift and first after it, whatever its place in the list of forces.
+ */
+public interface Drift : Force

@@ -12,7 +12,8 @@ public object ExtendedXyz {
         out.append(frame.size.toString()).append('\n')
         val l = DoubleArray(3) { frame.lengths[it] * scale }
         if (l.none { it.isNaN() }) {
-            out.append("Lattice=\"${l[0]} 0.0 0.0 ${frame.shearOffset * scale} ${l[1]} 0.0 0.0 0.0 ${l[2]}\" ")
+            val edges = frame.edges().joinToString(" ") { row -> row.joinToString(" ") { (it * scale).toString() } }
+            out.append("Lattice=\"$edges\" ")
             out.append("Origin=\"${-l[0] / 2} ${-l[1] / 2} ${-l[2] / 2}\" ")
         }
         out.append("Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1 ")

@@ -2,7 +2,6 @@ package daphnis.core.format
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.population.Population
@@ -12,7 +11,7 @@ import daphnis.core.population.Population
  *
  * @property lengths edges of the box along x, y, z; NaN on open axes
  * @property periodic whether the box repeats along x, y, z
- * @property shearOffset displacement along x of the image at +L_y, for Lees–Edwards boundaries; else 0
+ * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  */
 public class Frame(
     public val step: Long,
@@ -25,9 +24,24 @@ public class Frame(
     public val velocity: Array<DoubleArray>,
     public val radius: DoubleArray,
     public val mass: DoubleArray,
+    public val normalAxis: Int = 1,
+    public val slideAxis: Int = 0,
 ) {
     /** Number of spheres. */
     public val size: Int get() = id.size
+
+    /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */
+    public fun edges(): Array<DoubleArray> = Array(3) { row ->
+        DoubleArray(3) { axis ->
+            if (axis == row) {
+                lengths[row]
+            } else if (row == normalAxis && axis == slideAxis) {
+                shearOffset
+            } else {
+                0.0
+            }
+        }
+    }
 
     /** The frame as a population, ids kept. */
     public fun population(): Population = Population(
@@ -52,12 +66,14 @@ public class Frame(
                 time,
                 DoubleArray(3) { if (boundary === Open) Double.NaN else boundary.box.length(it) },
                 BooleanArray(3) { wrapped || boundary.contactFaces(it) == ContactFaces.PERIODIC },
-                if (boundary is LeesEdwards) boundary.shear.offset(time) else 0.0,
+                boundary.shear?.offset(time) ?: 0.0,
                 IntArray(n) { population.id[order[it]] },
                 arrayOf(pick(population.x), pick(population.y), pick(population.z)),
                 arrayOf(pick(population.vx), pick(population.vy), pick(population.vz)),
                 pick(population.radius),
                 pick(population.mass),
+                boundary.shear?.normalAxis ?: 1,
+                boundary.shear?.slideAxis ?: 0,
             )
         }
     }

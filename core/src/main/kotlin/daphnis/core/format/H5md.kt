@@ -44,6 +44,7 @@ public object H5md {
             all.putDataset("radius", first.radius)
             val parameters = file.putGroup("parameters")
             parameters.putDataset("shear_offset", DoubleArray(frames.size) { frames[it].shearOffset })
+            parameters.putDataset("shear_axes", intArrayOf(first.normalAxis, first.slideAxis))
         }
     }
 
@@ -54,10 +55,7 @@ public object H5md {
         if (frames.all { it.shearOffset == 0.0 }) {
             edges.putDataset("value", Array(frames.size) { frames[it].lengths })
         } else {
-            val value = Array(frames.size) { t ->
-                val l = frames[t].lengths
-                arrayOf(doubleArrayOf(l[0], 0.0, 0.0), doubleArrayOf(frames[t].shearOffset, l[1], 0.0), doubleArrayOf(0.0, 0.0, l[2]))
-            }
+            val value = Array(frames.size) { t -> frames[t].edges() }
             edges.putDataset("value", value)
         }
     }
@@ -96,6 +94,11 @@ public object H5md {
             @Suppress("UNCHECKED_CAST")
             val boundary = box.getAttribute("boundary").data as Array<String>
             val offset = file.getDatasetByPath("/parameters/shear_offset").data as DoubleArray
+            val axes = if (file.getByPath("/parameters").let { "shear_axes" in (it as io.jhdf.api.Group).children }) {
+                file.getDatasetByPath("/parameters/shear_axes").data as IntArray
+            } else {
+                intArrayOf(1, 0)
+            }
             val id = data("id") as IntArray
             val mass = data("mass") as DoubleArray
             val radius = data("radius") as DoubleArray
@@ -106,7 +109,7 @@ public object H5md {
                     BooleanArray(3) {
                         boundary[it] == "periodic"
                     },
-                    offset[t], id, columns(positions), columns(velocities), radius, mass,
+                    offset[t], id, columns(positions), columns(velocities), radius, mass, axes[0], axes[1],
                 )
             }
         }

@@ -30,7 +30,24 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
     /** Σ Δp_a r_b over collisions, nine numbers by row: a·3 + b. Divided by volume and time it is the collisional part of the pressure tensor. */
     public val virial: DoubleArray = DoubleArray(TENSOR)
 
+    /** Collisions by impact speed, [BINS_A_DECADE] bins a decade from 10^[LEAST_DECADE]; the first and last take what lies beyond. */
+    public val speeds: LongArray = LongArray(BINS)
+
     private var lastStep = -1L
+
+    /** All sums as numbers, to be given to [restore] by a run that goes on. */
+    public fun sums(): List<Double> = listOf(count.toDouble(), sumSpeed, sumSpeedSquared, dissipated) + virial.asList()
+
+    /** Takes over what [sums] and [speeds] of another were. */
+    public fun restore(sums: List<Double>, speeds: LongArray) {
+        require(sums.size == 4 + TENSOR && speeds.size == BINS) { "these are not the sums of collision statistics" }
+        count = sums[0].toLong()
+        sumSpeed = sums[1]
+        sumSpeedSquared = sums[2]
+        dissipated = sums[3]
+        for (k in 0 until TENSOR) virial[k] = sums[4 + k]
+        speeds.copyInto(this.speeds)
+    }
 
     override fun write(simulation: Simulation) {
         if (simulation.step == lastStep || simulation.step == 0L || simulation.time <= from) return
@@ -46,6 +63,7 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
         count++
         sumSpeed += speed
         sumSpeedSquared += speed * speed
+        if (speed > 0) speeds[((StrictMath.log10(speed) - LEAST_DECADE) * BINS_A_DECADE).toInt().coerceIn(0, BINS - 1)]++
         // impulse = μ (1 + ε) v_n, so the loss ½ μ (1 − ε²) v_n² is half of impulse · (1 − ε) · v_n.
         dissipated += 0.5 * impulse * (1 - coefficient) * speed
         val dx = record.separation(k, 0)
@@ -55,7 +73,14 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
         for (a in 0..2) for (b in 0..2) virial[a * 3 + b] += f * record.separation(k, a) * record.separation(k, b)
     }
 
-    private companion object {
-        const val TENSOR = 9
+    public companion object {
+        private const val TENSOR = 9
+        public const val BINS_A_DECADE: Int = 10
+        public const val LEAST_DECADE: Int = -12
+        private const val MOST_DECADE = 6
+        private const val BINS = (MOST_DECADE - LEAST_DECADE) * BINS_A_DECADE
+
+        /** Lower edge of bin [k] of [speeds]. */
+        public fun binEdge(k: Int): Double = StrictMath.pow(10.0, LEAST_DECADE + k / BINS_A_DECADE.toDouble())
     }
 }

@@ -2,21 +2,23 @@ package daphnis.core.population
 
 /**
  * Granular temperature ⟨c²⟩/3, weighted by mass, with c the peculiar velocity: what is left of the velocity when the mean is taken out
- * and, if [sheared], the mean flow v_x(y) as well: the straight line that fits best, then the mean of what remains in slabs of y
+ * and, if there is one, the mean [flow] as well: the straight line that fits best, then the mean of what remains in slabs across it
  * (one a hundred spheres, at most twenty), since a driven flow need not be straight. In (length/time)². Sums in id order; allocates five columns.
  */
-public fun granularTemperature(population: Population, sheared: Boolean): Double {
-    val sums = VelocitySums(population)
+public fun granularTemperature(population: Population, flow: MeanFlow?): Double {
+    val sums = VelocitySums(population, flow?.normalAxis ?: 1, flow?.flowAxis ?: 0)
     if (sums.mass == 0.0) return 0.0
     val square = sums.squareAroundMean()
-    val flow = if (sheared) sums.squareOfMeanFlow() else 0.0
-    return maxOf(0.0, square - flow) / sums.mass / 3
+    val ofFlow = if (flow != null) sums.squareOfMeanFlow() else 0.0
+    return maxOf(0.0, square - ofFlow) / sums.mass / 3
 }
 
 /** Mass-weighted sums over a population in id order. The columns are brought into that order once, so that the passes run along memory. */
-private class VelocitySums(population: Population) {
+private class VelocitySums(population: Population, normalAxis: Int, flowAxis: Int) {
     private val size = population.size
     private val m = DoubleArray(size)
+
+    // Position across the flow, velocity along it, the other two components.
     private val y = DoubleArray(size)
     private val u = DoubleArray(size)
     private val v = DoubleArray(size)
@@ -24,15 +26,18 @@ private class VelocitySums(population: Population) {
     val mass: Double
 
     init {
+        val positions = arrayOf(population.x, population.y, population.z)
+        val velocities = arrayOf(population.vx, population.vy, population.vz)
+        val others = (0..2).filter { it != flowAxis }
         var n = 0
         for (id in 0 until population.idBound) {
             val k = population.indexOf(id)
             if (k < 0) continue
             m[n] = population.mass[k]
-            y[n] = population.y[k]
-            u[n] = population.vx[k]
-            v[n] = population.vy[k]
-            w[n] = population.vz[k]
+            y[n] = positions[normalAxis][k]
+            u[n] = velocities[flowAxis][k]
+            v[n] = velocities[others[0]][k]
+            w[n] = velocities[others[1]][k]
             n++
         }
         var sum = 0.0

@@ -106,6 +106,7 @@ internal class Checkpoint(val meta: CheckpointMeta, val population: Population) 
  *
  * @property fileLengths length in bytes of each file that is only appended to, by name in the run directory; what lies beyond was
  *   written after the checkpoint and is cut off on resume
+ * @property collisionSums of the statistics of collisions, when they are kept; likewise [impactSpeeds]
  */
 @Serializable
 internal class CheckpointMeta(
@@ -118,6 +119,8 @@ internal class CheckpointMeta(
     val causalityReplays: Long,
     val wallSeconds: Double,
     val fileLengths: Map<String, Long>,
+    val collisionSums: List<Double> = emptyList(),
+    val impactSpeeds: List<Long> = emptyList(),
 )
 
 /** A checkpoint cannot be used; the message is one line that says why. */

@@ -6,6 +6,8 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.named.Engines
+import daphnis.core.force.SelfGravity
+import daphnis.core.output.CollisionStatistics
 import daphnis.core.population.Conserved
 import daphnis.core.population.granularTemperature
 import daphnis.core.population.stateDigest
@@ -40,6 +42,8 @@ public class Run private constructor(
     public val directory: RunDirectory,
     private val scenario: Scenario,
     public val simulation: Simulation,
+    private val transport: TransportRows?,
+    private val statistics: CollisionStatistics,
     private val lengths: Map<String, Long>?,
     private val secondsBefore: Double,
     private val lock: AutoCloseable,
@@ -51,7 +55,7 @@ public class Run private constructor(
     public val hasSeries: Boolean get() = scenario.output.seriesEvery > 0
 
     /** Time at which it ends. */
-    public val until: Double get() = scenario.until
+    public val until: Double get() = scenario.end
 
     /**
      * Advances to the end.
@@ -63,7 +67,7 @@ public class Run private constructor(
         val begin = System.nanoTime()
         fun seconds() = (System.nanoTime() - begin) * 1e-9
         try {
-            RunOutputs(directory, scenario.output, lengths).use { outputs ->
+            RunOutputs(directory, scenario.output, transport, statistics, lengths).use { outputs ->
                 if (lengths == null) {
                     outputs.write(simulation)
                     checkpoint(outputs, 0.0)
@@ -113,6 +117,7 @@ public class Run private constructor(
         val c = simulation.collisions?.counters ?: CollisionCounters()
         val meta = CheckpointMeta(
             simulation.step, simulation.time, c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays, wallSeconds, lengths,
+            if (transport != null) statistics.sums() else emptyList(), if (transport != null) statistics.speeds.asList() else emptyList(),
         )
         // The one before stays until the new one is whole on the disk. Killed between the two moves, there is the previous one only.
         val fresh = directory.path.resolve("checkpoint.new")
@@ -150,7 +155,7 @@ public class Run private constructor(
             redoneSteps = c.redoneSteps,
             causalityReplays = c.causalityReplays,
             energy = sums.kineticEnergy,
-            temperature = granularTemperature(population, simulation.boundary.isSheared),
+            temperature = granularTemperature(population, simulation.boundary.meanFlow),
             momentum = listOf(sums.momentumX, sums.momentumY, sums.momentumZ),
             version = Version.text,
             jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
@@ -179,7 +184,7 @@ public class Run private constructor(
             try {
                 val resolved = keepParticleFile(setup.scenario, directory)
                 writeAtomically(directory.scenario) { Files.writeString(it, ScenarioJson.write(resolved)) }
-                return Run(directory, resolved, simulation, null, 0.0, lock, emptyList())
+                return Run(directory, resolved, simulation, transport(setup), CollisionStatistics(), null, 0.0, lock, emptyList())
             } catch (e: IOException) {
                 lock.close()
                 throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
@@ -216,7 +221,10 @@ public class Run private constructor(
                 // Snapshots after the checkpoint are written again, to the same bits; the summary is of a run that goes on.
                 Files.deleteIfExists(directory.summary)
                 Files.createDirectories(directory.snapshots)
-                return Run(directory, scenario, simulation, checkpoint?.meta?.fileLengths, checkpoint?.meta?.wallSeconds ?: 0.0, lock, notices)
+                val meta = checkpoint?.meta
+                val statistics = CollisionStatistics()
+                if (meta != null && meta.collisionSums.isNotEmpty()) statistics.restore(meta.collisionSums, meta.impactSpeeds.toLongArray())
+                return Run(directory, scenario, simulation, transport(setup), statistics, meta?.fileLengths, meta?.wallSeconds ?: 0.0, lock, notices)
             } catch (e: RuntimeException) {
                 lock.close()
                 throw e
@@ -241,9 +249,17 @@ public class Run private constructor(
             throw InputException("", null, notices.joinToString("; ") + "; no checkpoint is left to go on from, run the scenario again")
         }
 
+        private fun transport(setup: ScenarioSetup): TransportRows? = if (setup.scenario.output.transportEvery == 0) {
+            null
+        } else {
+            TransportRows(setup.angularSpeed, setup.scenario.firstBody ?: Int.MAX_VALUE, setup.forces.filterIsInstance<SelfGravity>().firstOrNull())
+        }
+
         private fun simulation(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory): Simulation {
             val engine = engineOf(setup.scenario, source, engines)
-            val forcing = CollisionForcing(setup.restitution, setup.guard, engine, setup.scenario.output.collisionLog)
+            val output = setup.scenario.output
+            val records = output.collisionLog || output.transportEvery > 0
+            val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, setup.scenario.search)
             if (meta != null) {
                 forcing.counters.collisions = meta.collisions
                 forcing.counters.wallCollisions = meta.wallCollisions

@@ -20,8 +20,16 @@ public class RunDirectory(public val path: Path) {
     public val summary: Path get() = path.resolve("summary.json")
     public val series: Path get() = path.resolve(SERIES)
     public val collisions: Path get() = path.resolve(COLLISIONS)
+
+    /** Moments and sums for transport coefficients; only when the scenario asks for them. */
+    public val transport: Path get() = path.resolve(TRANSPORT)
+
+    /** Distribution of impact speeds, beside [transport]. */
+    public val impacts: Path get() = path.resolve("impacts.csv")
     public val snapshots: Path get() = path.resolve("snapshots")
     public val plots: Path get() = path.resolve("plots")
+    public val tables: Path get() = path.resolve("tables")
+    public val report: Path get() = path.resolve("report.html")
 
     /** Copy of the particle file a scenario started from, if it did. */
     internal fun initial(original: Path): Path = path.resolve("initial." + original.name.substringAfterLast('.', "csv"))
@@ -58,8 +66,8 @@ public class RunDirectory(public val path: Path) {
 
     private fun removeRun() {
         // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks whole.
-        for (file in listOf(scenario, summary, checkpoint, previousCheckpoint, series, collisions)) Files.deleteIfExists(file)
-        for (directory in listOf(snapshots, plots)) {
+        for (file in listOf(scenario, summary, checkpoint, previousCheckpoint, series, transport, impacts, collisions, report)) Files.deleteIfExists(file)
+        for (directory in listOf(snapshots, plots, tables)) {
             if (directory.isDirectory()) for (file in directory.listDirectoryEntries()) Files.deleteIfExists(file)
         }
     }
@@ -98,6 +106,7 @@ public class RunDirectory(public val path: Path) {
 
     internal companion object {
         const val SERIES = "series.csv"
+        const val TRANSPORT = "transport.csv"
         const val COLLISIONS = "collisions.csv"
         private const val LOCK = ".lock"
 

@@ -1,6 +1,9 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.FormatException
 import daphnis.core.format.ParticleCsv
@@ -12,6 +15,7 @@ import daphnis.core.setup.LatticePlacement
 import daphnis.core.setup.ListedSizes
 import daphnis.core.setup.LogNormalSizes
 import daphnis.core.setup.PlacementException
+import daphnis.core.setup.Positions
 import daphnis.core.setup.PowerLawSizes
 import daphnis.core.setup.RandomPlacement
 import daphnis.core.setup.SeededRandom
@@ -22,33 +26,56 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so that changing one leaves the others. */
-internal class InitialState(private val scenario: Scenario, private val box: Box, private val check: ValueCheck) {
+internal class InitialState(private val scenario: Scenario, private val box: Box, private val boundary: BoundaryConditions, private val check: ValueCheck) {
     fun population(): Population {
         val placement = scenario.placement
         if (placement is PlacementSpec.File) return fromFile(placement)
         val spec = scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val radii = radii(spec)
+        val bodies = Bodies(scenario.bodies, spec.density, check)
         val positions = try {
-            val method = if (placement is PlacementSpec.Lattice) LatticePlacement(lattice(placement)) else RandomPlacement()
-            method.place(radii, box, walled(), stream(PLACES))
+            if (placement is PlacementSpec.Lattice) {
+                check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
+                LatticePlacement(lattice(placement)).place(radii, box, walled(), stream(PLACES))
+            } else {
+                RandomPlacement(obstacles = bodies.obstacles).place(radii, box, walled(), stream(PLACES))
+            }
         } catch (e: PlacementException) {
-            check.fail(if (spec.fillingFactor != null) "particles.fillingFactor" else "particles.count", "is ${spec.fillingFactor ?: spec.count}; ${e.message}")
+            val (key, value) = spec.amount()
+            check.fail("particles.$key", "is $value; ${e.message}")
         }
-        val velocities = velocities(radii.size, positions.y)
-        return Population(positions.x, positions.y, positions.z, velocities[0], velocities[1], velocities[2], radii, masses(spec, radii))
+        val velocities = velocities(radii.size, positions)
+        val masses = masses(spec, radii)
+        val flow = boundary.meanFlow
+        return Population(
+            positions.x + bodies.position(0),
+            positions.y + bodies.position(1),
+            positions.z + bodies.position(2),
+            velocities[0] + bodies.velocity(0, flow),
+            velocities[1] + bodies.velocity(1, flow),
+            velocities[2] + bodies.velocity(2, flow),
+            radii + bodies.radius,
+            masses + bodies.mass,
+        )
+    }
+
+    private fun ParticlesSpec.amount(): Pair<String, Number> = when {
+        fillingFactor != null -> "fillingFactor" to fillingFactor
+        opticalDepth != null -> "opticalDepth" to opticalDepth
+        surfaceDensity != null -> "surfaceDensity" to surfaceDensity
+        else -> "count" to (count ?: 0)
     }
 
     private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
 
     private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice == LatticeName.CUBIC) Lattice.SIMPLE_CUBIC else Lattice.FACE_CENTRED_CUBIC
 
-    private fun walled(): BooleanArray {
-        val boundary = scenario.boundary
-        return BooleanArray(3) { boundary is BoundarySpec.Walls && "xyz"[it] in boundary.axes || boundary is BoundarySpec.Open }
-    }
+    /** Where there are no images a sphere is put wholly inside. The paper's sheared box has images to wrap to, though none to touch. */
+    private fun walled(): BooleanArray = BooleanArray(3) { boundary !is ShearedPeriodic && boundary.contactFaces(it) != ContactFaces.PERIODIC }
 
     private fun radii(spec: ParticlesSpec): DoubleArray {
-        check.must("particles", (spec.count == null) != (spec.fillingFactor == null)) { "needs exactly one of count and fillingFactor" }
+        val given = listOfNotNull(spec.count, spec.fillingFactor, spec.opticalDepth, spec.surfaceDensity).size
+        check.must("particles", given == 1) { "needs exactly one of count, fillingFactor, opticalDepth and surfaceDensity" }
         val sizes = sizes(spec.sizes)
         spec.count?.let { count ->
             check.that("particles.count", count, count in 1..MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
@@ -58,35 +85,45 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
             check.that("particles.count", count, filling < CLOSEST_PACKING) { "gives a filling factor of $filling; it must be below $CLOSEST_PACKING" }
             return radii
         }
+        val area = box.length(0) * box.length(1)
+        spec.opticalDepth?.let { depth ->
+            check.positive("particles.opticalDepth", depth)
+            return fill(sizes, depth * area, "particles.opticalDepth", depth) { Math.PI * it * it }
+        }
+        spec.surfaceDensity?.let { density ->
+            check.positive("particles.surfaceDensity", density)
+            check.positive("particles.density", spec.density)
+            spec.mass?.let { check.positive("particles.mass", it) }
+            return fill(sizes, density * area, "particles.surfaceDensity", density) { spec.mass ?: (spec.density * volume(it)) }
+        }
         val filling = spec.fillingFactor!!
         check.that("particles.fillingFactor", filling, filling > 0 && filling < CLOSEST_PACKING) { "must be in (0, $CLOSEST_PACKING), the closest packing" }
-        return fill(sizes, filling)
+        return fill(sizes, filling * box.volume, "particles.fillingFactor", filling) { volume(it) }
     }
 
-    /** As many spheres as come closest to [filling] in the order they are drawn. */
-    private fun fill(sizes: SizeDistribution, filling: Double): DoubleArray {
-        val wanted = filling * box.volume
+    /** As many spheres as bring the sum of [measure] closest to [wanted], in the order they are drawn. */
+    private fun fill(sizes: SizeDistribution, wanted: Double, key: String, value: Double, measure: (Double) -> Double): DoubleArray {
         if (sizes is EqualSizes) {
-            val count = Math.rint(wanted / volume(sizes.radius))
-            check.that("particles.fillingFactor", filling, count >= 1) { "is less than one sphere in this box" }
-            checkMemory("particles.fillingFactor", count)
+            val count = Math.rint(wanted / measure(sizes.radius))
+            check.that(key, value, count >= 1) { "is less than one sphere in this box" }
+            checkMemory(key, count)
             return DoubleArray(count.toInt()) { sizes.radius }
         }
         val random = stream(SIZES)
         var radii = DoubleArray(1024)
         var count = 0
-        var volume = 0.0
+        var sum = 0.0
         while (true) {
             val r = sizes.draw(random)
-            if (volume + volume(r) / 2 > wanted) break
+            if (sum + measure(r) / 2 > wanted) break
             if (count == radii.size) {
-                checkMemory("particles.fillingFactor", 2.0 * count)
+                checkMemory(key, 2.0 * count)
                 radii = radii.copyOf(2 * count)
             }
             radii[count++] = r
-            volume += volume(r)
+            sum += measure(r)
         }
-        check.that("particles.fillingFactor", filling, count >= 1) { "is less than one sphere in this box" }
+        check.that(key, value, count >= 1) { "is less than one sphere in this box" }
         return radii.copyOf(count)
     }
 
@@ -123,7 +160,7 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         return DoubleArray(radii.size) { spec.density * volume(radii[it]) }
     }
 
-    private fun velocities(count: Int, y: DoubleArray): Array<DoubleArray> {
+    private fun velocities(count: Int, positions: Positions): Array<DoubleArray> {
         val spec = scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
         val field = when (spec) {
             is VelocitiesSpec.Rest -> GaussianVelocities(0.0)
@@ -144,7 +181,7 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
             for (axis in 0..2) v[axis][k] = drawn[axis]
         }
         if (spec.zeroMomentum) for (component in v) subtractMean(component)
-        if (spec.shearProfile) for (k in 0 until count) v[0][k] += shearRate() * y[k]
+        if (spec.shearProfile) addMeanFlow(v, positions)
         return v
     }
 
@@ -155,15 +192,18 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         for (k in component.indices) component[k] -= mean
     }
 
-    private fun shearRate(): Double = when (val boundary = scenario.boundary) {
-        is BoundarySpec.LeesEdwards -> boundary.shearRate
-        is BoundarySpec.ShearedPeriodic -> boundary.velocityJump / box.length(1)
-        else -> check.fail("velocities.shearProfile", "is true; it needs a sheared boundary (lees-edwards or sheared-periodic)")
+    private fun addMeanFlow(v: Array<DoubleArray>, positions: Positions) {
+        val flow = boundary.meanFlow
+            ?: check.fail("velocities.shearProfile", "is true; it needs a sheared boundary (lees-edwards, sheared-periodic or hill-sheet)")
+        val across = arrayOf(positions.x, positions.y, positions.z)[flow.normalAxis]
+        val along = v[flow.flowAxis]
+        for (k in along.indices) along[k] += flow.rate * across[k]
     }
 
     private fun fromFile(spec: PlacementSpec.File): Population {
         val key = "placement.path"
         check.must("particles", scenario.particles == null) { "must be left out when the placement is a file" }
+        check.must("bodies", scenario.bodies.isEmpty()) { "must be left out when the placement is a file, which holds them" }
         check.must("velocities", scenario.velocities == null) { "must be left out when the placement is a file, which holds them" }
         val path = Path.of(spec.path)
         check.that(key, spec.path, Files.isRegularFile(path)) { "no such file" }

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.search.SearchStructure
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -8,6 +9,9 @@ import kotlinx.serialization.Serializable
  *
  * Lengths, times and masses are in whatever units the author chose; [units] says how many cm/s one unit of speed is, for
  * restitution laws that were measured in cm/s.
+ *
+ * @property firstBody id of the first of [bodies]; written into the resolved scenario, not for authors
+ * @property until time at which the run ends; when it is given, [untilOrbits] is not looked at. One of the two is needed
  */
 @Serializable
 public data class Scenario(
@@ -15,23 +19,40 @@ public data class Scenario(
     public val description: String = "",
     public val seed: Long = 1,
     public val units: UnitsSpec = UnitsSpec(),
+    public val frame: FrameSpec? = null,
     public val box: BoxSpec,
     public val boundary: BoundarySpec,
     public val particles: ParticlesSpec? = null,
+    public val bodies: List<BodySpec> = emptyList(),
     public val placement: PlacementSpec = PlacementSpec.Random(),
     public val velocities: VelocitiesSpec? = null,
     public val restitution: RestitutionSpec,
     public val guard: GuardSpec? = null,
     public val forces: List<ForceSpec> = emptyList(),
     public val timeStep: TimeStepSpec,
-    public val until: Double,
+    public val until: Double? = null,
+    public val untilOrbits: Double? = null,
+    public val search: SearchStructure = SearchStructure.AUTO,
     public val engine: EngineSpec = EngineSpec(),
     public val output: OutputSpec = OutputSpec(),
-)
+    public val firstBody: Int? = null,
+) {
+    /** Time at which the run ends, of a scenario whose times are written out, see [FrameSetup.withTimes]. */
+    public val end: Double get() = checkNotNull(until) { "times are not written out" }
+}
 
-/** @property speedInCmPerSecond how many cm/s one unit of speed is */
 @Serializable
-public class UnitsSpec(public val speedInCmPerSecond: Double = 1.0)
+public sealed interface FrameSpec {
+    /** Hill's frame: exactly one of [angularSpeed], in radians per unit of time, and [distanceInKm] from the centre of [planet]. */
+    @Serializable
+    @SerialName("hill")
+    public class Hill(
+        public val angularSpeed: Double? = null,
+        public val distanceInKm: Double? = null,
+        public val planet: Planet = Planet.SATURN,
+        public val verticalFactor: Double = 1.0,
+    ) : FrameSpec
+}
 
 /** @property lengths edges along x, y, z; the box is centred on the origin */
 @Serializable
@@ -61,18 +82,38 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("lees-edwards")
     public class LeesEdwards(public val shearRate: Double) : BoundarySpec
+
+    /** The shearing sheet of Hill's frame, or with [radiallyOpen] a ringlet that repeats along the orbit only. */
+    @Serializable
+    @SerialName("hill-sheet")
+    public class HillSheet(public val radiallyOpen: Boolean = false) : BoundarySpec
 }
 
 /**
- * Exactly one of [count] and [fillingFactor]; masses from [density] unless [mass] gives every sphere the same.
+ * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² an area of the x-y plane) and [surfaceDensity] (mass an area); masses from [density] unless [mass] gives every sphere the same.
  */
 @Serializable
 public class ParticlesSpec(
     public val count: Int? = null,
     public val fillingFactor: Double? = null,
+    public val opticalDepth: Double? = null,
+    public val surfaceDensity: Double? = null,
     public val sizes: SizesSpec,
     public val density: Double = 1.0,
     public val mass: Double? = null,
+)
+
+/**
+ * One large sphere, such as a moonlet, at [position]; others are placed around it. Its mass is [mass], or follows from [density]. It moves with the mean flow
+ * unless [velocity] is given.
+ */
+@Serializable
+public class BodySpec(
+    public val radius: Double,
+    public val position: List<Double>,
+    public val density: Double? = null,
+    public val mass: Double? = null,
+    public val velocity: List<Double>? = null,
 )
 
 @Serializable
@@ -179,6 +220,52 @@ public sealed interface ForceSpec {
     @Serializable
     @SerialName("uniform-acceleration")
     public class UniformAcceleration(public val acceleration: List<Double>) : ForceSpec
+
+    /**
+     * A moon on a given epicyclic orbit in Hill's frame, of which the ring feels the gravity and the moon feels nothing.
+     *
+     * @property massRatio mass over that of the planet; exactly one of it and [mass]
+     * @property x radial position of its guiding centre
+     * @property y azimuthal position of its guiding centre at time 0
+     * @property e amplitude of its epicycle in units of length: eccentricity times semi-major axis
+     * @property phase φ at time 0 in radians; pericentre at 0
+     * @property softening length ε in 1/(r² + ε²)
+     * @property radius particles that touch it are removed; 0 for a point
+     */
+    @Serializable
+    @SerialName("satellite")
+    public class Satellite(
+        public val massRatio: Double? = null,
+        public val mass: Double? = null,
+        public val x: Double,
+        public val y: Double,
+        public val e: Double = 0.0,
+        public val phase: Double = 0.0,
+        public val softening: Double = 0.0,
+        public val radius: Double = 0.0,
+    ) : ForceSpec
+
+    /**
+     * Gravity between the particles, by a tree.
+     *
+     * @property openingAngle a node is taken as one mass when its size is below this times its distance
+     * @property softening length ε in 1/(r² + ε²)
+     * @property images boxes on each side whose images attract
+     * @property constant G in the scenario's units; from [Scenario.units] when left out
+     */
+    @Serializable
+    @SerialName("self-gravity")
+    public class SelfGravity(
+        public val openingAngle: Double = 0.5,
+        public val softening: Double = 0.0,
+        public val images: Int = 1,
+        public val constant: Double? = null,
+    ) : ForceSpec
+
+    /** Gravity of [Scenario.bodies] on all others and, as reaction, of these on them; not among the others. Nearest images. */
+    @Serializable
+    @SerialName("body-gravity")
+    public class BodyGravity(public val softening: Double = 0.0, public val constant: Double? = null) : ForceSpec
 }
 
 @Serializable
@@ -186,6 +273,11 @@ public sealed interface TimeStepSpec {
     @Serializable
     @SerialName("fixed")
     public class Fixed(public val dt: Double) : TimeStepSpec
+
+    /** [steps] equal steps an orbit of the frame. */
+    @Serializable
+    @SerialName("orbit-fraction")
+    public class OrbitFraction(public val steps: Double) : TimeStepSpec
 
     /** The fastest sphere crosses at most [fraction] of [cell] (default: mean distance between spheres); never longer than [longest]. */
     @Serializable
@@ -196,11 +288,16 @@ public sealed interface TimeStepSpec {
 @Serializable
 public class EngineSpec(public val name: String = "islands", public val threads: Int = 0)
 
-/** How often to write, in steps; 0 means never (checkpoints: only at the end). */
+/**
+ * How often to write, in steps; 0 means never (checkpoints: only at the end).
+ *
+ * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and what collisions carried
+ */
 @Serializable
 public class OutputSpec(
     public val seriesEvery: Int = 1,
     public val snapshotEvery: Int = 0,
     public val checkpointEvery: Int = 100,
     public val collisionLog: Boolean = false,
+    public val transportEvery: Int = 0,
 )

@@ -5,6 +5,7 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
@@ -19,7 +20,6 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
-import daphnis.core.force.UniformAcceleration
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -30,6 +30,7 @@ import kotlin.math.sqrt
  * Everything here is a pure function of the scenario (and of the particle file it may name), so a scenario gives the same initial state
  * on every machine.
  *
+ * @property angularSpeed of the frame, in radians per unit of time; null without a frame
  * @property scenario with every default that depends on others written out, so that it means the same again
  */
 public class ScenarioSetup private constructor(
@@ -40,6 +41,7 @@ public class ScenarioSetup private constructor(
     public val guard: CollapseGuard,
     public val forces: List<Force>,
     public val timeStep: TimeStep,
+    public val angularSpeed: Double?,
 ) {
     public companion object {
         /** Memory a sphere needs with population, packed rows, grid and queue: the most measured (docs/performance.md) and some room. */
@@ -52,31 +54,44 @@ public class ScenarioSetup private constructor(
          * @param state the population to go on with, or null for the initial state that the scenario describes
          * @throws InputException for whatever is wrong
          */
-        public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup {
+        public fun of(given: Scenario, source: String, state: Population? = null): ScenarioSetup {
             val check = ValueCheck(source)
+            checkUnits(given.units, check)
+            val scenario = FrameSetup.withTimes(given, source)
+            val omega = FrameSetup.angularSpeed(scenario, source)
             checkRun(scenario, check)
             val box = box(scenario, check)
-            val boundary = boundary(scenario, box, check)
+            val shape = boundary(scenario, box, omega, check)
             val restitution = restitution(scenario, check)
-            val forces = scenario.forces.mapIndexed { k, f -> force(f, "forces[$k]", check) }
-            val population = state ?: InitialState(scenario, box, check).population()
+            val initial = InitialState(scenario, box, shape, check)
+            val population = state ?: initial.population()
+            val forceSetup = ForceSetup(scenario, omega, check)
+            val forces = forceSetup.forces(shape, scenario.firstBody ?: (population.size - scenario.bodies.size))
+            val boundary = forceSetup.boundary
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
             val timeStepSpec = resolve(scenario.timeStep, box, population)
             val timeStep = timeStep(timeStepSpec, check)
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
-            val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec)
-            return ScenarioSetup(resolved, population, boundary, restitution, guard(guardSpec, check), forces, timeStep)
+            val firstBody = if (scenario.bodies.isEmpty()) null else scenario.firstBody ?: (population.size - scenario.bodies.size)
+            val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec, firstBody = firstBody)
+            return ScenarioSetup(resolved, population, boundary, restitution, guard(guardSpec, check), forces, timeStep, omega)
+        }
+
+        private fun checkUnits(units: UnitsSpec, check: ValueCheck) {
+            check.positive("units.speedInCmPerSecond", units.speedInCmPerSecond)
+            units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
+            check.positive("units.massInKg", units.massInKg)
         }
 
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
-            check.positive("until", scenario.until)
-            check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
+            check.positive("until", scenario.end)
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
                 "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
             }
             val output = scenario.output
             check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) { "must be >= 0 (0 for never)" }
             check.that("output.snapshotEvery", output.snapshotEvery, output.snapshotEvery >= 0) { "must be >= 0 (0 for never)" }
+            check.that("output.transportEvery", output.transportEvery, output.transportEvery >= 0) { "must be >= 0 (0 for never)" }
             check.that("output.checkpointEvery", output.checkpointEvery, output.checkpointEvery >= 0) { "must be >= 0 (0 for the end only)" }
         }
 
@@ -89,7 +104,7 @@ public class ScenarioSetup private constructor(
             return box
         }
 
-        private fun boundary(scenario: Scenario, box: Box, check: ValueCheck): BoundaryConditions = when (val spec = scenario.boundary) {
+        private fun boundary(scenario: Scenario, box: Box, omega: Double?, check: ValueCheck): BoundaryConditions = when (val spec = scenario.boundary) {
             is BoundarySpec.Open -> Open
             is BoundarySpec.Periodic -> Periodic(box)
             is BoundarySpec.Walls -> {
@@ -100,6 +115,7 @@ public class ScenarioSetup private constructor(
             }
             is BoundarySpec.ShearedPeriodic -> ShearedPeriodic(box, spec.velocityJump)
             is BoundarySpec.LeesEdwards -> LeesEdwards(box, spec.shearRate)
+            is BoundarySpec.HillSheet -> HillSheet(box, omega ?: check.fail("boundary", "is a hill-sheet; it needs a frame of type hill"), spec.radiallyOpen)
         }
 
         private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
@@ -118,14 +134,6 @@ public class ScenarioSetup private constructor(
                     check.positive("restitution.criticalSpeed", spec.criticalSpeed)
                     BorderiesRestitution(spec.criticalSpeed, unit)
                 }
-            }
-        }
-
-        private fun force(spec: ForceSpec, key: String, check: ValueCheck): Force = when (spec) {
-            is ForceSpec.UniformAcceleration -> {
-                val a = spec.acceleration
-                check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
-                UniformAcceleration(a[0], a[1], a[2])
             }
         }
 
@@ -165,6 +173,7 @@ public class ScenarioSetup private constructor(
         }
 
         private fun timeStep(spec: TimeStepSpec, check: ValueCheck): TimeStep = when (spec) {
+            is TimeStepSpec.OrbitFraction -> error("times are written out before")
             is TimeStepSpec.Fixed -> {
                 check.positive("timeStep.dt", spec.dt)
                 FixedTimeStep(spec.dt)

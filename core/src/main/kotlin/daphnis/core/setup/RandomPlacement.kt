@@ -9,12 +9,13 @@ import kotlin.math.floor
  * 0.35 for equal spheres (the process jams at 0.384, and the tries a sphere grow fast before).
  *
  * @param mostTries tries for one sphere before giving up
+ * @param obstacles spheres that stand already
  */
-public class RandomPlacement(private val mostTries: Int = 200_000) : Placement {
+public class RandomPlacement(private val mostTries: Int = 200_000, private val obstacles: List<Obstacle> = emptyList()) : Placement {
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         val positions = Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
         val bySize = radii.indices.sortedByDescending { radii[it] }.toIntArray()
-        val space = OccupiedSpace(radii, positions, box, walled)
+        val space = OccupiedSpace(radii, positions, box, walled, obstacles)
         for (sphere in bySize) placeOne(sphere, radii[sphere], box, walled, random, space, positions)
         return positions
     }
@@ -45,17 +46,27 @@ public class RandomPlacement(private val mostTries: Int = 200_000) : Placement {
     }
 }
 
+/** A sphere that others are placed around; its images along axes without walls count too. */
+public class Obstacle(public val x: Double, public val y: Double, public val z: Double, public val radius: Double)
+
 /**
  * The spheres placed so far, in one linked-cell grid for each octave of radius. Spheres come largest first, so all that are there are at
  * least as large as the one asked for, and neighbouring cells suffice in every octave.
  */
-private class OccupiedSpace(private val radii: DoubleArray, private val positions: Positions, private val box: Box, private val walled: BooleanArray) {
+private class OccupiedSpace(
+    private val radii: DoubleArray,
+    private val positions: Positions,
+    private val box: Box,
+    private val walled: BooleanArray,
+    private val obstacles: List<Obstacle>,
+) {
     private class Octave(val largest: Double, val cells: IntArray, val heads: IntArray)
 
     private val octaves = ArrayList<Octave>()
     private val next = IntArray(radii.size)
 
-    fun isFree(x: Double, y: Double, z: Double, radius: Double): Boolean = octaves.all { isFree(it, x, y, z, radius) }
+    fun isFree(x: Double, y: Double, z: Double, radius: Double): Boolean =
+        obstacles.none { overlaps(it.x, it.y, it.z, it.radius, x, y, z, radius) } && octaves.all { isFree(it, x, y, z, radius) }
 
     fun add(sphere: Int) {
         val r = radii[sphere]
@@ -92,7 +103,7 @@ private class OccupiedSpace(private val radii: DoubleArray, private val position
                     val cell = (Math.floorMod(cz + kz, n[2]) * n[1] + Math.floorMod(cy + ky, n[1])) * n[0] + Math.floorMod(cx + kx, n[0])
                     var other = octave.heads[cell]
                     while (other >= 0) {
-                        if (overlaps(other, x, y, z, radius)) return false
+                        if (overlaps(positions.x[other], positions.y[other], positions.z[other], radii[other], x, y, z, radius)) return false
                         other = next[other]
                     }
                 }
@@ -106,11 +117,11 @@ private class OccupiedSpace(private val radii: DoubleArray, private val position
 
     private fun last(cells: Int): Int = if (cells >= 2) 1 else 0
 
-    private fun overlaps(other: Int, x: Double, y: Double, z: Double, radius: Double): Boolean {
-        val dx = apart(positions.x[other] - x, 0)
-        val dy = apart(positions.y[other] - y, 1)
-        val dz = apart(positions.z[other] - z, 2)
-        val s = radii[other] + radius
+    private fun overlaps(ox: Double, oy: Double, oz: Double, or: Double, x: Double, y: Double, z: Double, radius: Double): Boolean {
+        val dx = apart(ox - x, 0)
+        val dy = apart(oy - y, 1)
+        val dz = apart(oz - z, 2)
+        val s = or + radius
         return dx * dx + dy * dy + dz * dz < s * s
     }
 

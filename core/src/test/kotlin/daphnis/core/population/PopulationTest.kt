@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class PopulationTest {
+    private val flow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = 1.0)
+
     private val p = randomSpheres(500, Periodic(Box.centred(20.0, 20.0, 20.0)), 5, 1.0) { 0.3 }
 
     @Test
@@ -23,7 +25,7 @@ class PopulationTest {
         val a = Conserved.of(p)
         val b = Conserved.of(q)
         assertEquals(listOf(a.kineticEnergy, a.momentumX, a.momentumY, a.momentumZ), listOf(b.kineticEnergy, b.momentumX, b.momentumY, b.momentumZ))
-        assertEquals(granularTemperature(p, true), granularTemperature(q, true))
+        assertEquals(granularTemperature(p, flow), granularTemperature(q, flow))
     }
 
     @Test
@@ -53,16 +55,16 @@ class PopulationTest {
 
     @Test
     fun `the granular temperature leaves out the mean and the sheared flow`() {
-        val still = granularTemperature(p, false)
+        val still = granularTemperature(p, null)
         val moving = p.copy()
         for (k in 0 until moving.size) {
             moving.vx[k] += 5 + 0.7 * moving.y[k]
             moving.vz[k] -= 2
         }
-        assertEquals(granularTemperature(p, true), granularTemperature(moving, true), 1e-12)
-        assertTrue(granularTemperature(moving, false) > still + 1)
+        assertEquals(granularTemperature(p, flow), granularTemperature(moving, flow), 1e-12)
+        assertTrue(granularTemperature(moving, null) > still + 1)
         assertEquals(1.0, still, 0.1)
-        assertEquals(0.0, granularTemperature(populationOf(Sphere(vx = 3.0)), true))
+        assertEquals(0.0, granularTemperature(populationOf(Sphere(vx = 3.0)), flow))
     }
 
     @Test

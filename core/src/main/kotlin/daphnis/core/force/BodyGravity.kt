@@ -1,0 +1,100 @@
+package daphnis.core.force
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.Images
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Population
+import kotlin.math.sqrt
+
+/**
+ * Gravity between a few heavy spheres and everybody, pair by pair: moonlets embedded in a ring. The others do not attract one another. Along periodic
+ * axes the nearest image counts; images that slide are where they are at the time. A light sphere pulls a body as much as the body pulls it, so
+ * Σ m v is conserved to round-off; sums in the order of ids.
+ *
+ * @param bodies ids of the heavy spheres; who was removed is passed over
+ * @param constant G, in length³/(mass · time²)
+ * @param softening ε in 1/(r² + ε²), length
+ */
+public class BodyGravity(private val bodies: IntArray, private val boundary: BoundaryConditions, private val constant: Double, private val softening: Double = 0.0) :
+    Kick {
+    private var loop: RangeLoop = InlineLoop
+    private val images = Images()
+    private val length = DoubleArray(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) boundary.box.length(it) else 0.0 }
+    private val normal = boundary.shear?.normalAxis ?: -1
+    private val slide = boundary.shear?.slideAxis ?: -1
+
+    // Pull of the sphere at each index on the body at hand, by component.
+    private var pull = Array(3) { DoubleArray(0) }
+
+    init {
+        require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be >= 0" }
+        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be >= 0" }
+    }
+
+    override fun useLoop(loop: RangeLoop) {
+        this.loop = loop
+    }
+
+    override fun kick(population: Population, time: Double, duration: Double) {
+        images.prepare(boundary, time)
+        if (pull[0].size < population.size) pull = Array(3) { DoubleArray(population.size) }
+        for (n in bodies.indices) {
+            val body = population.indexOf(bodies[n])
+            if (body < 0) continue
+            loop.run(population.size) { _, from, to -> kickOthers(population, body, n, duration, from, to) }
+            react(population, body)
+        }
+    }
+
+    /** Kicks all but the body and the bodies before it, with which it has exchanged kicks; notes what they give it. */
+    private fun kickOthers(p: Population, body: Int, n: Int, duration: Double, from: Int, to: Int) {
+        val d = DoubleArray(3)
+        for (k in from until to) {
+            for (axis in 0..2) pull[axis][k] = 0.0
+            if (k == body || isEarlierBody(p.id[k], n)) continue
+            towardNearest(d, p.x[body] - p.x[k], p.y[body] - p.y[k], p.z[body] - p.z[k])
+            val d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + softening * softening
+            if (d2 == 0.0) continue
+            val f = constant * duration / (d2 * sqrt(d2))
+            p.vx[k] += f * p.mass[body] * d[0]
+            p.vy[k] += f * p.mass[body] * d[1]
+            p.vz[k] += f * p.mass[body] * d[2]
+            for (axis in 0..2) pull[axis][k] = f * p.mass[k] * d[axis]
+        }
+    }
+
+    private fun isEarlierBody(id: Int, n: Int): Boolean {
+        for (m in 0 until n) if (bodies[m] == id) return true
+        return false
+    }
+
+    private fun towardNearest(d: DoubleArray, dx: Double, dy: Double, dz: Double) {
+        d[0] = dx
+        d[1] = dy
+        d[2] = dz
+        if (normal >= 0) {
+            val boxes = Math.rint(d[normal] / length[normal])
+            d[normal] -= boxes * length[normal]
+            d[slide] -= boxes * images.shearOffset
+        }
+        for (axis in 0..2) if (axis != normal && length[axis] > 0) d[axis] -= Math.rint(d[axis] / length[axis]) * length[axis]
+    }
+
+    private fun react(p: Population, body: Int) {
+        var x = 0.0
+        var y = 0.0
+        var z = 0.0
+        for (id in 0 until p.idBound) {
+            val k = p.indexOf(id)
+            if (k < 0) continue
+            x += pull[0][k]
+            y += pull[1][k]
+            z += pull[2][k]
+        }
+        p.vx[body] -= x
+        p.vy[body] -= y
+        p.vz[body] -= z
+    }
+}

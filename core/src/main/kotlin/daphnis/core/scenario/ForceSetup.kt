@@ -1,0 +1,80 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.force.BodyGravity
+import daphnis.core.force.Epicycle
+import daphnis.core.force.Force
+import daphnis.core.force.HillFrame
+import daphnis.core.force.Satellite
+import daphnis.core.force.SatelliteSurface
+import daphnis.core.force.SelfGravity
+import daphnis.core.force.UniformAcceleration
+
+/** Makes the forces of a scenario; a satellite with a radius also adds to the boundary conditions. */
+internal class ForceSetup(private val scenario: Scenario, private val omega: Double?, private val check: ValueCheck) {
+    /** The boundary conditions with what forces add to them; complete after [forces]. */
+    lateinit var boundary: BoundaryConditions
+        private set
+
+    /** @param particles number of spheres besides the bodies, whose ids come first */
+    fun forces(boundary: BoundaryConditions, particles: Int): List<Force> {
+        this.boundary = boundary
+        val forces = scenario.forces.mapIndexed { k, spec -> force(spec, "forces[$k]", particles) }
+        val frame = scenario.frame as? FrameSpec.Hill ?: return forces
+        return forces + HillFrame(omega!!, frame.verticalFactor)
+    }
+
+    private fun force(spec: ForceSpec, key: String, particles: Int): Force = when (spec) {
+        is ForceSpec.UniformAcceleration -> {
+            val a = spec.acceleration
+            check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
+            UniformAcceleration(a[0], a[1], a[2])
+        }
+        is ForceSpec.Satellite -> satellite(spec, key)
+        is ForceSpec.SelfGravity -> {
+            check.that("$key.openingAngle", spec.openingAngle, spec.openingAngle >= 0 && spec.openingAngle <= 1) { "must be in [0, 1]" }
+            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
+            check.that("$key.images", spec.images, spec.images in 0..MOST_IMAGES) { "must be in 0..$MOST_IMAGES" }
+            SelfGravity(boundary, constant(spec.constant, key), spec.openingAngle, spec.softening, spec.images)
+        }
+        is ForceSpec.BodyGravity -> {
+            check.must(key, scenario.bodies.isNotEmpty()) { "is body-gravity; it needs bodies" }
+            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
+            BodyGravity(IntArray(scenario.bodies.size) { particles + it }, boundary, constant(spec.constant, key), spec.softening)
+        }
+    }
+
+    private fun constant(given: Double?, key: String): Double {
+        if (given != null) {
+            check.that("$key.constant", given, given >= 0) { "must be >= 0" }
+            return given
+        }
+        return scenario.units.gravitationalConstant
+            ?: check.fail("$key.constant", "is missing; give it, or units.lengthInMetres, from which it follows")
+    }
+
+    private fun satellite(spec: ForceSpec.Satellite, key: String): Satellite {
+        val omega = omega ?: check.fail(key, "is a satellite; it needs a frame of type hill")
+        check.must(key, (spec.massRatio == null) != (spec.mass == null)) { "needs exactly one of massRatio and mass" }
+        val strength = if (spec.mass != null) {
+            check.positive("$key.mass", spec.mass)
+            spec.mass * constant(null, key)
+        } else {
+            check.positive("$key.massRatio", spec.massRatio!!)
+            val planet = (scenario.frame as FrameSpec.Hill).planet
+            val parameter = scenario.units.gravitationalParameter(planet)
+                ?: check.fail("units.lengthInMetres", "is missing; the mass ratio of a satellite needs it")
+            spec.massRatio * parameter
+        }
+        check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
+        check.that("$key.e", spec.e, spec.e >= 0) { "must be >= 0" }
+        check.that("$key.radius", spec.radius, spec.radius >= 0) { "must be >= 0 (0 for a point)" }
+        val satellite = Satellite(strength, Epicycle(spec.x, spec.y, spec.e, spec.phase), omega, spec.softening)
+        if (spec.radius > 0) boundary = SatelliteSurface(boundary, satellite, spec.radius)
+        return satellite
+    }
+
+    private companion object {
+        const val MOST_IMAGES = 16
+    }
+}

@@ -1,0 +1,41 @@
+package daphnis.core.scenario
+
+/** What a scenario's frame means in its units, and times given in orbits. */
+public object FrameSetup {
+    /**
+     * Angular speed of the frame in radians per unit of time; null when there is no frame.
+     *
+     * @param source what to call the scenario in messages
+     * @throws InputException when the frame is not determined
+     */
+    public fun angularSpeed(scenario: Scenario, source: String): Double? {
+        val check = ValueCheck(source)
+        val frame = scenario.frame as? FrameSpec.Hill ?: return null
+        check.must("frame", (frame.angularSpeed == null) != (frame.distanceInKm == null)) { "needs exactly one of angularSpeed and distanceInKm" }
+        check.that("frame.verticalFactor", frame.verticalFactor, frame.verticalFactor >= 0) { "must be >= 0" }
+        frame.angularSpeed?.let { return it.also { speed -> check.positive("frame.angularSpeed", speed) } }
+        val distance = frame.distanceInKm!!
+        check.positive("frame.distanceInKm", distance)
+        scenario.units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
+        check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
+        val second = scenario.units.timeInSeconds ?: check.fail("units.lengthInMetres", "is missing; frame.distanceInKm needs it")
+        return frame.planet.angularSpeed(distance) * second
+    }
+
+    /** The scenario with `untilOrbits` and a step given as part of an orbit written out in units of time. */
+    public fun withTimes(scenario: Scenario, source: String): Scenario {
+        val check = ValueCheck(source)
+        val omega = angularSpeed(scenario, source)
+        val orbit = if (omega == null) null else 2 * Math.PI / omega
+        val until = scenario.until ?: scenario.untilOrbits?.let { orbits ->
+            check.positive("untilOrbits", orbits)
+            orbits * (orbit ?: check.fail("untilOrbits", "is $orbits; it needs a frame, else give until"))
+        }
+        val end = until ?: check.fail("until", "is missing; it must be a finite number (or give untilOrbits)")
+        val step = scenario.timeStep
+        if (step !is TimeStepSpec.OrbitFraction) return scenario.copy(until = end, untilOrbits = null)
+        check.positive("timeStep.steps", step.steps)
+        val length = orbit ?: check.fail("timeStep", "is part of an orbit; it needs a frame")
+        return scenario.copy(until = end, untilOrbits = null, timeStep = TimeStepSpec.Fixed(length / step.steps))
+    }
+}

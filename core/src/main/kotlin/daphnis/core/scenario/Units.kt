@@ -1,0 +1,69 @@
+package daphnis.core.scenario
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlin.math.sqrt
+
+/**
+ * What the numbers of a scenario are in SI units.
+ *
+ * @property speedInCmPerSecond how many cm/s one unit of speed is; restitution laws are measured in cm/s
+ * @property lengthInMetres how many metres one unit of length is; needed for planets and gravity, whose constants are known in SI units
+ * @property massInKg how many kilograms one unit of mass is
+ */
+@Serializable
+public class UnitsSpec(public val speedInCmPerSecond: Double = 1.0, public val lengthInMetres: Double? = null, public val massInKg: Double = 1.0) {
+    /** How many seconds one unit of time is; null when the length is not known. */
+    public val timeInSeconds: Double? get() = lengthInMetres?.let { it * CM_PER_METRE / speedInCmPerSecond }
+
+    /** Newton's constant in length³/(mass · time²); null when the length is not known. CODATA 2018. */
+    public val gravitationalConstant: Double?
+        get() {
+            val length = lengthInMetres ?: return null
+            val time = timeInSeconds ?: return null
+            return GRAVITATIONAL_CONSTANT * massInKg * time * time / (length * length * length)
+        }
+
+    /** GM of [planet] in length³/time²; null when the length is not known. */
+    public fun gravitationalParameter(planet: Planet): Double? {
+        val length = lengthInMetres ?: return null
+        val time = timeInSeconds ?: return null
+        return planet.gravitationalParameter * time * time / (length * length * length)
+    }
+
+    public companion object {
+        /** m³ kg⁻¹ s⁻², CODATA 2018. */
+        public const val GRAVITATIONAL_CONSTANT: Double = 6.67430e-11
+        private const val CM_PER_METRE = 100.0
+    }
+}
+
+/**
+ * Planets with rings.
+ *
+ * @property gravitationalParameter GM in m³/s² (Jacobson and others, JPL; to the digits that matter here)
+ */
+@Serializable
+public enum class Planet(public val gravitationalParameter: Double) {
+    @SerialName("saturn")
+    SATURN(3.7931206e16),
+
+    @SerialName("jupiter")
+    JUPITER(1.26686532e17),
+
+    @SerialName("uranus")
+    URANUS(5.793951e15),
+
+    @SerialName("neptune")
+    NEPTUNE(6.835100e15),
+
+    ;
+
+    /** Angular speed in rad/s of a circular orbit [distanceInKm] from the centre; the planet's oblateness is left out (1 % at Saturn's rings). */
+    public fun angularSpeed(distanceInKm: Double): Double {
+        val metres = distanceInKm * METRES_PER_KM
+        return sqrt(gravitationalParameter / (metres * metres * metres))
+    }
+}
+
+private const val METRES_PER_KM = 1000.0
