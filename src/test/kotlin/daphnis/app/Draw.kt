@@ -8,6 +8,7 @@ import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
@@ -22,12 +23,18 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.force.Epicycle
+import daphnis.core.force.Force
+import daphnis.core.force.HillFrame
+import daphnis.core.force.Satellite
+import daphnis.core.force.SelfGravity
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.parallel.ThreadPerTask
 import daphnis.core.population.Population
 import daphnis.core.search.GridSort
+import daphnis.core.search.SearchStructure
 import daphnis.core.setup.Lattice
 import daphnis.core.setup.LatticePlacement
 import daphnis.core.setup.PlacementException
@@ -41,6 +48,12 @@ class Draw(val seed: Long) {
     private val filling = Math.exp(random.nextDouble(Math.log(0.01), Math.log(0.5)))
     private val clumped = random.nextInt(4) == 0
     private val flat = random.nextInt(3) == 0
+
+    /** How neighbours are looked for. */
+    private val search = SearchStructure.entries[random.nextInt(3)]
+
+    /** Of Hill's frame, where the boundary is its sheet. */
+    private val omega = random.nextDouble(0.02, 0.2)
     private val radii = drawRadii()
     private val volume = radii.sumOf { 4.0 / 3 * Math.PI * it * it * it } / filling
     private val box = drawBox()
@@ -60,7 +73,17 @@ class Draw(val seed: Long) {
     private fun drawRadii(): DoubleArray {
         val count = if (random.nextInt(5) == 0) 1 + random.nextInt(30) else Math.exp(random.nextDouble(Math.log(30.0), Math.log(3000.0))).toInt()
         val smallest = if (filling > 0.3 || random.nextInt(2) == 0) 1.0 else random.nextDouble(0.1, 1.0)
-        return DoubleArray(count) { if (smallest == 1.0) 1.0 else random.nextDouble(smallest, 1.0) }
+        // Some with a few much larger ones among many small, for the search by size.
+        val wide = smallest < 0.5 && random.nextInt(2) == 0
+        return DoubleArray(count) {
+            if (smallest == 1.0) {
+                1.0
+            } else if (wide && it % 50 != 0) {
+                random.nextDouble(0.02, 0.1)
+            } else {
+                random.nextDouble(smallest, 1.0)
+            }
+        }
     }
 
     private fun drawBox(): Box {
@@ -69,13 +92,14 @@ class Draw(val seed: Long) {
         return Box.centred(maxOf(x, 2.2), maxOf(volume / height / x, 2.2), maxOf(height, 2.2))
     }
 
-    private fun drawBoundary(): BoundaryConditions = when (random.nextInt(8)) {
+    private fun drawBoundary(): BoundaryConditions = when (random.nextInt(10)) {
         0 -> Open
         1 -> Periodic(box, random.nextInt(2) == 0, true, random.nextInt(2) == 0)
         2 -> Walls(box, random.nextDouble(0.5, 1.0))
         3 -> Walls(box, 1.0, booleanArrayOf(false, true, false))
         4 -> ShearedPeriodic(box, random.nextDouble(-1.0, 1.0))
         5, 6 -> LeesEdwards(box, random.nextDouble(-0.3, 0.3))
+        7, 8 -> HillSheet(box, omega, radiallyOpen = random.nextInt(4) == 0)
         else -> Periodic(box)
     }
 
@@ -118,7 +142,15 @@ class Draw(val seed: Long) {
     }
 
     fun simulation(engine: CollisionEngine) =
-        Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine, recordCollisions = true), FixedTimeStep(dt))
+        Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine, recordCollisions = true, search = search), FixedTimeStep(dt), forces())
+
+    /** In the sheet: Hill's frame, a moon beside it, and in some gravity, whose sums engines spread over their threads. */
+    private fun forces(): List<Force> {
+        if (boundary !is HillSheet || dt * omega > 1) return emptyList()
+        val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), omega, softening = 0.5)
+        val frame = HillFrame(omega, verticalFactor = 1.5)
+        return if (seed % 3 == 0L) listOf(frame, moon, SelfGravity(boundary, omega * omega / 50)) else listOf(moon, frame)
+    }
 
     /** One of each parallel engine, with random threads and settings. */
     fun engines(host: ActorSystem<*>): List<CollisionEngine> {

@@ -58,7 +58,7 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
         wallCollisions = 0
         guarded = 0
         step.record?.clear()
-        grid.build(population, step.boundary, step.start, step.duration, reach.bound)
+        grid.build(population, step.boundary, step.start, step.duration, reach.bound, structure = step.search)
         rows.load(population, grid.order, step.law.guard.needsLastCollision)
         queue.reset(step.duration, rows.id, rows.size)
         search.prepare(step.duration)

@@ -22,9 +22,12 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     public var image: IntArray = IntArray(INITIAL)
         private set
 
-    private val layout = grid.layout
-    private val cells = layout.cells
-    private val periodic = layout.periodic
+    private val levels = grid.levels
+
+    // The class of sizes at hand.
+    private var layout = GridLayout()
+    private var cells = layout.cells
+    private var periodic = layout.periodic
     private var starts = grid.cellStart
     private var count = 0
 
@@ -38,6 +41,9 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private var radius = 0.0
     private var time = 0.0
     private var bounds: RowBounds? = null
+
+    // Whether the sphere is so large against the cells that it pays to go round it instead of through its cube.
+    private var isRound = false
     private var closeFrom = 0
     private var closeTo = 0
 
@@ -51,21 +57,31 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         count = 0
         time = 0.0
         starts = grid.cellStart
-        cover(x, y, z, wayX, wayY, wayZ, radius)
+        val own = if (levels.count == 1) 0 else levels.of(radius)
+        cover(own, x, y, z, wayX, wayY, wayZ, radius)
+        addAhead(slot, x, y, z)
+        // Smaller ones find this one from their side.
+        for (level in own + 1 until levels.count) {
+            cover(level, x, y, z, wayX, wayY, wayZ, radius)
+            addAll()
+        }
+        return count
+    }
+
+    private fun addAhead(slot: Int, x: Double, y: Double, z: Double) {
         val c1 = layout.cellAt(layout.pick(1, x, y, z), 1)
         val c2 = layout.cellAt(layout.pick(2, x, y, z), 2)
         // Rest of the own row: later slots, then cells ahead; then the rows ahead, those of the own layer and those of the layers above.
-        val rowStart = (c2 * cells[1] + c1) * cells[0]
+        val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
         var last = most[0]
         val bounds = bounds
-        if (bounds != null) last = if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0)) closeTo else -1
+        if (bounds != null) last = if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
         if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)
         if (periodic[0]) addCells(rowStart, cells[0], last, 0, 0)
         for (row in c1 + 1..most[1]) addRow(row, c2)
         for (layer in c2 + 1..most[2]) {
             for (row in least[1]..most[1]) addRow(row, layer)
         }
-        return count
     }
 
     /**
@@ -78,15 +94,25 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         count = 0
         this.time = time
         starts = grid.cellStart
-        cover(x, y, z, wayX, wayY, wayZ, radius)
-        for (layer in least[2]..most[2]) {
-            for (row in least[1]..most[1]) addRow(row, layer)
+        for (level in 0 until levels.count) {
+            cover(level, x, y, z, wayX, wayY, wayZ, radius)
+            addAll()
         }
         return count
     }
 
-    private fun cover(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double) {
+    private fun addAll() {
+        for (layer in least[2]..most[2]) {
+            for (row in least[1]..most[1]) addRow(row, layer)
+        }
+    }
+
+    private fun cover(level: Int, x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double) {
+        layout = levels[level]
+        cells = layout.cells
+        periodic = layout.periodic
         this.radius = radius
+        isRound = radius > ROUND_FROM * Math.max(layout.widths[1], layout.widths[2])
         bounds = if (closer != null && closer.isInUse) closer else null
         for (k in 0..2) {
             val from = layout.pick(k, x, y, z)
@@ -113,12 +139,20 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
             image2 = Math.floorDiv(c2, cells[2])
             c2 -= image2 * cells[2]
         }
-        val rowStart = (c2 * cells[1] + c1) * cells[0]
+        val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
         var from = least[0]
         var to = most[0]
+        var slack = radius + layout.ownMargin[0]
+        if (isRound) {
+            slack = halfChord(r1, r2)
+            if (slack < 0) return
+            val reach = layout.margin[0] - layout.ownMargin[0]
+            from = layout.cellToward(Math.min(here[0], there[0]) - slack - reach, 0)
+            to = layout.cellToward(Math.max(here[0], there[0]) + slack + reach, 0)
+        }
         val bounds = bounds
         if (bounds != null) {
-            if (!isWithin(bounds, c2 * cells[1] + c1, r1, r2, image2)) return
+            if (!isWithin(bounds, c2 * cells[1] + c1, r1, r2, image2, slack)) return
             from = closeFrom
             to = closeTo
         } else if (image2 != 0 && layout.slides) {
@@ -134,13 +168,35 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     /**
+     * How far along the row at hand as ([r1], [r2]) the sphere, on its way, can touch one that started there, if it does not move along the row; −1 when it
+     * cannot. Others may have come nearer by their reach along the other two axes.
+     */
+    private fun halfChord(r1: Int, r2: Int): Double {
+        val s = radius + Math.max(layout.ownMargin[0], Math.max(layout.ownMargin[1], layout.ownMargin[2]))
+        val a = gap(1, r1)
+        val b = gap(2, r2)
+        val rest = s * s * (1 + ROUNDING) - a * a - b * b
+        return if (rest < 0) -1.0 else Math.sqrt(rest)
+    }
+
+    /** Least distance along axis [k] of the three between the way of the sphere and anybody who started in row [r]. */
+    private fun gap(k: Int, r: Int): Double {
+        val reach = layout.margin[k] - layout.ownMargin[k]
+        val bottom = layout.low[k] + r * layout.widths[k] - reach
+        val top = layout.low[k] + (r + 1) * layout.widths[k] + reach
+        val least = Math.min(here[k], there[k])
+        val most = Math.max(here[k], there[k])
+        return Math.max(0.0, Math.max(bottom - most, least - top))
+    }
+
+    /**
      * Whether a sphere that started in [row], at hand as the one numbered ([r1], [r2]), can be met, and in which of its cells: [closeFrom] to
      * [closeTo]. A sphere there, at s at the start, is somewhere in s + [least, greatest velocity] · t at time t; the one that searches goes straight
      * from [here] to [there]; so that where they can meet is bounded by what holds now and at the end.
      */
-    private fun isWithin(bounds: RowBounds, row: Int, r1: Int, r2: Int, image2: Int): Boolean {
+    private fun isWithin(bounds: RowBounds, row: Int, r1: Int, r2: Int, image2: Int, slack: Double): Boolean {
         val v = bounds.values
-        val p = row * RowBounds.WIDTH
+        val p = (layout.firstRow + row) * RowBounds.WIDTH
         if (v[p] > v[p + 1]) return false
         val t = time
         val end = bounds.duration
@@ -153,7 +209,6 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
             high += image2 * grid.images.shearVelocity
             offset = image2 * grid.images.shearOffset
         }
-        val slack = radius + layout.ownMargin[0]
         val now = here[0] - offset
         val later = there[0] - offset
         val a = now - high * t
@@ -208,5 +263,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
 
     private companion object {
         const val INITIAL = 64
+        const val ROUND_FROM = 4.0
+        const val ROUNDING = 1e-9
     }
 }

@@ -34,21 +34,22 @@ internal class CellOrder {
 }
 
 internal interface CellSort {
-    fun sort(population: Population, layout: GridLayout, into: CellOrder, loop: RangeLoop)
+    fun sort(population: Population, levels: GridLevels, into: CellOrder, loop: RangeLoop)
 }
 
 /** Cells of the spheres [from] until [to] into [CellOrder.cellOf]. */
-internal fun findCells(population: Population, layout: GridLayout, into: CellOrder, from: Int, to: Int) {
-    val a = layout.coordinate(population, 0)
-    val b = layout.coordinate(population, 1)
-    val c = layout.coordinate(population, 2)
-    val n0 = layout.cells[0]
-    val n1 = layout.cells[1]
+internal fun findCells(population: Population, levels: GridLevels, into: CellOrder, from: Int, to: Int) {
+    val a = levels[0].coordinate(population, 0)
+    val b = levels[0].coordinate(population, 1)
+    val c = levels[0].coordinate(population, 2)
+    val several = levels.count > 1
+    var layout = levels[0]
     val cellOf = into.cellOf
     for (k in from until to) {
+        if (several) layout = levels[levels.of(population.radius[k])]
         val c0 = layout.cellAt(a[k], 0)
         val c1 = layout.cellAt(b[k], 1)
         val c2 = layout.cellAt(c[k], 2)
-        cellOf[k] = (c2 * n1 + c1) * n0 + c0
+        cellOf[k] = layout.firstCell + (c2 * layout.cells[1] + c1) * layout.cells[0] + c0
     }
 }

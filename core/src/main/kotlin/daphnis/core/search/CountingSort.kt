@@ -15,13 +15,13 @@ internal class CountingSort : CellSort {
     private var high = IntArray(0)
     private var blockStart = IntArray(0)
 
-    override fun sort(population: Population, layout: GridLayout, into: CellOrder, loop: RangeLoop) {
+    override fun sort(population: Population, levels: GridLevels, into: CellOrder, loop: RangeLoop) {
         val n = population.size
-        val total = layout.cells[0] * layout.cells[1] * layout.cells[2]
+        val total = levels.cellCount
         into.reserve(n, total)
         val parts = loop.workers
         if (parts == 1 || n < LEAST_IN_PARALLEL) {
-            findCells(population, layout, into, 0, n)
+            findCells(population, levels, into, 0, n)
             sortAlone(n, total, into)
             return
         }
@@ -31,7 +31,7 @@ internal class CountingSort : CellSort {
             counts = Array(parts) { IntArray(0) }
             blockStart = IntArray(parts + 1)
         }
-        loop.run(parts, 1) { _, from, to -> for (part in from until to) findPart(population, layout, into, part, parts) }
+        loop.run(parts, 1) { _, from, to -> for (part in from until to) findPart(population, levels, into, part, parts) }
         var stretches = 0L
         for (part in 0 until parts) stretches += high[part] - low[part] + 1
         if (stretches > 2L * total + n) {
@@ -46,9 +46,9 @@ internal class CountingSort : CellSort {
         loop.run(parts, 1) { _, from, to -> for (part in from until to) fill(n, into, part, parts) }
     }
 
-    private fun findPart(population: Population, layout: GridLayout, into: CellOrder, part: Int, parts: Int) {
+    private fun findPart(population: Population, levels: GridLevels, into: CellOrder, part: Int, parts: Int) {
         val n = population.size
-        findCells(population, layout, into, share(n, part, parts), share(n, part + 1, parts))
+        findCells(population, levels, into, share(n, part, parts), share(n, part + 1, parts))
         var least = Int.MAX_VALUE
         var most = -1
         for (k in share(n, part, parts) until share(n, part + 1, parts)) {

@@ -3,17 +3,27 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
-import daphnis.core.parallel.Extremes
-import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * How a [Grid] divides space: for the axis of rows (0), the middle axis (1) and the slow axis (2), the number of cells, their width, and how
- * far beside its way a sphere has to look. Arrays are indexed by these three; [axes] says which of x, y, z each is.
+ * How a [Grid] divides space for one class of sizes: for the axis of rows (0), the middle axis (1) and the slow axis (2), the number of cells, their width, and
+ * how far beside its way a sphere has to look for one of this class. Arrays are indexed by these three; [axes] says which of x, y, z each is.
  */
 internal class GridLayout {
+    /** Radii of this class are no larger. */
+    var largest = 0.0
+        private set
+
+    /** Number of the first cell, and of the first row, among those of all classes. */
+    var firstCell = 0
+    var firstRow = 0
+
+    /** Number of cells, and of rows. */
+    val cellCount: Int get() = cells[0] * cells[1] * cells[2]
+    val rowCount: Int get() = cells[1] * cells[2]
+
     /** x, y or z as the row axis, the middle axis, the slow axis. Rows lie along the axis along which images slide, else along x. */
     val axes = intArrayOf(0, 2, 1)
     val cells = IntArray(3)
@@ -42,16 +52,20 @@ internal class GridLayout {
     /** Widths of cells. */
     val widths = DoubleArray(3)
     private var spheres = 0
-    private val extremes = Extremes()
 
-    fun prepare(population: Population, boundary: BoundaryConditions, images: Images, duration: Double, reach: DoubleArray, loop: RangeLoop) {
-        spheres = population.size
+    /** For [count] spheres with radii up to [largest], in the extent of all spheres [from] to [from] + [size] along x, y, z. */
+    fun prepare(count: Int, largest: Double, boundary: BoundaryConditions, images: Images, duration: Double, reach: DoubleArray, from: DoubleArray, size: DoubleArray) {
+        spheres = count
+        this.largest = largest
         val shear = boundary.shear
         axes[0] = shear?.slideAxis ?: 0
         axes[2] = shear?.normalAxis ?: 1
         axes[1] = 3 - axes[0] - axes[2]
-        val largest = extremes.of(population.radius, spheres, loop).magnitude
-        for (k in 0..2) layOutAxis(k, population, boundary, largest, reach[axes[k]], loop)
+        for (k in 0..2) {
+            low[k] = from[axes[k]]
+            extent[k] = size[axes[k]]
+            layOutAxis(k, boundary, reach[axes[k]])
+        }
         limitCells()
         for (k in 0..2) {
             perLength[k] = if (extent[k] > 0) cells[k] / extent[k] else 1.0
@@ -66,17 +80,9 @@ internal class GridLayout {
         }
     }
 
-    private fun layOutAxis(k: Int, population: Population, boundary: BoundaryConditions, largest: Double, reach: Double, loop: RangeLoop) {
+    private fun layOutAxis(k: Int, boundary: BoundaryConditions, reach: Double) {
         val axis = axes[k]
         periodic[k] = boundary.contactFaces(axis) == ContactFaces.PERIODIC
-        if (periodic[k]) {
-            low[k] = boundary.box.lower(axis)
-            extent[k] = boundary.box.length(axis)
-        } else {
-            extremes.of(coordinate(population, k), spheres, loop)
-            low[k] = if (spheres == 0) 0.0 else extremes.least
-            extent[k] = if (spheres == 0) 0.0 else extremes.greatest - extremes.least
-        }
         // Far from the origin the rounding of positions counts more than that of the range.
         val rounding = ROUNDING_UNITS * Math.ulp(maxOf(abs(low[k]), abs(low[k] + extent[k])))
         margin[k] = (largest + reach) * (1 + SLACK) + rounding
@@ -113,8 +119,6 @@ internal class GridLayout {
         for (k in 0..2) if (extent[k] > 0) share *= minOf(1.0, (2 * margin[k] + widths[k]) / extent[k])
         return spheres * share
     }
-
-    fun width(k: Int): Double = widths[k]
 
     /** Positions along axis [k] of the three. */
     fun coordinate(population: Population, k: Int): DoubleArray = when (axes[k]) {

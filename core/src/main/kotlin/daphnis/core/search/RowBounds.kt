@@ -29,7 +29,7 @@ public class RowBounds {
         private set
 
     private var rowOf = IntArray(0)
-    private var layout = GridLayout()
+    private var axes = IntArray(3)
 
     /**
      * Measures the spheres of [rows], which [grid] has sorted, before any has collided.
@@ -37,23 +37,27 @@ public class RowBounds {
      * @param fewest candidates of a search from which on the bounds are used
      */
     public fun measure(grid: Grid, rows: StepRows, duration: Double, loop: RangeLoop, fewest: Double = WORTH_CANDIDATES) {
-        isInUse = grid.layout.candidates() >= fewest
+        isInUse = grid.levels.candidates() >= fewest
         if (!isInUse) return
         this.duration = duration
-        layout = grid.layout
-        val columns = layout.cells[0]
-        val count = layout.cells[1] * layout.cells[2]
+        val levels = grid.levels
+        axes = levels[0].axes
+        val count = levels.rowCount
         if (values.size < count * WIDTH) values = DoubleArray((count + count / 4) * WIDTH)
         if (rowOf.size < rows.size) rowOf = IntArray(rows.size)
         loop.run(count, ROWS_A_PIECE) { _, from, to ->
-            for (row in from until to) measureRow(row, grid.cellStart[row * columns], grid.cellStart[(row + 1) * columns], rows)
+            for (row in from until to) {
+                val layout = levels[levels.ofRow(row)]
+                val cell = layout.firstCell + (row - layout.firstRow) * layout.cells[0]
+                measureRow(row, grid.cellStart[cell], grid.cellStart[cell + layout.cells[0]], rows)
+            }
         }
     }
 
     private fun measureRow(row: Int, from: Int, to: Int, rows: StepRows) {
         for (slot in from until to) rowOf[slot] = row
         for (k in 0..2) {
-            val v = VX + layout.axes[k]
+            val v = VX + axes[k]
             var low = Double.POSITIVE_INFINITY
             var high = Double.NEGATIVE_INFINITY
             for (slot in from until to) {
@@ -71,7 +75,7 @@ public class RowBounds {
         if (!isInUse) return
         val p = rowOf[slot] * WIDTH
         for (k in 0..2) {
-            val u = rows.state[place * STRIDE + VX + layout.axes[k]]
+            val u = rows.state[place * STRIDE + VX + axes[k]]
             if (u < values[p + 2 * k]) lower(p + 2 * k, u)
             if (u > values[p + 2 * k + 1]) raise(p + 2 * k + 1, u)
         }

@@ -13,11 +13,10 @@ internal class RowLockedSort : CellSort {
     private var rowCount = IntArray(0)
     private var locks = arrayOf<Any>()
 
-    override fun sort(population: Population, layout: GridLayout, into: CellOrder, loop: RangeLoop) {
+    override fun sort(population: Population, levels: GridLevels, into: CellOrder, loop: RangeLoop) {
         val n = population.size
-        val columns = layout.cells[0]
-        val rows = layout.cells[1] * layout.cells[2]
-        val total = columns * rows
+        val rows = levels.rowCount
+        val total = levels.cellCount
         into.reserve(n, total)
         if (head.size < total) head = IntArray(total + total / 4)
         if (next.size < n) next = IntArray(n)
@@ -28,11 +27,14 @@ internal class RowLockedSort : CellSort {
         loop.run(total) { _, from, to -> head.fill(NONE, from, to) }
         rowCount.fill(0, 0, rows + 1)
         loop.run(n) { _, from, to ->
-            findCells(population, layout, into, from, to)
-            for (k in from until to) hang(k, into.cellOf[k], into.cellOf[k] / columns)
+            findCells(population, levels, into, from, to)
+            for (k in from until to) {
+                val layout = levels[levels.of(population.radius[k])]
+                hang(k, into.cellOf[k], layout.firstRow + (into.cellOf[k] - layout.firstCell) / layout.cells[0])
+            }
         }
         for (row in 0 until rows) rowCount[row + 1] += rowCount[row]
-        loop.run(rows, ROWS_A_PIECE) { _, from, to -> for (row in from until to) writeOut(row, columns, into) }
+        loop.run(rows, ROWS_A_PIECE) { _, from, to -> for (row in from until to) writeOut(row, levels, into) }
         into.start[total] = n
     }
 
@@ -44,16 +46,18 @@ internal class RowLockedSort : CellSort {
         }
     }
 
-    private fun writeOut(row: Int, columns: Int, into: CellOrder) {
+    private fun writeOut(row: Int, levels: GridLevels, into: CellOrder) {
         var slot = rowCount[row]
-        for (cell in row * columns until (row + 1) * columns) {
+        val layout = levels[levels.ofRow(row)]
+        val first = layout.firstCell + (row - layout.firstRow) * layout.cells[0]
+        for (cell in first until first + layout.cells[0]) {
             into.start[cell] = slot
-            val first = slot
+            val begin = slot
             var k = head[cell]
             while (k != NONE) {
                 // Insertion: lists are short and nearly in falling order.
                 var place = slot++
-                while (place > first && into.order[place - 1] > k) {
+                while (place > begin && into.order[place - 1] > k) {
                     into.order[place] = into.order[place - 1]
                     place--
                 }

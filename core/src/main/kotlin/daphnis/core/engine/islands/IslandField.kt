@@ -122,7 +122,7 @@ public class IslandField(private val workers: Int) {
         outrunner = FREE
         stopped = false
         walls.prepare(step.boundary)
-        grid.build(population, step.boundary, start, duration, reach.bound, loop)
+        grid.build(population, step.boundary, start, duration, reach.bound, loop, step.search)
         rows.load(population, grid.order, law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, duration, loop)
         if (seedHead.size < rows.size) {

@@ -3,6 +3,8 @@ package daphnis.core.engine.threadpool
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.collision.StepRows
+import daphnis.core.collision.StepRows.Companion.RADIUS
+import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.population.Population
 import daphnis.core.search.Grid
 import kotlin.math.abs
@@ -18,6 +20,7 @@ import kotlin.math.abs
 internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     /** How far along x, y, z a sphere that is read can be from one that is written, both at the start of the step. */
     private val extent = DoubleArray(3)
+    private var several = false
     private val length = DoubleArray(3)
     private var normalAxis = -1
     private var slideAxis = -1
@@ -34,6 +37,7 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
         size = 0
         normalAxis = boundary.shear?.normalAxis ?: -1
         slideAxis = boundary.shear?.slideAxis ?: -1
+        several = grid.classes > 1
         for (axis in 0..2) {
             extent[axis] = grid.sight(axis)
             length[axis] = if (boundary.contactFaces(axis) == ContactFaces.PERIODIC) boundary.box.length(axis) else 0.0
@@ -78,6 +82,11 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
 
     private fun isNear(a: Int, b: Int): Boolean {
         if (b < 0) return false
+        if (several) {
+            val radius = rows.state[a * STRIDE + RADIUS]
+            val other = rows.state[b * STRIDE + RADIUS]
+            for (axis in 0..2) extent[axis] = grid.sight(axis, radius, other)
+        }
         val i = rows.origin[a]
         val j = rows.origin[b]
         for (axis in 0..2) {

@@ -98,7 +98,7 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
 
     private fun attempt(step: CollisionStep): Outcome {
         failedWith.set(Outcome.DONE.ordinal)
-        grid.build(step.population, step.boundary, step.start, step.duration, reach.bound, loop)
+        grid.build(step.population, step.boundary, step.start, step.duration, reach.bound, loop, step.search)
         rows.load(step.population, grid.order, step.law.guard.needsLastCollision, loop)
         busy.prepare(step.population, step.boundary)
         queue.reset(step.start, step.duration, rows.id, rows.size)
