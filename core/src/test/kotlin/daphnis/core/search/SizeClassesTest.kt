@@ -68,7 +68,7 @@ class SizeClassesTest {
                 fast.forEach { it.close() }
             }
         }
-        assertTrue(collisions > 500) { "only $collisions collisions" }
+        assertTrue(collisions > 400) { "only $collisions collisions" }
     }
 
     @Test

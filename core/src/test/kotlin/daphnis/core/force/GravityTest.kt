@@ -1,0 +1,177 @@
+package daphnis.core.force
+
+import daphnis.core.FixedTimeStep
+import daphnis.core.Simulation
+import daphnis.core.Sphere
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.HillSheet
+import daphnis.core.boundary.Images
+import daphnis.core.boundary.Open
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ParallelLoop
+import daphnis.core.permuted
+import daphnis.core.population.Population
+import daphnis.core.population.stateDigest
+import daphnis.core.populationOf
+import daphnis.core.setup.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.math.sqrt
+
+class GravityTest {
+    private val sheet = HillSheet(Box.centred(50.0, 60.0, 8.0), 1.0)
+
+    private fun patch(count: Int, seed: Long = 3): Population {
+        val random = SeededRandom(seed)
+        fun uniform(half: Double) = DoubleArray(count) { random.nextDouble(-half, half) }
+        val p = Population(uniform(25.0), uniform(30.0), uniform(3.0), uniform(1.0), uniform(1.0), uniform(1.0), DoubleArray(count) { 0.1 }, DoubleArray(count) { 0.5 + random.nextDouble() })
+        return p
+    }
+
+    /** Everybody with everybody and every image, plainly. */
+    private fun direct(p: Population, boundary: BoundaryConditions, time: Double, images: Int, softening: Double): Array<DoubleArray> {
+        val shifts = Images().also { it.prepare(boundary, time) }
+        val a = Array(3) { DoubleArray(p.size) }
+        for (i in 0 until p.size) {
+            for (j in 0 until p.size) {
+                for (ix in -images..images) {
+                    for (iy in -images..images) {
+                        val code = Images.code(ix, iy, 0)
+                        val dx = p.x[j] - p.x[i] + shifts.shift(code, 0)
+                        val dy = p.y[j] - p.y[i] + shifts.shift(code, 1)
+                        val dz = p.z[j] - p.z[i]
+                        val d2 = dx * dx + dy * dy + dz * dz + softening * softening
+                        if (i == j && code == 0) continue
+                        val f = p.mass[j] / (d2 * sqrt(d2))
+                        a[0][i] += f * dx
+                        a[1][i] += f * dy
+                        a[2][i] += f * dz
+                    }
+                }
+            }
+        }
+        return a
+    }
+
+    private fun rmsError(found: Array<DoubleArray>, expected: Array<DoubleArray>): Double {
+        var error = 0.0
+        var size = 0.0
+        for (axis in 0..2) {
+            for (k in expected[axis].indices) {
+                error += (found[axis][k] - expected[axis][k]).let { it * it }
+                size += expected[axis][k] * expected[axis][k]
+            }
+        }
+        return sqrt(error / size)
+    }
+
+    @Test
+    fun `with everything opened the tree gives the direct sum over images that slide, and with an opening angle nearly so`() {
+        val p = patch(400)
+        val time = 1.234
+        for (softening in listOf(0.0, 0.5)) {
+            val expected = direct(p, sheet, time, 1, softening)
+            assertTrue(rmsError(SelfGravity(sheet, 1.0, 0.0, softening, 1).accelerations(p, time), expected) < 1e-12)
+            val half = rmsError(SelfGravity(sheet, 1.0, 0.5, softening, 1).accelerations(p, time), expected)
+            val most = rmsError(SelfGravity(sheet, 1.0, 1.0, softening, 1).accelerations(p, time), expected)
+            assertTrue(half < 8e-3) { "error at opening angle 0.5: $half" }
+            assertTrue(most < 8e-2 && most > half) { "error at opening angle 1: $most" }
+        }
+        val p2 = patch(50)
+        assertTrue(rmsError(SelfGravity(sheet, 2.0, 0.0, 0.0, 2).accelerations(p2, time), direct(p2, sheet, time, 2, 0.0).map { a -> a.map { it * 2 }.toDoubleArray() }.toTypedArray()) < 1e-12)
+    }
+
+    @Test
+    fun `the same bits in whatever order the spheres stand, on any number of threads, and when the force at the end of a step is not kept`() {
+        val start = patch(3000)
+        fun run(p: Population, threads: Int, keep: Boolean): String {
+            FixedPool(threads).use { pool ->
+                var gravity = SelfGravity(sheet, 0.01, 0.6)
+                val frame = HillFrame(1.0)
+                val loop = ParallelLoop(pool, LoopStrategy.DYNAMIC)
+                repeat(5) { step ->
+                    if (!keep) gravity = SelfGravity(sheet, 0.01, 0.6)
+                    gravity.useLoop(loop)
+                    gravity.beforeDrift(p, step * 0.1, 0.1)
+                    frame.beforeDrift(p, step * 0.1, 0.1)
+                    for (k in 0 until p.size) {
+                        p.x[k] += p.vx[k] * 0.1
+                        p.y[k] += p.vy[k] * 0.1
+                        p.z[k] += p.vz[k] * 0.1
+                    }
+                    sheet.endStep(p, (step + 1) * 0.1)
+                    frame.afterDrift(p, (step + 1) * 0.1, 0.1)
+                    gravity.afterDrift(p, (step + 1) * 0.1, 0.1)
+                }
+            }
+            return stateDigest(p)
+        }
+        val expected = run(start.copy(), 1, true)
+        assertEquals(expected, run(start.permuted(9), 1, true))
+        assertEquals(expected, run(start.copy(), 3, true))
+        assertEquals(expected, run(start.copy(), 2, false))
+    }
+
+    @Test
+    fun `the stress of gravity is the sum over pairs`() {
+        val p = patch(40)
+        val gravity = SelfGravity(Open, 3.0, 0.0)
+        gravity.accelerations(p, 0.0)
+        var expected = 0.0
+        for (i in 0 until p.size) {
+            for (j in i + 1 until p.size) {
+                val dx = p.x[j] - p.x[i]
+                val dy = p.y[j] - p.y[i]
+                val dz = p.z[j] - p.z[i]
+                val d = sqrt(dx * dx + dy * dy + dz * dz)
+                expected -= 3.0 * p.mass[i] * p.mass[j] * dy * dx / (d * d * d)
+            }
+        }
+        assertEquals(expected, gravity.stressXY(p), 1e-10 * Math.abs(expected))
+    }
+
+    @Test
+    fun `nobody, one, and all in one place`() {
+        SelfGravity(sheet, 1.0).kick(populationOf(), 0.0, 1.0)
+        val one = populationOf(Sphere(vx = 1.0))
+        SelfGravity(Open, 1.0).kick(one, 0.0, 1.0)
+        assertEquals(1.0, one.vx[0])
+        val heap = Population(DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40) { 1.0 }, DoubleArray(40) { 1.0 })
+        SelfGravity(Open, 1.0).kick(heap, 0.0, 1.0)
+        assertTrue(heap.vx.all { it == 0.0 })
+    }
+
+    @Test
+    fun `a body and the others pull one another alike, through faces too, and two bodies as well`() {
+        val p = patch(200)
+        val before = doubleArrayOf(momentum(p, p.vx), momentum(p, p.vy), momentum(p, p.vz))
+        val x = p.vx.copyOf()
+        BodyGravity(intArrayOf(7, 9), sheet, 5.0).kick(p, 0.4, 0.5)
+        assertEquals(before[0], momentum(p, p.vx), 1e-11)
+        assertEquals(before[1], momentum(p, p.vy), 1e-11)
+        assertEquals(before[2], momentum(p, p.vz), 1e-11)
+        assertTrue((0 until 200).all { p.vx[it] != x[it] })
+        val pair = populationOf(Sphere(x = -24.0, m = 2.0), Sphere(x = 24.0, y = 1.0, m = 3.0))
+        BodyGravity(intArrayOf(0, 1), sheet, 1.0).kick(pair, 0.0, 1.0)
+        // The image of the second is 2 further in, at x = −26.
+        val d = sqrt(5.0)
+        assertEquals(-3.0 * 2.0 / (d * d * d), pair.vx[0], 1e-14)
+        assertEquals(2.0 * 2.0 / (d * d * d), pair.vx[1], 1e-14)
+    }
+
+    private fun momentum(p: Population, v: DoubleArray): Double = (0 until p.size).sumOf { p.mass[it] * v[it] }
+
+    @Test
+    fun `who falls onto the moon is removed, who passes beside it is not`() {
+        val moon = Satellite(1e-3, Epicycle(0.0, 0.0, 0.0, 0.0), 1.0)
+        val boundary = SatelliteSurface(Open, moon, 2.0)
+        val p = populationOf(Sphere(x = 1.0, y = 8.0, vy = -1.5, r = 0.1), Sphere(x = 4.0, y = 8.0, vy = -6.0, r = 0.1))
+        val simulation = Simulation(p, boundary, null, FixedTimeStep(0.05), listOf(HillFrame(1.0), moon))
+        repeat(200) { simulation.advance() }
+        assertEquals(listOf(1), p.id.toList())
+        assertEquals(1L, boundary.removed)
+    }
+}
