@@ -33,22 +33,50 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     public val crew: IslandCrew = IslandCrew(field, threads)
 
     private val alone = SerialEngine()
+    private val quicker = QuickerWay()
     private var steps = 0L
     private var isWide = true
+    private var deadline = Long.MAX_VALUE
 
     override fun advance(step: CollisionStep) {
         if (isQuickerAlone(step)) {
             alone.advance(step)
             return
         }
+        if (fewest == 0) {
+            grow(step)
+            return
+        }
+        val begin = System.nanoTime()
+        fun seconds() = (System.nanoTime() - begin) * 1e-9
+        val isAlone = threads > 1 && quicker.isAlone()
+        if (isAlone) {
+            alone.advance(step)
+            quicker.took(seconds(), true)
+            return
+        }
+        deadline = if (quicker.patience.isInfinite()) Long.MAX_VALUE else begin + (quicker.patience * 1e9).toLong()
+        val done = grow(step)
+        quicker.took(seconds(), false)
+        if (!done) alone.advance(step)
+    }
+
+    /** @return false when it was given up because it takes too long; then nothing has happened */
+    private fun grow(step: CollisionStep): Boolean {
+        var redone = 0
         field.measure(step, loop)
         while (!attempt(step)) {
+            if (isLate()) return false
             field.enlarge()
-            step.counters.redoneSteps++
+            redone++
         }
         field.store(step, loop)
+        step.counters.redoneSteps += redone
         crew.finish(step.counters, step.record)
+        return true
     }
+
+    private fun isLate(): Boolean = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0
 
     /**
      * Few spheres are not worth the barriers. On one thread islands have nothing to give but work, unless searches are so wide that closer bounds pay:
@@ -69,7 +97,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         return field.isWideSearch
     }
 
-    /** @return false when somebody outran the bound */
+    /** @return false when somebody outran the bound, or when it is late */
     private fun attempt(step: CollisionStep): Boolean {
         field.prepare(step, loop)
         crew.prepare()
@@ -79,7 +107,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
             if (seeds == 0) continue
             // Too few to be worth waking anybody.
             val alone = threads == 1 || seeds < LEAST_IN_PARALLEL
-            if (!window(alone)) return false
+            if (!window(alone) || isLate()) return false
         }
         return true
     }
@@ -91,6 +119,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         do {
             if (!process(alone)) return false
             each(alone) { crew[it].check() }
+            if (isLate()) return false
         } while (crew.mergeConflicts())
         each(alone) { crew[it].commit() }
         if (!crew.isLastWindow) each(alone) { crew[it].hintSuspects() }

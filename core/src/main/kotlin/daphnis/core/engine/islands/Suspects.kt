@@ -1,23 +1,54 @@
 package daphnis.core.engine.islands
 
-/** Pairs of spheres of different islands that came near one another, noted by one worker: who may touch, is asked when all paths are known. */
+/**
+ * Pairs of spheres of different islands that came near one another, noted by one worker: who may touch, is asked when all paths are known. Each pair once for
+ * each attempt, however often the two came near: a moonlet sees its whole neighbourhood at every collision.
+ */
 internal class Suspects {
     var size = 0
         private set
     private var data = IntArray(INITIAL * WIDTH)
 
+    /** Open addressing; one more than the number of a pair, 0 where there is none. At most half full. */
+    private var table = IntArray(INITIAL * 2)
+
     fun clear() {
+        for (k in 0 until size) table[data[k * WIDTH + AT]] = 0
         size = 0
     }
 
     /** Notes that [slot], of the worker's own [attempt], has to be compared with [image] of [other]. */
     fun add(slot: Int, other: Int, image: Int, attempt: Int) {
+        var place = placeOf(slot, other, image, attempt)
+        while (table[place] != 0) {
+            val p = (table[place] - 1) * WIDTH
+            if (data[p] == slot && data[p + 1] == other && data[p + 2] == image && data[p + 3] == attempt) return
+            place = (place + 1) and (table.size - 1)
+        }
+        table[place] = size + 1
         if ((size + 1) * WIDTH > data.size) data = data.copyOf(data.size * 2)
         val p = size++ * WIDTH
         data[p] = slot
         data[p + 1] = other
         data[p + 2] = image
         data[p + 3] = attempt
+        data[p + AT] = place
+        if (size * 2 > table.size) grow()
+    }
+
+    private fun placeOf(slot: Int, other: Int, image: Int, attempt: Int): Int {
+        val hash = ((slot * MIX + other) * MIX + image) * MIX + attempt
+        return (hash xor (hash ushr 15)) and (table.size - 1)
+    }
+
+    private fun grow() {
+        table = IntArray(table.size * 2)
+        for (k in 0 until size) {
+            var place = placeOf(slot(k), other(k), image(k), attempt(k))
+            while (table[place] != 0) place = (place + 1) and (table.size - 1)
+            table[place] = k + 1
+            data[k * WIDTH + AT] = place
+        }
     }
 
     fun slot(k: Int): Int = data[k * WIDTH]
@@ -30,6 +61,10 @@ internal class Suspects {
 
     private companion object {
         const val INITIAL = 256
-        const val WIDTH = 4
+        const val WIDTH = 5
+
+        /** Where in the table a pair stands, so that a few are quickly forgotten. */
+        const val AT = 4
+        const val MIX = -1640531527
     }
 }
