@@ -32,7 +32,7 @@ fun main(args: Array<String>) {
 
 /** Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted after a checkpoint. Never a stack trace for a user's mistake. */
 internal fun runDaphnis(args: Array<String>): Int {
-    val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), ScenariosCommand(), DescribeCommand())
+    val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), AnalyzeCommand(), ScenariosCommand(), DescribeCommand())
     return try {
         command.parse(args)
         EXIT_DONE

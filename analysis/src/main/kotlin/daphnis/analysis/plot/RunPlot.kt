@@ -1,21 +1,13 @@
 package daphnis.analysis.plot
 
-import org.apache.batik.transcoder.SVGAbstractTranscoder
-import org.apache.batik.transcoder.TranscoderInput
-import org.apache.batik.transcoder.TranscoderOutput
-import org.apache.batik.transcoder.image.PNGTranscoder
-import org.jetbrains.letsPlot.Figure
-import org.jetbrains.letsPlot.awt.plot.PlotSvgExport
 import org.jetbrains.letsPlot.geom.geomLine
 import org.jetbrains.letsPlot.gggrid
 import org.jetbrains.letsPlot.ggsize
 import org.jetbrains.letsPlot.intern.Plot
-import org.jetbrains.letsPlot.intern.toSpec
 import org.jetbrains.letsPlot.label.labs
 import org.jetbrains.letsPlot.letsPlot
 import org.jetbrains.letsPlot.scale.scaleYLog10
 import org.jetbrains.letsPlot.themes.themeMinimal
-import java.io.StringReader
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -31,10 +23,7 @@ public object RunPlot {
         val rows = read(series)
         require(rows.size >= 2) { "the time series has ${rows.size} rows; two are needed" }
         val figure = gggrid(listOf(temperature(rows, title), collisions(rows)), ncol = 1, align = true) + ggsize(WIDTH, HEIGHT)
-        val svg = svg(figure)
-        Files.createDirectories(directory)
-        Files.writeString(directory.resolve("run.svg"), svg)
-        Files.write(directory.resolve("run.png"), png(svg))
+        Figures.write(figure, directory, "run", WIDTH, HEIGHT)
     }
 
     private class Row(val time: Double, val particles: Double, val collisions: Double, val temperature: Double)
@@ -55,7 +44,7 @@ public object RunPlot {
 
     private fun temperature(rows: List<Row>, title: String): Plot {
         val data = mapOf("time" to rows.map { it.time }, "temperature" to rows.map { it.temperature })
-        val plot = letsPlot(data) + geomLine(color = INK, size = LINE) {
+        val plot = letsPlot(data) + geomLine(color = Figures.INK, size = Figures.LINE) {
             x = "time"
             y = "temperature"
         } +
@@ -70,7 +59,7 @@ public object RunPlot {
         // Every collision is one of each of its two spheres.
         val rates = pairs.map { (a, b) -> 2 * (b.collisions - a.collisions) / b.particles / (b.time - a.time) }
         val data = mapOf("time" to pairs.map { (a, b) -> (a.time + b.time) / 2 }, "rate" to rates)
-        val plot = letsPlot(data) + geomLine(color = ACCENT, size = LINE) {
+        val plot = letsPlot(data) + geomLine(color = Figures.ACCENT, size = Figures.LINE) {
             x = "time"
             y = "rate"
         } +
@@ -89,25 +78,10 @@ public object RunPlot {
 
     private fun look() = themeMinimal()
 
-    private fun svg(figure: Figure): String = PlotSvgExport.buildSvgImageFromRawSpecs(figure.toSpec())
-
-    private fun png(svg: String): ByteArray {
-        val transcoder = PNGTranscoder()
-        transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_WIDTH, (WIDTH * PNG_SCALE).toFloat())
-        transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_HEIGHT, (HEIGHT * PNG_SCALE).toFloat())
-        val bytes = java.io.ByteArrayOutputStream()
-        transcoder.transcode(TranscoderInput(StringReader(svg)), TranscoderOutput(bytes))
-        return bytes.toByteArray()
-    }
-
     private const val WIDTH = 800
     private const val HEIGHT = 640
-    private const val PNG_SCALE = 2
     private const val MOST_POINTS = 2000
     private const val MOST_BINS = 150
     private const val LOG_FROM = 5.0
     private const val ROOM = 0.05
-    private const val LINE = 0.9
-    private const val INK = "#1f4e79"
-    private const val ACCENT = "#b3541e"
 }

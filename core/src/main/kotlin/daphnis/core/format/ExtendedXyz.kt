@@ -1,6 +1,9 @@
 package daphnis.core.format
 
 import java.io.Writer
+import java.nio.charset.CharacterCodingException
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** Extended XYZ, the text format of OVITO and ASE. */
 public object ExtendedXyz {
@@ -33,6 +36,25 @@ public object ExtendedXyz {
     public fun suitableScale(frame: Frame): Double {
         val longest = frame.lengths.filter { !it.isNaN() }.maxOrNull() ?: frame.position.maxOf { a -> a.maxOfOrNull { Math.abs(it) } ?: 0.0 } * 2
         return if (longest > SHORT_BOX || frame.size == 0) 1.0 else 1.0 / frame.radius.average()
+    }
+
+    /**
+     * Reads every frame of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius`, `mass` and `id` where they are there, else 0, 1/2, 1 and the line number. A
+     * `Lattice` of edges along the axes gives the lengths; one that leans, along x or y as sliding images do, the offset.
+     *
+     * @throws FormatException that names the line of what is wrong
+     */
+    public fun read(path: Path): List<Frame> {
+        val frames = ArrayList<Frame>()
+        try {
+            Files.newBufferedReader(path).use { input ->
+                val reader = XyzReader(input, path)
+                while (true) frames += reader.frame(frames.size) ?: break
+            }
+        } catch (e: CharacterCodingException) {
+            throw FormatException("$path: is not UTF-8 text")
+        }
+        return frames
     }
 
     private const val SHORT_BOX = 4.0

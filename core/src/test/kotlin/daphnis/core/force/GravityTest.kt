@@ -27,7 +27,19 @@ class GravityTest {
     private fun patch(count: Int, seed: Long = 3): Population {
         val random = SeededRandom(seed)
         fun uniform(half: Double) = DoubleArray(count) { random.nextDouble(-half, half) }
-        val p = Population(uniform(25.0), uniform(30.0), uniform(3.0), uniform(1.0), uniform(1.0), uniform(1.0), DoubleArray(count) { 0.1 }, DoubleArray(count) { 0.5 + random.nextDouble() })
+        val p = Population(
+            uniform(25.0),
+            uniform(30.0),
+            uniform(3.0),
+            uniform(1.0),
+            uniform(1.0),
+            uniform(1.0),
+            DoubleArray(count) { 0.1 },
+            DoubleArray(count) {
+                0.5 +
+                    random.nextDouble()
+            },
+        )
         return p
     }
 
@@ -81,7 +93,15 @@ class GravityTest {
             assertTrue(most < 8e-2 && most > half) { "error at opening angle 1: $most" }
         }
         val p2 = patch(50)
-        assertTrue(rmsError(SelfGravity(sheet, 2.0, 0.0, 0.0, 2).accelerations(p2, time), direct(p2, sheet, time, 2, 0.0).map { a -> a.map { it * 2 }.toDoubleArray() }.toTypedArray()) < 1e-12)
+        assertTrue(
+            rmsError(
+                SelfGravity(sheet, 2.0, 0.0, 0.0, 2).accelerations(p2, time),
+                direct(p2, sheet, time, 2, 0.0).map { a ->
+                    a.map { it * 2 }.toDoubleArray()
+                }.toTypedArray(),
+            ) <
+                1e-12,
+        )
     }
 
     @Test
@@ -139,7 +159,19 @@ class GravityTest {
         val one = populationOf(Sphere(vx = 1.0))
         SelfGravity(Open, 1.0).kick(one, 0.0, 1.0)
         assertEquals(1.0, one.vx[0])
-        val heap = Population(DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40), DoubleArray(40) { 1.0 }, DoubleArray(40) { 1.0 })
+        val heap =
+            Population(
+                DoubleArray(40),
+                DoubleArray(40),
+                DoubleArray(40),
+                DoubleArray(40),
+                DoubleArray(40),
+                DoubleArray(40),
+                DoubleArray(40) {
+                    1.0
+                },
+                DoubleArray(40) { 1.0 },
+            )
         SelfGravity(Open, 1.0).kick(heap, 0.0, 1.0)
         assertTrue(heap.vx.all { it == 0.0 })
     }

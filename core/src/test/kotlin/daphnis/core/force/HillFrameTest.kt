@@ -112,7 +112,17 @@ class HillFrameTest {
         val random = SeededRandom(4)
         val spheres = Array(60) {
             val x = it % 4 * 1.2 - 2
-            Sphere(x, it / 4 % 4 * 1.2, it / 16 * 1.2, 0.3 * random.nextGaussian(), -1.5 * omega * x + 0.3 * random.nextGaussian(), 0.3 * random.nextGaussian(), r = 0.5, m = 1 + it % 3.0)
+            Sphere(
+                x,
+                it / 4 % 4 * 1.2,
+                it / 16 * 1.2,
+                0.3 * random.nextGaussian(),
+                -1.5 * omega * x + 0.3 * random.nextGaussian(),
+                0.3 * random.nextGaussian(),
+                r = 0.5,
+                m =
+                1 + it % 3.0,
+            )
         }
         for (dt in listOf(0.01, 0.3)) {
             val p = populationOf(*spheres)

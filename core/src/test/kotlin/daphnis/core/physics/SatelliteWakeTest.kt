@@ -24,8 +24,14 @@ class SatelliteWakeTest {
         val n = along.size
         val far = 400 * b
         val p = Population(
-            DoubleArray(n) { b }, DoubleArray(n) { far + along[it] }, DoubleArray(n),
-            DoubleArray(n), DoubleArray(n) { -1.5 * b }, DoubleArray(n), DoubleArray(n) { 1e-3 }, DoubleArray(n) { 1.0 },
+            DoubleArray(n) { b },
+            DoubleArray(n) { far + along[it] },
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n) { -1.5 * b },
+            DoubleArray(n),
+            DoubleArray(n) { 1e-3 },
+            DoubleArray(n) { 1.0 },
         )
         val simulation = Simulation(p, Open, null, FixedTimeStep(dt), listOf(moon, HillFrame(1.0)))
         while (simulation.time < 2 * far / (1.5 * b)) simulation.advance()

@@ -1,0 +1,136 @@
+package daphnis.analysis.input
+
+import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.table.UnitNames
+import daphnis.analysis.transport.TransportTable
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
+import daphnis.core.format.CartAndRad
+import daphnis.core.format.ExtendedXyz
+import daphnis.core.format.FormatException
+import daphnis.core.format.Frame
+import daphnis.core.format.H5md
+import daphnis.core.format.ParticleCsv
+import daphnis.core.population.Population
+import daphnis.core.run.RunDirectory
+import daphnis.core.run.Summary
+import daphnis.core.run.atHome
+import daphnis.core.scenario.FrameSpec
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.name
+
+/**
+ * What there is to analyse: the states of a run or of a foreign file, and what is known about them.
+ *
+ * @property times time of each state, ascending
+ * @property transport of a run that wrote it, else null
+ * @property scenario of a run, or the one given beside a file; null when there is none
+ */
+public class AnalysisInput private constructor(
+    public val name: String,
+    public val scenario: Scenario?,
+    public val summary: Summary?,
+    public val times: DoubleArray,
+    private val load: (Int) -> Frame,
+    private val boundary: (Population) -> BoundaryConditions,
+    public val omega: Double?,
+    public val transport: TransportTable?,
+    public val directory: RunDirectory?,
+) {
+    /** Names of the units of all numbers. */
+    public val units: UnitNames = UnitNames(scenario?.units)
+
+    /** Number of states. */
+    public val size: Int get() = times.size
+
+    /** Reads state [k]. @throws FormatException when its file cannot be read */
+    public fun state(k: Int): PatchState {
+        val population = load(k).population()
+        val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
+        return PatchState(population, boundary(population), times[k], omega, scenario?.firstBody ?: Int.MAX_VALUE, factor)
+    }
+
+    public companion object {
+        /**
+         * The run in [path], finished or still going on.
+         *
+         * @throws InputException when there is no run or it has no snapshot
+         */
+        public fun ofRun(path: Path): AnalysisInput {
+            val run = RunDirectory(path)
+            if (!Files.isDirectory(path)) throw InputException(path.toString(), null, "no such directory")
+            if (!Files.exists(run.scenario)) throw InputException(path.toString(), null, "is no run directory: it has no scenario.json")
+            val scenario = ScenarioJson.read(run.scenario).atHome(path)
+            val steps = run.snapshotSteps()
+            if (steps.isEmpty()) throw InputException(path.toString(), null, "has no snapshots; run with --set output.snapshotEvery=10, say")
+            fun frame(k: Int) = H5md.read(run.snapshot(steps[k])).first()
+            val first = frame(0).population()
+            val setup = ScenarioSetup.of(scenario, run.scenario.toString(), first)
+            val step = setup.timeStep
+            val times = DoubleArray(steps.size) { k ->
+                if (step is daphnis.core.FixedTimeStep) steps[k] * step.duration else frame(k).time
+            }
+            val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
+            val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
+            return AnalysisInput(scenario.name, setup.scenario, summary, times, ::frame, { bounded(setup.boundary, it) }, setup.angularSpeed, transport, run)
+        }
+
+        /**
+         * The frames of a foreign file: H5MD (`.h5`, `.h5md`), extended XYZ (`.xyz`), CartAndRad (`.bin`, `.CartAndRad`), or a table (`.csv`).
+         *
+         * @param scenario what the box, its faces and the frame are; without one they are the file's, and open where it does not say
+         */
+        public fun ofFile(path: Path, scenario: Scenario?, source: String): AnalysisInput {
+            if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
+            val frames = read(path)
+            if (frames.isEmpty()) throw FormatException("$path: holds no frame")
+            if (frames[0].size == 0) throw FormatException("$path: holds no particle")
+            val setup = scenario?.let { ScenarioSetup.of(it, source, frames[0].population()) }
+            val given = setup?.boundary ?: ofFrame(frames[0])
+            return AnalysisInput(
+                path.name.substringBeforeLast('.'), setup?.scenario, null, DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
+                setup?.angularSpeed, null, null,
+            )
+        }
+
+        private fun read(path: Path): List<Frame> {
+            val name = path.name.lowercase()
+            return try {
+                when {
+                    name.endsWith(".h5") || name.endsWith(".h5md") -> H5md.read(path)
+                    name.endsWith(".xyz") || name.endsWith(".extxyz") -> ExtendedXyz.read(path)
+                    name.endsWith(".csv") -> listOf(single(ParticleCsv.read(path)))
+                    name.endsWith(".bin") || "cartandrad" in name -> listOf(single(CartAndRad.read(path)))
+                    else -> throw FormatException("$path: unknown format; known: .h5 and .h5md (H5MD), .xyz (extended XYZ), .bin (CartAndRad), .csv")
+                }
+            } catch (e: java.io.IOException) {
+                throw FormatException("$path: cannot be read: ${e.message}")
+            }
+        }
+
+        private fun single(p: Population): Frame = Frame.of(p, daphnis.core.boundary.Open, 0, 0.0)
+
+        private fun ofFrame(frame: Frame): BoundaryConditions {
+            if (frame.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open
+            if (frame.shearOffset != 0.0) {
+                throw InputException("--scenario", null, "is missing; images slide in this file, and the scenario has to say how")
+            }
+            return Periodic(Box.centred(frame.lengths[0], frame.lengths[1], frame.lengths[2]), frame.periodic[0], frame.periodic[1], frame.periodic[2])
+        }
+
+        /** Open space ends where the spheres do. */
+        private fun bounded(boundary: BoundaryConditions, p: Population): BoundaryConditions {
+            if ((0..2).all { boundary.box.length(it).isFinite() } || p.size == 0) return boundary
+            fun low(a: DoubleArray) = a.indices.minOf { a[it] - p.radius[it] }
+            fun high(a: DoubleArray) = a.indices.maxOf { a[it] + p.radius[it] }
+            return Periodic(Box(low(p.x), low(p.y), low(p.z), high(p.x), high(p.y), high(p.z)), false, false, false)
+        }
+    }
+}

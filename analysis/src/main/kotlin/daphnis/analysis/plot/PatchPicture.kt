@@ -1,0 +1,163 @@
+package daphnis.analysis.plot
+
+import daphnis.analysis.insitu.PatchState
+import daphnis.core.boundary.ContactFaces
+import java.awt.Color
+import java.awt.Graphics2D
+import java.awt.RenderingHints
+import java.awt.geom.Ellipse2D
+import java.awt.image.BufferedImage
+import java.io.ByteArrayOutputStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+import java.util.Locale
+import javax.imageio.ImageIO
+
+/**
+ * Pictures of a patch to scale, from above (x upward, y to the right) and from the side (z upward, y to the right). Spheres that stick out of a periodic face are
+ * cut there and go on at the other, images where they are at the time.
+ */
+internal class PatchPicture(private val state: PatchState, private val lengthName: String) {
+    private val p = state.population
+    private val box = state.boundary.box
+
+    /** A part of the plane: from and to along the horizontal (y) and the vertical axis (x or z), which is [axis]. */
+    private class Window(val left: Double, val right: Double, val bottom: Double, val top: Double, val axis: Int)
+
+    private class Disc(val x: Double, val y: Double, val r: Double, val depth: Double)
+
+    /** Writes `NAME.png` and `NAME.svg` into [directory]; the PNG. */
+    fun writeAbove(directory: Path, name: String): ByteArray {
+        val height = box.length(0)
+        // A patch that is very long is shown in part, as wide as can be seen.
+        val width = minOf(box.length(1), height * LONGEST)
+        return write(Window(box.lowerY, box.lowerY + width, box.lowerX, box.upperX, 0), directory, name)
+    }
+
+    fun writeSide(directory: Path, name: String): ByteArray {
+        val width = minOf(box.length(1), box.length(0) * LONGEST)
+        var extent = 0.0
+        for (k in 0 until p.size) extent = maxOf(extent, Math.abs(p.z[k]) + p.radius[k])
+        return write(Window(box.lowerY, box.lowerY + width, -extent, extent, 2), directory, name)
+    }
+
+    private fun write(window: Window, directory: Path, name: String): ByteArray {
+        val discs = discs(window).sortedBy { it.depth }
+        val png = png(discs, window)
+        Files.createDirectories(directory)
+        Files.write(directory.resolve("$name.png"), png)
+        Files.writeString(directory.resolve("$name.svg"), svg(discs, window, png))
+        return png
+    }
+
+    /** All discs that touch the window, images included. For the side view spheres of the front half hide those behind. */
+    private fun discs(window: Window): List<Disc> {
+        val result = ArrayList<Disc>()
+        val shear = state.boundary.shear
+        val offset = if (shear != null && shear.normalAxis == 0) shear.offset(state.time) else 0.0
+        val wrapsX = state.boundary.contactFaces(0) == ContactFaces.PERIODIC
+        val wrapsY = state.boundary.contactFaces(1) == ContactFaces.PERIODIC
+        for (k in 0 until p.size) {
+            for (ix in if (wrapsX && window.axis == 0) -1..1 else 0..0) {
+                for (iy in if (wrapsY) -2..2 else 0..0) {
+                    val y = p.y[k] + iy * box.length(1) + ix * offset
+                    val v = if (window.axis == 0) p.x[k] + ix * box.length(0) else p.z[k]
+                    val r = p.radius[k]
+                    if (y + r < window.left || y - r > window.right || v + r < window.bottom || v - r > window.top) continue
+                    result += Disc(y, v, r, if (window.axis == 0) p.z[k] else -p.x[k])
+                }
+            }
+        }
+        return result
+    }
+
+    private fun png(discs: List<Disc>, window: Window): ByteArray {
+        val scale = PIXELS / (window.right - window.left)
+        val height = Math.ceil((window.top - window.bottom) * scale).toInt().coerceIn(1, 4 * PIXELS)
+        val image = BufferedImage(PIXELS, height, BufferedImage.TYPE_INT_RGB)
+        val g = image.createGraphics()
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON)
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE)
+        g.color = SPACE
+        g.fillRect(0, 0, PIXELS, height)
+        val low = discs.minOfOrNull { it.depth } ?: 0.0
+        val high = discs.maxOfOrNull { it.depth } ?: 1.0
+        for (disc in discs) {
+            val x = (disc.x - window.left) * scale
+            val y = (window.top - disc.y) * scale
+            // What is smaller than a pixel would not be seen at all.
+            val r = maxOf(disc.r * scale, LEAST_PIXELS)
+            g.color = shade(if (high > low) (disc.depth - low) / (high - low) else 0.5)
+            g.fill(Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r))
+            if (r > OUTLINED) {
+                g.color = EDGE
+                g.draw(Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r))
+            }
+        }
+        scaleBar(g, window, scale, height)
+        g.dispose()
+        return ByteArrayOutputStream().also { ImageIO.write(image, "png", it) }.toByteArray()
+    }
+
+    private fun shade(t: Double): Color {
+        val f = (0.45 + 0.55 * t).toFloat()
+        return Color(0.93f * f, 0.89f * f, 0.80f * f)
+    }
+
+    /** A round length of about a fifth of the width. */
+    private fun barLength(window: Window): Double {
+        val wanted = (window.right - window.left) / 5
+        val power = Math.pow(10.0, Math.floor(Math.log10(wanted)))
+        return power * if (wanted / power >= 5) {
+            5.0
+        } else if (wanted / power >= 2) {
+            2.0
+        } else {
+            1.0
+        }
+    }
+
+    private fun scaleBar(g: Graphics2D, window: Window, scale: Double, height: Int) {
+        if (height < 40) return
+        val length = barLength(window)
+        val pixels = (length * scale).toInt()
+        g.color = Color(0, 0, 0, 170)
+        g.fillRoundRect(14, height - 44, pixels + 28, 34, 10, 10)
+        g.color = Color.WHITE
+        g.fillRect(28, height - 18, pixels, 3)
+        g.font = g.font.deriveFont(15f)
+        g.drawString(String.format(Locale.ROOT, "%s %s", compact(length), lengthName), 28, height - 24)
+    }
+
+    private fun compact(v: Double) = if (v == Math.rint(v) && v < 1e6) v.toLong().toString() else v.toString()
+
+    /** Circles while they are few enough to be read and edited, else the picture in an SVG. */
+    private fun svg(discs: List<Disc>, window: Window, png: ByteArray): String {
+        val scale = PIXELS / (window.right - window.left)
+        val height = (window.top - window.bottom) * scale
+        fun f(v: Double) = String.format(Locale.ROOT, "%.2f", v)
+        val head = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"$PIXELS\" height=\"${f(height)}\" viewBox=\"0 0 $PIXELS ${f(height)}\">"
+        if (discs.size > MOST_CIRCLES) {
+            return "$head<image width=\"$PIXELS\" height=\"${f(height)}\" href=\"data:image/png;base64,${Base64.getEncoder().encodeToString(png)}\"/></svg>\n"
+        }
+        val low = discs.minOfOrNull { it.depth } ?: 0.0
+        val high = discs.maxOfOrNull { it.depth } ?: 1.0
+        val circles = discs.joinToString("\n") { d ->
+            val c = shade(if (high > low) (d.depth - low) / (high - low) else 0.5)
+            val fill = String.format("#%02x%02x%02x", c.red, c.green, c.blue)
+            "<circle cx=\"${f((d.x - window.left) * scale)}\" cy=\"${f((window.top - d.y) * scale)}\" r=\"${f(maxOf(d.r * scale, LEAST_PIXELS))}\" fill=\"$fill\"/>"
+        }
+        return "$head<rect width=\"100%\" height=\"100%\" fill=\"#10141c\"/>\n$circles\n</svg>\n"
+    }
+
+    private companion object {
+        const val PIXELS = 1400
+        const val LONGEST = 4.0
+        const val LEAST_PIXELS = 0.7
+        const val OUTLINED = 3.0
+        const val MOST_CIRCLES = 6000
+        val SPACE = Color(0x10, 0x14, 0x1c)
+        val EDGE = Color(0, 0, 0, 90)
+    }
+}

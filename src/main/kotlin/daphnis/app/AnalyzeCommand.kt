@@ -1,0 +1,80 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.double
+import com.github.ajalt.clikt.parameters.types.int
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.report.Analysis
+import daphnis.analysis.report.AnalysisOptions
+import daphnis.analysis.report.AnalysisProgress
+import daphnis.core.scenario.InputException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
+class AnalyzeCommand : CliktCommand(name = "analyze") {
+    private val what by argument("dir-or-file", help = "run directory, or a particle file: H5MD, extended XYZ, CartAndRad, CSV")
+    private val scenario by option("--scenario", help = "for a file: scenario file or built-in name that says what the box and the frame are")
+    private val settings by option("--set", metavar = "path=value", help = "with --scenario: replace any key of it").multiple()
+    private val from by option("--from", help = "averages begin at this time (default: after 3/8 of the run)").double()
+    private val slabs by option("--slabs", help = "slabs of azimuth for streamlines (default: by the number of particles)").int().default(0)
+    private val groups by option("--groups", help = "groups of equal count in a slab (default: by the number of particles)").int().default(0)
+    private val elevation by option("--elevation", help = "elevation of the rays of the occultation, degrees (default 28)").double().default(28.0)
+    private val frames by option("--frames", help = "states that are averaged at most (default 40)").int().default(40)
+    private val out by option("--out", metavar = "dir", help = "where to write (default: into the run directory; FILE-analysis for a file)")
+    private val quiet by option("--quiet", help = "no progress").flag()
+
+    override fun help(context: Context) = "Write tables, plots and a report of a run."
+
+    override fun run() {
+        checkOptions()
+        val path = Path.of(what)
+        val input = if (Files.isRegularFile(path)) {
+            AnalysisInput.ofFile(path, scenario?.let { scenarioNamed(it, settings) }, scenario.orEmpty())
+        } else {
+            if (scenario != null) throw InputException("--scenario", null, "is for files; the run in $path has its own")
+            AnalysisInput.ofRun(path)
+        }
+        val directory = out?.let { Path.of(it) } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
+        Files.createDirectories(directory)
+        Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames)).write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+        println("report: ${directory.resolve("report.html")}")
+    }
+
+    private fun checkOptions() {
+        fun wrong(option: String, value: Any, right: String): Nothing = throw InputException(option, null, "is $value; it must be $right")
+        if (slabs < 0 || slabs > MOST) wrong("--slabs", slabs, "in 1..$MOST")
+        if (groups < 0 || groups > MOST) wrong("--groups", groups, "in 1..$MOST")
+        if (!(elevation > 0 && elevation <= 90)) wrong("--elevation", elevation, "in (0, 90] degrees")
+        if (frames < 1) wrong("--frames", frames, ">= 1")
+        from?.let { if (!it.isFinite()) wrong("--from", it, "a finite number") }
+    }
+
+    /** One line that is written over on a terminal, a line now and then without one. */
+    private class ShownProgress : AnalysisProgress {
+        private val onTerminal = System.console() != null
+        private var last = 0L
+
+        override fun next(done: Int, all: Int, what: String) {
+            val now = System.nanoTime()
+            if (onTerminal) {
+                System.err.print("\r%3d %% %-60s".format(java.util.Locale.ROOT, 100 * done / all, what))
+                if (done == all) System.err.println()
+            } else if (now - last > EVERY_NANOSECONDS && done < all) {
+                System.err.println("%d of %d: %s".format(java.util.Locale.ROOT, done, all, what))
+                last = now
+            }
+        }
+    }
+
+    private companion object {
+        const val MOST = 100_000
+        const val EVERY_NANOSECONDS = 5_000_000_000L
+    }
+}
