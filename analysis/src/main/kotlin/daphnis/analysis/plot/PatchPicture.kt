@@ -123,10 +123,10 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
         val length = barLength(window)
         val pixels = (length * scale).toInt()
         g.color = Color(0, 0, 0, 170)
-        g.fillRoundRect(14, height - 44, pixels + 28, 34, 10, 10)
+        g.fillRoundRect(14, height - 52, pixels + 28, 42, 10, 10)
         g.color = Color.WHITE
         g.fillRect(28, height - 18, pixels, 3)
-        g.font = g.font.deriveFont(15f)
+        g.font = g.font.deriveFont(19f)
         g.drawString(String.format(Locale.ROOT, "%s %s", compact(length), lengthName), 28, height - 24)
     }
 

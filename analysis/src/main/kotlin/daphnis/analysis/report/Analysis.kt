@@ -54,7 +54,7 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         val numbers = Numbers(input, from, measures.ofState)
         progress.next(chosen.size, all, "tables and plots")
         val sections = Sections(input, measures, numbers, directory, options)
-        val page = ReportPage("${input.name}: ${if (input.omega != null) "ring patch" else "collisional flow"}")
+        val page = ReportPage(input.name)
         sections.write(page, last, from, chosen.size)
         progress.next(all - 1, all, "report")
         Files.writeString(directory.resolve("report.html"), page.html(subtitle(last)))
@@ -90,7 +90,7 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
     val radial = daphnis.analysis.profile.Profile(0, box.lowerX, box.upperX, bins(box.length(0)))
     val azimuthal = daphnis.analysis.profile.Profile(1, box.lowerY, box.upperY, bins(box.length(1)))
     val vertical = if (input.omega != null) {
-        daphnis.analysis.profile.Profile(2, -height, height, bins(2 * height))
+        daphnis.analysis.profile.Profile(2, -height, height, bins(4 * 2 * height))
     } else {
         daphnis.analysis.profile.Profile(2, box.lowerZ, box.upperZ, bins(box.length(2)))
     }

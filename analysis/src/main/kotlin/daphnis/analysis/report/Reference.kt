@@ -15,7 +15,7 @@ internal class Reference(val value: Double, val source: String)
  * of state of the elastic gas. By the name of the quantity.
  */
 internal object References {
-    private const val INDEPENDENT = "independent code, docs/validation.md"
+    private const val INDEPENDENT = "docs/validation.md"
 
     /** τ, then c, σx, σy, σz in rΩ, H in r, collisions a particle and orbit, ν_trans and ν_coll in r²Ω, midplane filling factor. */
     private val PATCHES = listOf(

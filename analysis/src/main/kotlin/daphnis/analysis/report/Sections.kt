@@ -52,7 +52,7 @@ internal class Sections(
         val origin = if (input.transport !=
             null
         ) {
-            "the rows of transport.csv from time ${ReportText.short(from)} ${units.time} on, and $states snapshots"
+            "the rows of transport.csv from time ${ReportText.short(from)} ${units.time}${orbits(from)} on, and $states snapshots"
         } else {
             "$states snapshots"
         }
@@ -62,6 +62,8 @@ internal class Sections(
         val lines = rows.map { "${it.what.replace(',', ';')},${it.value},${if (it.error.isNaN()) "" else it.error},${it.unit},${it.reference?.value ?: ""}" }
         Files.write(tables.resolve("numbers.csv"), listOf("quantity,value,standard_error,unit,reference") + lines)
     }
+
+    private fun orbits(time: Double) = input.omega?.let { " (${ReportText.short(time * it / (2 * PI))} orbits)" }.orEmpty()
 
     private fun pictures(page: ReportPage, last: PatchState) {
         page.section("The patch")

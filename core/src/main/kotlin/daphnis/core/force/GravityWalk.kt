@@ -10,7 +10,7 @@ import kotlin.math.sqrt
  * One walk through a [tree] for all spheres of a leaf (Barnes 1990, J. Comput. Phys. 87, 161): [begin], [collect] for each image, [sum]. Collects what
  * attracts the leaf, spheres and nodes taken as one, in one list, then sums the list for each sphere. Each thread has its own.
  */
-internal class GravityWalk(private val tree: GravityTree, private val openingAngle: Double, private val softening: Double) {
+internal class GravityWalk(private val tree: GravityTree, private val openingAngle: Double, private val softening: Double, private val stressRange: Double) {
     private var leaf = 0
 
     // What attracts: position and mass.
@@ -81,6 +81,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
     /** Writes the acceleration of every sphere of the leaf, and Σ a_y Δx, by index in the population. */
     fun sum(constant: Double, ax: DoubleArray, ay: DoubleArray, az: DoubleArray, stress: DoubleArray) {
         val softening2 = softening * softening
+        val range2 = stressRange * stressRange
         for (place in tree.from[leaf] until tree.to[leaf]) {
             val x = tree.x[place]
             val y = tree.y[place]
@@ -101,7 +102,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
                 fx += f * dx
                 fy += f * dy
                 fz += f * dz
-                fyx += f * dy * dx
+                if (d2 < range2) fyx += f * dy * dx
             }
             val index = tree.order[place]
             ax[index] = constant * fx

@@ -30,7 +30,11 @@ public class SelfGravity(
     private var loop: RangeLoop = InlineLoop
     private val tree = GravityTree()
     private val periodicImages = Images()
-    private val codes: IntArray
+
+    // Which images, centred on the original: those across sliding faces begin with the nearest.
+    private val ranges = IntArray(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) images else 0 }
+    private val codes = IntArray(ranges.fold(1) { n, range -> n * (2 * range + 1) })
+    private val stressRange: Double
     private var walks = arrayOf<GravityWalk>()
 
     // Of the last evaluation, by index in the population: accelerations, and what they were computed for.
@@ -44,11 +48,10 @@ public class SelfGravity(
         require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be >= 0" }
         require(openingAngle in 0.0..1.0) { "opening angle is $openingAngle; it must be in [0, 1]" }
         require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be >= 0" }
-        require(images in 0..Images.FARTHEST) { "images is $images; it must be in 0..${Images.FARTHEST}" }
-        val range = IntArray(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) images else 0 }
-        val all = ArrayList<Int>()
-        for (x in -range[0]..range[0]) for (y in -range[1]..range[1]) for (z in -range[2]..range[2]) all += Images.code(x, y, z)
-        codes = all.toIntArray()
+        require(images in 0..MOST_IMAGES) { "images is $images; it must be in 0..$MOST_IMAGES" }
+        // So far images reach in all directions from everybody, wherever they have slid to.
+        val shortest = (0..2).filter { ranges[it] > 0 }.minOfOrNull { boundary.box.length(it) }
+        stressRange = if (shortest == null) Double.POSITIVE_INFINITY else shortest * (images - 0.5)
     }
 
     override fun useLoop(loop: RangeLoop) {
@@ -73,8 +76,9 @@ public class SelfGravity(
     }
 
     /**
-     * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i), F_ij the force of j on i, over images too. Of
-     * the last kick, whose population this must be; summed in the order of ids.
+     * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i), F_ij the force of j on i, over images too, of
+     * pairs no farther apart than images reach in every direction, so that a uniform sheet carries none. Of the last kick, whose population this must be;
+     * summed in the order of ids.
      */
     public fun stressXY(population: Population): Double {
         if (stress.size < population.size) return 0.0
@@ -96,7 +100,8 @@ public class SelfGravity(
         }
         tree.build(population)
         periodicImages.prepare(boundary, time)
-        if (walks.size < loop.workers) walks = Array(loop.workers) { GravityWalk(tree, openingAngle, softening) }
+        chooseImages()
+        if (walks.size < loop.workers) walks = Array(loop.workers) { GravityWalk(tree, openingAngle, softening, stressRange) }
         loop.run(tree.leafCount, LEAVES_A_PIECE) { worker, from, to ->
             val walk = walks[worker]
             for (leaf in from until to) {
@@ -108,7 +113,31 @@ public class SelfGravity(
         seen.keep(population, time)
     }
 
+    private fun chooseImages() {
+        val shear = boundary.shear
+        val center = IntArray(3)
+        var n = 0
+        for (x in -ranges[0]..ranges[0]) {
+            for (y in -ranges[1]..ranges[1]) {
+                for (z in -ranges[2]..ranges[2]) {
+                    if (shear != null) {
+                        val boxes = if (shear.normalAxis == 0) {
+                            x
+                        } else if (shear.normalAxis == 1) {
+                            y
+                        } else {
+                            z
+                        }
+                        center[shear.slideAxis] = -Math.rint(boxes * periodicImages.shearOffset / boundary.box.length(shear.slideAxis)).toInt()
+                    }
+                    codes[n++] = Images.code(x + center[0], y + center[1], z + center[2])
+                }
+            }
+        }
+    }
+
     private companion object {
+        const val MOST_IMAGES = 60
         const val LEAVES_A_PIECE = 8
     }
 }
