@@ -39,11 +39,8 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int) 
             val k = grid.order[slot]
             if (!state.isParticle(k)) continue
             n++
-            val runs = if (inPlane) {
-                near.ahead(slot, p.x[k], p.y[k], p.z[k], 0.0, 0.0, 0.0, maxOf(farthest, height))
-            } else {
-                near.ahead(slot, p.x[k], p.y[k], p.z[k], 0.0, 0.0, 0.0, farthest)
-            }
+            // A sphere of that size touches whoever is near enough.
+            val runs = near.ahead(slot, p.x[k], p.y[k], p.z[k], 0.0, 0.0, 0.0, sqrt(farthest * farthest + height * height))
             for (r in 0 until runs) {
                 val image = near.image[r]
                 for (other in near.from[r] until near.to[r]) {

@@ -49,7 +49,11 @@ internal class ReportPage(private val title: String) {
                 if (reference == null) {
                     body.append("<td></td><td></td><td></td>")
                 } else {
-                    val difference = String.format(Locale.ROOT, "%+.1f %%", 100 * (row.value / reference.value - 1)).replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
+                    val difference = String.format(
+                        Locale.ROOT,
+                        "%+.1f %%",
+                        100 * (row.value / reference.value - 1),
+                    ).replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
                     body.append("<td class=\"n\">${plain(reference.value)}</td><td class=\"n\">$difference</td><td>${escape(reference.source)}</td>")
                 }
             }
@@ -121,7 +125,11 @@ $body</main></body></html>
             if (value.isNaN()) return "–"
             val size = Math.abs(value)
             if (value == Math.rint(value) && size < LARGE) return minus(value.toLong().toString())
-            if (size >= SMALL && size < LARGE) return minus(String.format(Locale.ROOT, "%.4g", value).let { if ('e' in it) String.format(Locale.ROOT, "%.0f", value) else it })
+            if (size >= SMALL &&
+                size < LARGE
+            ) {
+                return minus(String.format(Locale.ROOT, "%.4g", value).let { if ('e' in it) String.format(Locale.ROOT, "%.0f", value) else it })
+            }
             if (value == 0.0) return "0"
             val exponent = Math.floor(Math.log10(size)).toInt()
             return minus(String.format(Locale.ROOT, "%.3f", value / Math.pow(10.0, exponent.toDouble()))) + " · 10<sup>${minus(exponent.toString())}</sup>"

@@ -161,8 +161,14 @@ class GravityTest {
         fun at(k: Int, n: Int) = (k + 0.5) / n - 0.5
         val n = edge * edge
         val lattice = Population(
-            DoubleArray(n) { 50 * at(it / edge, edge) }, DoubleArray(n) { 60 * at(it % edge, edge) }, DoubleArray(n),
-            DoubleArray(n), DoubleArray(n), DoubleArray(n), DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 },
+            DoubleArray(n) { 50 * at(it / edge, edge) },
+            DoubleArray(n) { 60 * at(it % edge, edge) },
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n) { 0.1 },
+            DoubleArray(n) { 1.0 },
         )
         for (time in listOf(0.0, 0.2, 0.4, 0.6)) {
             val gravity = SelfGravity(sheet, 1.0, 0.3, 0.0, 2)

@@ -1,0 +1,126 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
+import daphnis.core.format.CartAndRad
+import daphnis.core.format.ExtendedXyz
+import daphnis.core.format.FormatException
+import daphnis.core.format.Frame
+import daphnis.core.format.H5md
+import daphnis.core.run.Run
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.InputException
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.name
+
+class AnalysisTest {
+    @TempDir
+    lateinit var directory: Path
+
+    private fun run(name: String, vararg settings: String): Path {
+        val path = directory.resolve(name)
+        Run.start(BuiltIn.scenario(name, settings.asList()), name, path).use { it.execute() }
+        return path
+    }
+
+    @Test
+    fun `a ring patch gives tables, plots and one page with everything inside`() {
+        val path = run("ring-patch", "untilOrbits=2", "box.lengths=[60,60,20]", "output.snapshotEvery=50")
+        val seen = ArrayList<Int>()
+        Analysis(AnalysisInput.ofRun(path)).write(path) { done, all, _ -> seen += 100 * done / all }
+        assertEquals(100, seen.last())
+        assertEquals(seen.sorted(), seen)
+        val html = Files.readString(path.resolve("report.html"))
+        for (heading in listOf("Numbers", "The patch", "Streamlines", "Evolution", "Profiles", "Velocity ellipsoid", "Structure", "Occultation", "Impacts", "Run")) {
+            assertTrue(">$heading</h2>" in html) { heading }
+        }
+        // Nothing from outside: every picture is data, no script, no link but those within the page.
+        assertFalse(Regex("""(src|href)="(?!data:|#)""").containsMatchIn(html))
+        assertFalse("<script" in html)
+        val tables = Files.list(path.resolve("tables")).use { files -> files.map { it.name }.toList().toSet() }
+        val wanted = "numbers streamlines-x streamlines-guiding-centre profile-radial profile-vertical evolution pair-correlation " +
+            "structure-factor autocorrelation occultation impact-speeds"
+        for (name in wanted.split(' ')) {
+            assertTrue("$name.csv" in tables) { name }
+        }
+        assertTrue(Files.readAllLines(path.resolve("tables/profile-radial.csv"))[0].startsWith("centre [m],count,count_error,surface_density [kg/m^2]"))
+        for (plot in listOf("patch-above", "patch-side", "streamlines", "velocity-ellipsoid")) {
+            assertTrue(Files.size(path.resolve("plots/$plot.png")) > 1000)
+            assertTrue(Files.readString(path.resolve("plots/$plot.svg")).startsWith("<svg"))
+        }
+    }
+
+    @Test
+    fun `a sheared box has its mean flow, an open gas what an open gas has`() {
+        val sheared = run("shear-cell", "until=1", "output.snapshotEvery=10", "output.transportEvery=2")
+        Analysis(AnalysisInput.ofRun(sheared)).write(sheared)
+        assertTrue(">Mean flow</h2>" in Files.readString(sheared.resolve("report.html")))
+        assertTrue("temperature T*" in Files.readString(sheared.resolve("tables/numbers.csv")))
+        val open = run("cooling-gas", "until=0.2", "boundary={\"type\":\"open\"}", "particles.count=200")
+        Analysis(AnalysisInput.ofRun(open)).write(open)
+        assertTrue("granular temperature" in Files.readString(open.resolve("tables/numbers.csv")))
+    }
+
+    @Test
+    fun `foreign files give the states they hold`() {
+        val path = run("elastic-gas", "until=0.2", "particles.count=300", "output.snapshotEvery=1")
+        val original = AnalysisInput.ofRun(path).state(0).population
+        val frame = Frame.of(original, Periodic(Box.centred(10.0, 10.0, 10.0)), 0, 0.5)
+        val xyz = directory.resolve("a.xyz")
+        Files.newBufferedWriter(xyz).use {
+            ExtendedXyz.write(frame, it)
+            ExtendedXyz.write(frame, it)
+        }
+        val h5 = directory.resolve("a.h5")
+        H5md.write(listOf(frame), h5, "test")
+        val bin = directory.resolve("a.bin")
+        CartAndRad.write(original, bin)
+        for ((file, count) in listOf(xyz to 2, h5 to 1, bin to 1)) {
+            val input = AnalysisInput.ofFile(file, null, "")
+            assertEquals(count, input.size)
+            val p = input.state(count - 1).population
+            assertArrayEquals(frame.position[0], p.x, 1e-12) { file.toString() }
+            assertArrayEquals(frame.velocity[2], p.vz, 1e-12)
+            assertArrayEquals(frame.radius, p.radius, 1e-12)
+        }
+        val out = directory.resolve("out")
+        Files.createDirectories(out)
+        Analysis(AnalysisInput.ofFile(bin, null, "")).write(out)
+        assertTrue(Files.size(out.resolve("report.html")) > 10_000)
+    }
+
+    @Test
+    fun `what is wrong with a file is one line that names it`() {
+        fun wrong(name: String, text: String, vararg words: String) {
+            val file = directory.resolve(name)
+            Files.writeString(file, text)
+            val message = assertThrows(FormatException::class.java) { AnalysisInput.ofFile(file, null, "") }.message!!
+            for (word in words.asList() + name) assertTrue(word in message) { message }
+            assertFalse('\n' in message)
+        }
+        val head = "Properties=species:S:1:pos:R:3:radius:R:1\n"
+        wrong("nan.xyz", "1\n${head}X 0 0 NaN 1\n", ":3:", "'NaN'")
+        wrong("cut.xyz", "2\n${head}X 0 0 0 1\n", "cut short", "2 particles")
+        wrong("count.xyz", "two\n$head", "'two'")
+        wrong("radius.xyz", "1\n${head}X 0 0 0 -1\n", "> 0")
+        wrong("columns.xyz", "1\n${head}X 0 0 0\n", "4 values", "5")
+        wrong("empty.xyz", "", "no frame")
+        wrong("none.xyz", "0\n$head", "no particle")
+        wrong("cut.bin", "abc", "CartAndRad")
+        wrong("cut.h5", "abc", "H5MD")
+        wrong("what.txt", "abc", "unknown format")
+        wrong("nan.csv", "x,y,z,radius\n0,0,NaN,1\n", ":2:", "finite")
+        assertThrows(InputException::class.java) { AnalysisInput.ofFile(directory.resolve("nowhere.xyz"), null, "") }
+        assertThrows(InputException::class.java) { AnalysisInput.ofRun(directory.resolve("nowhere")) }
+        assertThrows(InputException::class.java) { AnalysisInput.ofRun(directory) }
+    }
+}
