@@ -43,7 +43,7 @@ class StreamlinesTest {
                 // |d(e exp(iφ))/dX| = e · dφ/dX.
                 assertEquals(0.5 * 0.4, lines.q[k], 0.025)
                 assertEquals(0.5, lines.spacing[k], 0.12)
-                if (slab > 2) assertEquals(2 * PI * 4 / 200, lines.phase[k] - lines.phase[lines.at(slab - 1, group)], 0.02)
+                if (slab > 2) assertEquals(2 * PI * 4 / 200, lines.phase[k] - lines.phase[lines.at(slab - 1, group)], 0.04)
             }
         }
     }
