@@ -24,6 +24,9 @@ import daphnis.core.scenario.ScenarioSetup
  * | CLUMPED | 1e5 elastic spheres that start at φ = 0.3 in the lower corner of a box that is eight times as large each way |
  * | DENSE | 1e5 elastic spheres at φ = 0.45, molten, 0.6 τ |
  * | GAS_1E4, GAS_1E5, GAS_1E6 | elastic gases at φ = 0.1, steps of 0.1 τ |
+ * | RING_1E5, RING_1E6 | the built-in ring patch, steady, laid side by side until there are about so many; 198 steps an orbit |
+ * | WAKES | the built-in self-gravity wakes, 1,600 particles, 1000 steps an orbit |
+ * | MOONLET | the built-in moonlet, 60,000 particles, from its start |
  */
 enum class Workload(val dt: Double, val steps: Int, private val make: () -> ScenarioSetup) {
     PAPER_1(0.1, 300, { builtIn("paper-figure-1") }),
@@ -34,6 +37,10 @@ enum class Workload(val dt: Double, val steps: Int, private val make: () -> Scen
     GAS_1E4(0.1, 100, { gas(10_000, 0.1, "random") }),
     GAS_1E5(0.1, 20, { gas(100_000, 0.1, "random") }),
     GAS_1E6(0.1, 5, { gas(1_000_000, 0.1, "random") }),
+    RING_1E5(RING_STEP, 20, { ring(6) }),
+    RING_1E6(RING_STEP, 5, { ring(19) }),
+    WAKES(2 * Math.PI / WAKES_OMEGA / 1000, 200, { builtIn("self-gravity-wakes") }),
+    MOONLET(159.395, 20, { builtIn("moonlet") }),
     ;
 
     /** A state to start from, which [simulation] copies. */
@@ -44,7 +51,8 @@ enum class Workload(val dt: Double, val steps: Int, private val make: () -> Scen
         private val guard: CollapseGuard = setup.guard
         private val population: Population = setup.population.also { if (this@Workload == DENSE) melt(it, boundary) }
 
-        fun simulation(engine: CollisionEngine): Simulation = Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine), FixedTimeStep(dt))
+        fun simulation(engine: CollisionEngine): Simulation =
+            Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine), FixedTimeStep(dt), setup.forces)
     }
 
     private fun melt(population: Population, boundary: BoundaryConditions) {
@@ -54,6 +62,43 @@ enum class Workload(val dt: Double, val steps: Int, private val make: () -> Scen
 }
 
 private const val MELTING = 1.5
+
+private const val RING_OMEGA = 1.313952e-4
+private const val WAKES_OMEGA = 0.00013143527
+
+/** After 21 of these the images of a square patch have slid by one box, and stand as at the beginning. */
+private const val RING_STEP = 1 / (1.5 * 21 * RING_OMEGA)
+
+/** [edges] × [edges] steady ring patches, images of one another. */
+private fun ring(edges: Int): ScenarioSetup {
+    fun scenario(length: Double) = BuiltIn.scenario(
+        "ring-patch",
+        listOf("frame={\"type\":\"hill\",\"angularSpeed\":$RING_OMEGA}", "box.lengths=[$length,$length,20]", "timeStep={\"type\":\"fixed\",\"dt\":$RING_STEP}"),
+    )
+    val small = ScenarioSetup.of(scenario(RING_EDGE), "ring")
+    val patch = Simulation(small.population, small.boundary, CollisionForcing(small.restitution), FixedTimeStep(RING_STEP), small.forces)
+    repeat(RING_SETTLING) { patch.advance() }
+    val p = small.population
+    val n = p.size
+    fun column(a: DoubleArray, each: (Int) -> Double = { 0.0 }) = DoubleArray(n * edges * edges) { a[it % n] + each(it / n) }
+    fun offset(k: Int) = (k - (edges - 1) / 2.0) * RING_EDGE
+    val all = Population(
+        column(p.x) { offset(it / edges) },
+        column(p.y) { offset(it % edges) },
+        column(p.z),
+        column(p.vx),
+        column(p.vy) { -1.5 * RING_OMEGA * offset(it / edges) },
+        column(p.vz),
+        column(p.radius),
+        column(p.mass),
+    )
+    return ScenarioSetup.of(scenario(edges * RING_EDGE), "ring", all)
+}
+
+private const val RING_EDGE = 200.0
+
+/** Six orbits, a whole number of times 21. */
+private const val RING_SETTLING = 21 * 57
 
 private fun builtIn(name: String) = ScenarioSetup.of(BuiltIn.scenario(name), name)
 
