@@ -2,10 +2,12 @@ package daphnis.core.engine
 
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.queue.BucketEventQueue
 import daphnis.core.queue.EventQueue
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
+import daphnis.core.search.RowBounds
 
 /**
  * The specification: section 2 of Lewis & Massingill on one thread.
@@ -32,7 +34,8 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
     private val rows = StepRows()
     private val reach = Reach()
     private val walls = WallContact()
-    private val search = NeighbourSearch(rows, grid, queue)
+    private val bounds = RowBounds()
+    private val search = NeighbourSearch(rows, grid, queue, bounds)
     private val progress = ProgressWatch()
 
     // Counted within the step, added to the run's counters once it has succeeded.
@@ -60,6 +63,7 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
         step.record?.clear()
         grid.build(population, step.boundary, step.start, step.duration, reach.bound, structure = step.search)
         rows.load(population, grid.order, step.law.guard.needsLastCollision)
+        bounds.measure(grid, rows, step.duration, InlineLoop)
         queue.reset(step.duration, rows.id, rows.size)
         search.prepare(step.duration)
         progress.start(rows.size, step.duration)
@@ -100,6 +104,7 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
             reach.enlarge(rows, slot, step.duration)
             return false
         }
+        bounds.include(slot, rows, slot)
         search.queueAll(slot, time, except)
         if (walls.present) queueWalls(slot, step.duration)
         return true

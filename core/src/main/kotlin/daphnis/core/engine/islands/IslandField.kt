@@ -88,9 +88,6 @@ public class IslandField(private val workers: Int) {
     /** Whether a sphere outran the bound, so that the attempt at the step is void: call [enlarge] and [prepare] again. */
     public val isOutrun: Boolean get() = outrunner != FREE
 
-    /** Whether the search of this step has so many candidates that closer bounds are kept for it. */
-    public val isWideSearch: Boolean get() = bounds.isInUse
-
     /** Number of spheres. */
     public val size: Int get() = rows.size
 

@@ -34,8 +34,6 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
 
     private val alone = SerialEngine()
     private val quicker = QuickerWay()
-    private var steps = 0L
-    private var isWide = true
     private var deadline = Long.MAX_VALUE
 
     override fun advance(step: CollisionStep) {
@@ -49,8 +47,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         }
         val begin = System.nanoTime()
         fun seconds() = (System.nanoTime() - begin) * 1e-9
-        val isAlone = threads > 1 && quicker.isAlone()
-        if (isAlone) {
+        if (quicker.isAlone()) {
             alone.advance(step)
             quicker.took(seconds(), true)
             return
@@ -78,24 +75,8 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
 
     private fun isLate(): Boolean = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0
 
-    /**
-     * Few spheres are not worth the barriers. On one thread islands have nothing to give but work, unless searches are so wide that closer bounds pay:
-     * looked at often at first, when a state is still far from what it will be, then now and then.
-     */
-    private fun isQuickerAlone(step: CollisionStep): Boolean {
-        if (fewest == 0) return false
-        if (step.population.size < fewest) return true
-        if (threads > 1) return false
-        if (steps and (steps - 1) == 0L || steps % STEPS_A_LOOK == 0L) isWide = isWideSearch(step)
-        steps++
-        return !isWide
-    }
-
-    private fun isWideSearch(step: CollisionStep): Boolean {
-        field.measure(step)
-        field.prepare(step)
-        return field.isWideSearch
-    }
+    /** Few spheres are not worth the barriers; on one thread islands have nothing to give but work. */
+    private fun isQuickerAlone(step: CollisionStep): Boolean = fewest != 0 && (threads == 1 || step.population.size < fewest)
 
     /** @return false when somebody outran the bound, or when it is late */
     private fun attempt(step: CollisionStep): Boolean {
@@ -159,7 +140,6 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private companion object {
         const val WORTH_SPHERES = 20_000
         const val SPHERES_A_PIECE = 512
-        const val STEPS_A_LOOK = 64
         const val LEAST_IN_PARALLEL = 64
         const val PIECES_A_THREAD = 8
         const val MOST_A_PIECE = 64

@@ -4,8 +4,7 @@ package daphnis.core.engine.islands
  * Whether islands are worth growing, found out by trying: both ways give the same bits, so nothing but the time hangs on it. Where most collisions hang together, as
  * around a moonlet on which particles lie, all are one island and the serial way is quicker.
  *
- * The serial way is tried often at first, when a state is still far from what it will be, then now and then; when it has won, islands are tried again later, the
- * later the more clearly they had lost.
+ * The serial way is tried early and then now and then; when it has won, islands are tried again later, the later the more clearly they had lost.
  */
 internal class QuickerWay {
     private var steps = 0L
@@ -18,7 +17,7 @@ internal class QuickerWay {
         val step = steps++
         if (step < aloneUntil) return true
         // A new look at islands, unless the serial way is due for one.
-        return step != aloneUntil && (step and (step - 1) == 0L || step % STEPS_A_LOOK == 0L)
+        return step != aloneUntil && (step == FIRST_LOOK || step % STEPS_A_LOOK == STEPS_A_LOOK / 2)
     }
 
     /** Seconds after which growing islands in this step is to be given up. */
@@ -40,6 +39,7 @@ internal class QuickerWay {
     }
 
     private companion object {
+        const val FIRST_LOOK = 3L
         const val STEPS_A_LOOK = 64L
         const val CLEARLY = 1.1
         const val MOST_LOSS = 4.0

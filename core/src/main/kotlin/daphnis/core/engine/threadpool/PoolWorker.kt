@@ -14,6 +14,7 @@ import daphnis.core.engine.NeighbourSearch
 import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
+import daphnis.core.search.RowBounds
 
 /** What each sphere was before its last collision. A row is written by whoever processes the sphere and read under the same rule as the state. */
 internal class Trails {
@@ -46,7 +47,14 @@ internal class Trails {
 }
 
 /** What one thread of the pool has to itself, and what it does with a collision. */
-internal class PoolWorker(private val rows: StepRows, private val grid: Grid, private val walls: WallContact, private val reach: Reach, private val trails: Trails) {
+internal class PoolWorker(
+    private val rows: StepRows,
+    private val grid: Grid,
+    private val bounds: RowBounds,
+    private val walls: WallContact,
+    private val reach: Reach,
+    private val trails: Trails,
+) {
     val found = EventList()
     val taken = Taken()
     val record = CollisionRecord()
@@ -57,8 +65,8 @@ internal class PoolWorker(private val rows: StepRows, private val grid: Grid, pr
     var guarded = 0L
         private set
 
-    private val search = NeighbourSearch(rows, grid, found)
-    private val near = CellRuns(grid)
+    private val search = NeighbourSearch(rows, grid, found, bounds)
+    private val near = CellRuns(grid, bounds)
     private var sourceLaw: CollisionLaw? = null
     private var law = CollisionLaw({ 1.0 })
 
@@ -123,6 +131,8 @@ internal class PoolWorker(private val rows: StepRows, private val grid: Grid, pr
             outrunner = slot
             return Outcome.OUTRUN
         }
+        // Who may see this sphere is not searching now; whoever does so later has the lock of the queue between.
+        bounds.include(slot, rows, slot)
         if (!taken.isLate) {
             search.queueAll(slot, time, except)
         } else if (!searchLate(slot, time, except, step.duration)) {
@@ -151,6 +161,7 @@ internal class PoolWorker(private val rows: StepRows, private val grid: Grid, pr
             state[p + VX + 1] * rest,
             state[p + VX + 2] * rest,
             state[p + RADIUS],
+            time,
         )
         for (r in 0 until runs) {
             val image = near.image[r]

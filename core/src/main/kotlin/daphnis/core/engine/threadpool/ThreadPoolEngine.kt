@@ -14,6 +14,7 @@ import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.Grid
 import daphnis.core.search.GridSort
 import daphnis.core.search.Reach
+import daphnis.core.search.RowBounds
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
@@ -57,11 +58,12 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
     private val grid = Grid(gridSort)
     private val rows = StepRows()
     private val reach = Reach()
+    private val bounds = RowBounds()
     private val walls = WallContact()
     private val busy = BusyCells(rows, grid)
     private val queue = SafeQueue(busy)
     private val trails = Trails()
-    private val workers = Array(threads) { PoolWorker(rows, grid, walls, reach, trails) }
+    private val workers = Array(threads) { PoolWorker(rows, grid, bounds, walls, reach, trails) }
     private val replay = SerialEngine()
 
     private val failedWith = AtomicInteger(Outcome.DONE.ordinal)
@@ -100,6 +102,7 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
         failedWith.set(Outcome.DONE.ordinal)
         grid.build(step.population, step.boundary, step.start, step.duration, reach.bound, loop, step.search)
         rows.load(step.population, grid.order, step.law.guard.needsLastCollision, loop)
+        bounds.measure(grid, rows, step.duration, loop)
         busy.prepare(step.population, step.boundary)
         queue.reset(step.start, step.duration, rows.id, rows.size)
         trails.reset(rows.size)
