@@ -57,5 +57,14 @@ daphnis run elastic-gas --set until=-1 --out bad 2>err || code=$?
 [ ! -e bad ] || die "wrong input: left a directory"
 
 for format in xyz vtp h5md cartandrad; do daphnis export whole --format $format >/dev/null; done
+daphnis run ring-patch --set untilOrbits=1 --set 'box.lengths=[60,60,20]' --quiet --out ring >/dev/null
+daphnis analyze ring --quiet | grep -q 'ring/report.html' || die "analyze does not say where the report is"
+[ -s ring/report.html ] && [ -s ring/tables/streamlines-x.csv ] && [ -s ring/plots/patch-above.png ] || die "analyze left something out"
+daphnis export ring --format xyz >/dev/null
+daphnis analyze ring/export/trajectory.xyz --scenario ring/scenario.json --quiet >/dev/null || die "analyze does not read an exported file"
+code=0
+daphnis analyze nowhere 2>err || code=$?
+[ $code -eq 2 ] && [ "$(wc -l <err)" -eq 1 ] || die "analyze of nothing: exit code $code, or not one line"
+
 [ -s whole/plots/run.png ] && [ -s whole/plots/run.svg ] || die "no plot"
 echo "smoke test: ok"

@@ -126,14 +126,15 @@ class EnginesAgreeTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = ["paper-figure-1", "paper-figure-2", "paper-figure-3"])
-    fun `the paper's systems at full size`(name: String) {
+    @ValueSource(strings = ["paper-figure-1", "paper-figure-2", "paper-figure-3", "ring-patch", "satellite-wake", "moonlet", "self-gravity-wakes"])
+    fun `the paper's systems and the rings at full size`(name: String) {
         val setup = ScenarioSetup.of(BuiltIn.scenario(name), name)
         fun simulation(engine: String, threads: Int) = Simulation(
             setup.population.copy(),
             setup.boundary,
             CollisionForcing(setup.restitution, setup.guard, allEngines.create(engine, threads)!!),
             setup.timeStep as FixedTimeStep,
+            ScenarioSetup.of(setup.scenario, name, setup.population).forces,
         )
         val steps = if (LONG) 30 else 6
         val digests = listOf("serial" to 1, "islands" to 1, "islands" to 2, "islands" to 3, "thread-pool" to 2, "actors" to 2, "pekko" to 2).map { (engine, threads) ->

@@ -42,7 +42,8 @@ class StreamlinesTest {
                 assertEquals(lines.guidingX[k] - 0.5 * Math.cos(phase), lines.meanX[k], 0.03)
                 // |d(e exp(iφ))/dX| = e · dφ/dX.
                 assertEquals(0.5 * 0.4, lines.q[k], 0.025)
-                assertEquals(0.5, lines.spacing[k], 0.12)
+                // dx/dX = 1 + e (dφ/dX) sin φ.
+                assertEquals(0.5 * (1 + 0.2 * Math.sin(phase)), lines.spacing[k], 0.2)
                 if (slab > 2) assertEquals(2 * PI * 4 / 200, lines.phase[k] - lines.phase[lines.at(slab - 1, group)], 0.04)
             }
         }
