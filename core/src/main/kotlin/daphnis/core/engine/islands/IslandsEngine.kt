@@ -49,13 +49,16 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         fun seconds() = (System.nanoTime() - begin) * 1e-9
         if (quicker.isAlone()) {
             alone.advance(step)
-            quicker.took(seconds(), true)
+            quicker.wentAlone(seconds())
             return
         }
         deadline = if (quicker.patience.isInfinite()) Long.MAX_VALUE else begin + (quicker.patience * 1e9).toLong()
-        val done = grow(step)
-        quicker.took(seconds(), false)
-        if (!done) alone.advance(step)
+        if (grow(step)) {
+            quicker.grew(seconds())
+        } else {
+            quicker.gaveUp()
+            alone.advance(step)
+        }
     }
 
     /** @return false when it was given up because it takes too long; then nothing has happened */
