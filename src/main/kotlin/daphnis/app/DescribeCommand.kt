@@ -6,8 +6,8 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import daphnis.core.FixedTimeStep
-import daphnis.core.boundary.Open
 import daphnis.core.run.engineOf
+import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.search.Grid
@@ -38,8 +38,18 @@ class DescribeCommand : CliktCommand(name = "describe") {
         val radii = setup.population.radius
         row("particles", "%d", radii.size)
         row("radius", "%.6g to %.6g", radii.min(), radii.max())
-        if (setup.boundary !== Open) row("filling factor", "%.6g", fillingFactor(radii, setup.boundary.box))
-        row("box", "%s, %s", scenario.box.lengths.joinToString(" x "), setup.boundary.javaClass.simpleName)
+        if (scenario.boundary !is BoundarySpec.Open &&
+            scenario.boundary !is BoundarySpec.HillSheet
+        ) {
+            row("filling factor", "%.6g", fillingFactor(radii, setup.boundary.box))
+        }
+        row("box", "%s, %s", scenario.box.lengths.joinToString(" x "), scenario.boundary.javaClass.simpleName)
+        val omega = setup.angularSpeed ?: return
+        row("frame", "angular speed %.6g, orbit %.6g", omega, 2 * Math.PI / omega)
+        val area = setup.boundary.box.length(0) * setup.boundary.box.length(1)
+        val particles = radii.indices.filter { setup.population.id[it] < (setup.scenario.firstBody ?: Int.MAX_VALUE) }
+        row("optical depth", "%.6g", particles.sumOf { Math.PI * radii[it] * radii[it] } / area)
+        row("surface density", "%.6g", particles.sumOf { setup.population.mass[it] } / area)
     }
 
     private fun describeStep(setup: ScenarioSetup, scenario: Scenario) {
@@ -55,17 +65,13 @@ class DescribeCommand : CliktCommand(name = "describe") {
         row("steps", "%s of %.6g to time %.6g", steps, dt, setup.scenario.end)
         val reach = Reach().apply { measure(setup.population, dt) }
         row("reach in a step", "%.4g x %.4g x %.4g", reach.bound[0], reach.bound[1], reach.bound[2])
-        val grid = Grid().apply { build(setup.population, setup.boundary, 0.0, dt, reach.bound) }
-        row(
-            "cells",
-            "%d x %d x %d, each %.4g x %.4g x %.4g",
-            grid.cellsAlong(0),
-            grid.cellsAlong(1),
-            grid.cellsAlong(2),
-            grid.cellWidth(0),
-            grid.cellWidth(1),
-            grid.cellWidth(2),
-        )
+        val grid = Grid().apply { build(setup.population, setup.boundary, 0.0, dt, reach.bound, structure = setup.scenario.search) }
+        for (size in 0 until grid.classes) {
+            val radii = if (grid.classes > 1) ", for radii up to %.4g".format(Locale.ROOT, grid.largestRadius(size)) else ""
+            val cells = (0..2).joinToString(" x ") { "${grid.cellsAlong(it, size)}" }
+            val widths = (0..2).joinToString(" x ") { "%.4g".format(Locale.ROOT, grid.cellWidth(it, size)) }
+            row(if (size == 0) "cells" else "", "%s, each %s%s", cells, widths, radii)
+        }
     }
 
     private fun row(label: String, format: String, vararg values: Any) {

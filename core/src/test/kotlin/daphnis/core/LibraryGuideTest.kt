@@ -2,11 +2,16 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.force.Epicycle
+import daphnis.core.force.HillFrame
 import daphnis.core.force.Kick
+import daphnis.core.force.Satellite
+import daphnis.core.force.SelfGravity
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
@@ -128,5 +133,23 @@ class LibraryGuideTest {
                 "docs/library.md lacks the example '${example.groupValues[1]}' as it stands here"
             }
         }
+    }
+
+    @Test
+    fun `a ring with a moon and gravity`() {
+        val population = randomSpheres(60, HillSheet(Box.centred(100.0, 100.0, 20.0), 1.0), 3, 1.0) { 1.0 }
+        for (k in 0 until population.size) population.vy[k] -= 1.5 * population.x[k]
+
+        val omega = 1.0
+        val sheet = HillSheet(Box.centred(100.0, 100.0, 20.0), omega)
+        val frame = HillFrame(omega)
+        val moon = Satellite(3.0, Epicycle(guidingX = -40.0, guidingY = 0.0, e = 0.0, phase = 0.0), omega)
+        val gravity = SelfGravity(sheet, constant = 0.01, openingAngle = 0.5)
+        val simulation = Simulation(population, sheet, CollisionForcing(BridgesRestitution(cmPerSecond = 0.02)), FixedTimeStep(0.03), listOf(moon, gravity, frame))
+
+        repeat(50) { simulation.advance() }
+        assertInvariants(simulation)
+        val e = Epicycle.of(population.x[0], population.y[0], population.z[0], population.vx[0], population.vy[0], population.vz[0], omega)
+        assertEquals(population.vx[0], e.state(omega)[3], 1e-12)
     }
 }

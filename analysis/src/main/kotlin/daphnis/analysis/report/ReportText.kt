@@ -24,7 +24,7 @@ internal object ReportText {
         rows += "particles" to "${last.population.size}"
         rows += "radii" to "${short(last.population.radius.min())} to ${short(last.population.radius.max())} ${units.length}"
         rows += "box" to (0..2).joinToString(" × ") { short(box.length(it)) } + " ${units.length}"
-        rows += "boundary" to last.boundary.javaClass.simpleName
+        rows += "boundary" to (input.scenario?.boundary ?: last.boundary).javaClass.simpleName
         val omega = input.omega
         if (omega != null) rows += "angular speed Ω" to "${String.format(Locale.ROOT, "%.6g", omega)} / ${units.time}, orbit ${short(2 * PI / omega)} ${units.time}"
         val scenario = input.scenario

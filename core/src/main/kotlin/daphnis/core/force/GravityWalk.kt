@@ -25,8 +25,11 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
         count = 0
     }
 
-    /** Adds what attracts the leaf from the image of everything that is displaced by ([dx], [dy], [dz]). */
+    /** Adds what attracts the leaf from the image of everything that is displaced by ([dx], [dy], [dz]); all zero for the original. */
     fun collect(dx: Double, dy: Double, dz: Double) {
+        // A node that holds the leaf itself is never taken as one mass: that of a single sphere would stand beside it by a rounding.
+        val isOriginal = dx == 0.0 && dy == 0.0 && dz == 0.0
+        val first = tree.from[leaf]
         val node = tree.node
         val skip = tree.skip
         val own = leaf * WIDTH
@@ -44,7 +47,8 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
                 Math.max(node[p + MOST] - node[p + LEAST], node[p + MOST + 1] - node[p + LEAST + 1]),
                 node[p + MOST + 2] - node[p + LEAST + 2],
             )
-            if (size * size < theta2 * (ax * ax + ay * ay + az * az)) {
+            val isOwn = isOriginal && tree.from[n] <= first && first < tree.to[n]
+            if (!isOwn && size * size < theta2 * (ax * ax + ay * ay + az * az)) {
                 add(x, y, z, node[p + MASS])
                 n = skip[n]
             } else if (skip[n] == n + 1) {

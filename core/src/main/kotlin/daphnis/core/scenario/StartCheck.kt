@@ -29,6 +29,7 @@ internal class StartCheck(private val scenario: Scenario, private val population
             if (boundary.contactFaces(axis) != ContactFaces.OPEN || scenario.boundary !is BoundarySpec.HillSheet) checkInside(axis)
         }
         checkSlide(timeStep)
+        checkSatellites(timeStep)
         val overlap = Overlap.deepest(population, boundary, 0.0)
         val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
         check.must(key, overlap.depth <= TOLERANCE) {
@@ -69,6 +70,19 @@ internal class StartCheck(private val scenario: Scenario, private val population
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
         check.must("timeStep", range < boundary.box.length(axis) * MOST_BOXES) {
             "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; take a smaller dt"
+        }
+    }
+
+    /** Who falls onto a moon is found where he stands at the end of a step, so nobody may fly through it within one. */
+    private fun checkSatellites(timeStep: TimeStep) {
+        val rate = abs(boundary.meanFlow?.rate ?: return)
+        for ((k, force) in scenario.forces.withIndex()) {
+            if (force !is ForceSpec.Satellite || force.radius == 0.0) continue
+            val farthest = maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
+            val way = rate * farthest * timeStep.next(population)
+            check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
+                "is small against the $way that particles drift past it in a step; take a smaller dt, or 0 for a point"
+            }
         }
     }
 

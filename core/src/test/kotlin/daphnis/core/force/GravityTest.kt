@@ -156,6 +156,18 @@ class GravityTest {
     }
 
     @Test
+    fun `a sphere alone in its leaf does not pull itself, wherever roundings put the centre of its mass`() {
+        // Far apart, in pairs of one and a crowd, so that many leaves hold a single sphere; masses whose product and quotient round.
+        val random = SeededRandom(12)
+        val n = 600
+        fun place() = DoubleArray(n) { if (it % 2 == 0) random.nextDouble(-400.0, 400.0) else 390 + random.nextDouble() }
+        val p =
+            Population(place(), place(), place(), DoubleArray(n), DoubleArray(n), DoubleArray(n), DoubleArray(n) { 0.1 }, DoubleArray(n) { 0.1 + random.nextDouble() })
+        val expected = direct(p, Open, 0.0, 0, 0.0)
+        assertTrue(rmsError(SelfGravity(Open, 1.0, 0.7).accelerations(p, 0.0), expected) < 2e-2)
+    }
+
+    @Test
     fun `a uniform sheet carries no stress, however its images have slid`() {
         val edge = 40
         fun at(k: Int, n: Int) = (k + 0.5) / n - 0.5

@@ -4,9 +4,11 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
+import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -81,6 +83,32 @@ class RunTest {
                 val a = daphnis.core.format.H5md.read(RunDirectory(home.resolve("whole")).snapshot(step)).single()
                 val b = daphnis.core.format.H5md.read(RunDirectory(home.resolve("broken$steps")).snapshot(step)).single()
                 assertArrayEquals(a.position[0], b.position[0])
+            }
+        }
+    }
+
+    @Test
+    fun `a ring with gravity, a moon that swallows and a moonlet, interrupted and resumed, ends in the same digest, transport and impacts`() {
+        val settings = listOf(
+            "box.lengths=[60,60,8]",
+            "untilOrbits=0.2",
+            "timeStep.steps=200",
+            "output.transportEvery=3",
+            "output.checkpointEvery=7",
+            "bodies=[{\"radius\":8,\"position\":[5,-3,0]}]",
+            "forces=[{\"type\":\"self-gravity\"},{\"type\":\"satellite\",\"mass\":1e6,\"x\":-25,\"y\":-30,\"radius\":6},{\"type\":\"body-gravity\"}]",
+        )
+        fun ring() = BuiltIn.scenario("self-gravity-wakes", settings)
+        val whole = Run.start(ring(), "ring", home.resolve("ring")).use { it.execute() }
+        assertTrue(whole.particles < ScenarioSetup.of(ring(), "ring").population.size) { "the moon should have swallowed somebody" }
+        assertTrue(whole.collisions > 20)
+        for (steps in listOf(0L, 1L, 7L, 23L)) {
+            val name = "ring-broken-$steps"
+            Run.start(ring(), "ring", home.resolve(name)).use { run -> run.execute(cancelled = { run.simulation.step >= steps }) }
+            val resumed = Run.resume(home.resolve(name)).use { it.execute() }
+            assertEquals(whole.stateDigest, resumed.stateDigest) { "broken after $steps" }
+            for (file in listOf("transport.csv", "impacts.csv", "series.csv")) {
+                assertEquals(Files.readString(home.resolve("ring/$file")), Files.readString(home.resolve("$name/$file"))) { "$file, broken after $steps" }
             }
         }
     }
