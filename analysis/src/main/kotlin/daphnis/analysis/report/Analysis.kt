@@ -62,7 +62,7 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
     }
 
     private fun subtitle(last: PatchState): String {
-        val what = input.scenario?.description?.ifEmpty { null } ?: "${last.population.size} spheres"
+        val what = input.scenario?.description?.takeIf { it.isNotEmpty() && input.directory != null } ?: "${last.population.size} spheres"
         return "$what. daphnis ${daphnis.core.run.Version.text}."
     }
 

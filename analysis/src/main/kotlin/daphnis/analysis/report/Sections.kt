@@ -63,6 +63,8 @@ internal class Sections(
         Files.write(tables.resolve("numbers.csv"), listOf("quantity,value,standard_error,unit,reference") + lines)
     }
 
+    private fun snapshots(n: Int) = if (n == 1) "one snapshot" else "$n snapshots"
+
     private fun orbits(time: Double) = input.omega?.let { " (${ReportText.short(time * it / (2 * PI))} orbits)" }.orEmpty()
 
     private fun pictures(page: ReportPage, last: PatchState) {

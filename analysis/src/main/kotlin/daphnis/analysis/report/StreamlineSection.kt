@@ -35,10 +35,11 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
         draw(page, "streamlines", byGuiding, label, moonY, last)
         val k = groups / 2
         if (moon != null) encounter(page, byGuiding, label, moonY, last)
-        val forced = (0 until slabs).map { byGuiding.forcedE[byGuiding.at(it, k)] }
+        val forced = (0 until slabs).map { byGuiding.forcedE[byGuiding.at(it, k)] }.filter { !it.isNaN() }
+        if (forced.isEmpty()) return
         page.paragraph(
             "$slabs slabs of azimuth, $groups groups of equal count in each, sorted by guiding centre. Forced eccentricity of the middle streamline " +
-                "${ReportText.short(forced.filter { !it.isNaN() }.average())} ${units.length} on average; largest q = ${ReportText.short(
+                "${ReportText.short(forced.average())} ${units.length} on average; largest q = ${ReportText.short(
                     byGuiding.q.filter { !it.isNaN() }.maxOrNull() ?: Double.NaN,
                 )} " +
                 "(streamlines cross where q reaches 1; the scatter of few particles raises it). Tables: streamlines-x.csv, streamlines-guiding-centre.csv.",
