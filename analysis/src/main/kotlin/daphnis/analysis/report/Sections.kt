@@ -193,9 +193,14 @@ internal class Sections(
         val f = measures.flow
         val vx = f.mean(measures.flowSums, 0)
         val vy = f.mean(measures.flowSums, 1)
+        val backX = DoubleArray(vx.size) { -vx[it] }
+        val backY = DoubleArray(vy.size) { -vy[it] }
         val box = input.state(input.size - 1).boundary.box
         val lines = (0 until f.ny).map { j ->
-            val line = f.line(vx, vy, f.nx / 2.0, j + 0.5)
+            // Forward and backward from the middle.
+            val ahead = f.line(vx, vy, f.nx / 2.0, j + 0.5, 2 * f.nx)
+            val behind = f.line(backX, backY, f.nx / 2.0, j + 0.5, 2 * f.nx)
+            val line = DoubleArray(behind.size) { behind[(behind.size / 2 - 1 - it / 2) * 2 + it % 2] } + ahead
             Curve(
                 "$j",
                 DoubleArray(line.size / 2) { box.lowerX + line[2 * it] / f.nx * box.length(0) },
@@ -205,7 +210,7 @@ internal class Sections(
         page.svg(
             Figures.write(Chart.paths(lines, "x [${units.length}]", "y [${units.length}]"), plots, "flow-lines", Chart.WIDTH, FLOW_HEIGHT),
             "lines of the mean flow",
-            "Lines of the mean flow, begun in the middle of the box, averaged over the states and over z.",
+            "Lines of the mean flow through the middle of the box, averaged over the states and over z; where the flow is slow the scatter of few particles turns them.",
         )
         val cells = f.nx * f.ny
         Table(
