@@ -48,6 +48,6 @@ class AnalysisGuideTest {
         for (rank in 1 until order.size) assertTrue(population.x[order.order[rank - 1]] <= population.x[order.order[rank]])
         val lines = Streamlines.of(state, slabs = 4, groups = 5, RadialKey.GUIDING_CENTRE)
         assertEquals(100, lines.count.sum())
-        assertTrue(lines.q.count { it >= 1 } <= lines.q.size)
+        assertTrue(lines.q.any { it > 0 })
     }
 }

@@ -25,7 +25,7 @@ import daphnis.core.scenario.ScenarioSetup
  * | DENSE | 1e5 elastic spheres at φ = 0.45, molten, 0.6 τ |
  * | GAS_1E4, GAS_1E5, GAS_1E6 | elastic gases at φ = 0.1, steps of 0.1 τ |
  * | RING_1E5, RING_1E6 | the built-in ring patch, steady, laid side by side until there are about so many; 198 steps an orbit |
- * | WAKES | the built-in self-gravity wakes, 1,600 particles, 1000 steps an orbit |
+ * | WAKES | the built-in self-gravity wakes, 1,476 particles, 1000 steps an orbit |
  * | MOONLET | the built-in moonlet, 60,000 particles, from its start |
  */
 enum class Workload(val dt: Double, val steps: Int, private val make: () -> ScenarioSetup) {
