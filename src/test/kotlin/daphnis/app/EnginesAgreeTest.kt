@@ -12,8 +12,6 @@ import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.ScenarioSetup
 import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -21,8 +19,6 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.parallel.Execution
 import org.junit.jupiter.api.parallel.ExecutionMode
-import org.junit.jupiter.params.ParameterizedTest
-import org.junit.jupiter.params.provider.ValueSource
 
 /** The contract: every engine gives the bits of the serial one, after every step, for every number of threads and every division into regions. */
 @Execution(ExecutionMode.SAME_THREAD)
@@ -123,27 +119,6 @@ class EnginesAgreeTest {
                 (0..2).all { r.separation(k, it) == s.separation(k, it) }
             assertTrue(same) { "$story: collision $k differs" }
         }
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = ["paper-figure-1", "paper-figure-2", "paper-figure-3", "ring-patch", "satellite-wake", "moonlet", "self-gravity-wakes"])
-    fun `the paper's systems and the rings at full size`(name: String) {
-        val setup = ScenarioSetup.of(BuiltIn.scenario(name), name)
-        fun simulation(engine: String, threads: Int) = Simulation(
-            setup.population.copy(),
-            setup.boundary,
-            CollisionForcing(setup.restitution, setup.guard, allEngines.create(engine, threads)!!),
-            setup.timeStep as FixedTimeStep,
-            ScenarioSetup.of(setup.scenario, name, setup.population).forces,
-        )
-        val steps = if (LONG) 30 else 6
-        val digests = listOf("serial" to 1, "islands" to 1, "islands" to 2, "islands" to 3, "thread-pool" to 2, "actors" to 2, "pekko" to 2).map { (engine, threads) ->
-            simulation(engine, threads).use {
-                repeat(steps) { _ -> it.advance() }
-                "$engine on $threads" to stateDigest(it.population)
-            }
-        }
-        for ((engine, digest) in digests) assertEquals(digests[0].second, digest) { "$name with $engine" }
     }
 
     private companion object {
