@@ -75,7 +75,7 @@ public class AnalysisInput private constructor(
             val setup = ScenarioSetup.of(scenario, run.scenario.toString(), first)
             val step = setup.timeStep
             val times = DoubleArray(steps.size) { k ->
-                if (step is daphnis.core.FixedTimeStep) steps[k] * step.duration else frame(k).time
+                if (step is daphnis.core.FixedTimeStep) scenario.startTime + steps[k] * step.duration else frame(k).time
             }
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
