@@ -50,6 +50,9 @@ public class AnalysisInput private constructor(
     /** Number of states. */
     public val size: Int get() = times.size
 
+    /** Reads state [k] as its file holds it. @throws FormatException when it cannot be read */
+    public fun frame(k: Int): Frame = load(k)
+
     /** Reads state [k]. @throws FormatException when its file cannot be read */
     public fun state(k: Int): PatchState {
         val population = load(k).population()
