@@ -12,8 +12,8 @@ import kotlin.math.sqrt
 public class Diffusion(public val value: Double, public val error: Double, public val from: Double, public val to: Double)
 
 /**
- * Mean square displacements ⟨(x(t₀ + t) − x(t₀))²⟩ of [trajectories] by lag t, averaged over particles and over all origins t₀, for lags up to a quarter
- * of the time there is. Their slope over 2 is the coefficient of self-diffusion D once it no longer changes (Einstein 1905, Ann. Phys. 322, 549;
+ * Mean square displacements ⟨(x(t₀ + t) − x(t₀))²⟩ of [trajectories] by lag t, averaged over particles and over all origins t₀, for lags up to half
+ * the time there is. Their slope over 2 is the coefficient of self-diffusion D once it no longer changes (Einstein 1905, Ann. Phys. 322, 549;
  * Frenkel & Smit, Understanding Molecular Simulation, ch. 4.4).
  *
  * Errors are from [GROUPS] groups of particles, by id, that are taken as independent: where many move together, as in wakes, they come out too small.
@@ -62,19 +62,22 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
     /**
      * D of the mean over [coordinates]: half the slope, each lag weighted by 1/lag², from where the displacement has become linear in time.
      * Null when it has not within the lags there are.
+     *
+     * @param from shortest lag of the fit, such as that found for the mean of more coordinates; null to find it
      */
-    public fun diffusion(vararg coordinates: Int): Diffusion? {
+    public fun diffusion(vararg coordinates: Int, from: Double? = null): Diffusion? {
         require(coordinates.isNotEmpty()) { "no coordinate" }
         val byGroup = Array(groups) { g -> DoubleArray(lag.size) { l -> coordinates.sumOf { square[it][g][l] } / coordinates.size } }
-        val first = linearFrom(byGroup)
+        val first = if (from == null) linearFrom(byGroup) else lag.indexOfFirst { it >= from }
         if (first < 0 || lag.size - first < FEWEST_LAGS) return null
         val slopes = DoubleArray(groups) { slope(byGroup[it], first) / 2 }
         return Diffusion(slopes.average(), standardError(slopes), lag[first], lag.last())
     }
 
     /**
-     * The lag 2t of the first t for which the slope from t to 2t is that from 2t to 4t: within 3 %, or within two standard errors where these
-     * are larger, up to 20 %. Ballistic flight, whose slope doubles with the lag, never passes. −1 for none.
+     * The lag 2t of the first t for which the slope from t to 2t is that from 2t to 4t: within 5 %, or within two standard errors where these
+     * are larger, up to 20 %. What is left of memory at t has died out at 2t. Ballistic flight, whose slope doubles with the lag, never
+     * passes. −1 for none.
      */
     private fun linearFrom(byGroup: Array<DoubleArray>): Int {
         var t = 1
@@ -123,9 +126,9 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
 
         /** Times that are needed, so that the slope can be compared at four lags. */
         public const val FEWEST_TIMES: Int = 16
-        private const val LAG_PART = 4
+        private const val LAG_PART = 2
         private const val FEWEST_LAGS = 3
-        private const val SAME_SLOPE = 0.03
+        private const val SAME_SLOPE = 0.05
         private const val MOST_NOISE = 0.2
     }
 }

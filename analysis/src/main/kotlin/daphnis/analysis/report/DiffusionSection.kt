@@ -30,8 +30,9 @@ internal class DiffusionSection(private val input: AnalysisInput, from: Double, 
         val d = displacement ?: return emptyList()
         if (omega != null) return listOfNotNull(row("self-diffusion of guiding centres D_X", d.diffusion(0), "r² Ω", meanRadius * meanRadius * omega))
         val all = coordinates.indices.toList().toIntArray()
-        val along = all.map { row("self-diffusion D_${coordinates[it].name}", d.diffusion(it), units.viscosity, 1.0) }
-        return if (all.size == 1) along.filterNotNull() else listOfNotNull(row("self-diffusion D", d.diffusion(*all), units.viscosity, 1.0)) + along.filterNotNull()
+        val mean = d.diffusion(*all) ?: return emptyList()
+        val along = all.map { row("self-diffusion D_${coordinates[it].name}", d.diffusion(it, from = mean.from), units.viscosity, 1.0) }
+        return (if (all.size == 1) along else listOf(row("self-diffusion D", mean, units.viscosity, 1.0)) + along).filterNotNull()
     }
 
     private fun row(what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {
