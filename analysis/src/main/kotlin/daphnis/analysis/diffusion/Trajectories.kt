@@ -21,8 +21,7 @@ public sealed interface Coordinate {
     public class GuidingCentre(private val omega: Double) : Coordinate {
         override val name: String = "X"
 
-        override fun of(frame: Frame, index: Int): Double =
-            4 * frame.position[0][index] + 2 * frame.velocity[1][index] / omega + crossed(frame, 0, index)
+        override fun of(frame: Frame, index: Int): Double = 4 * frame.position[0][index] + 2 * frame.velocity[1][index] / omega + crossed(frame, 0, index)
     }
 
     private companion object {

@@ -45,8 +45,7 @@ internal class SizeClassSection(private val input: AnalysisInput, private val cl
 
     private fun average(c: Int, column: String): BlockAverage = averages.average(c * DispersionBySize.COLUMNS.size + DispersionBySize.COLUMNS.indexOf(column))
 
-    private inline fun column(name: String, unit: String, filled: List<Int>, value: (Int) -> Double) =
-        Column(name, unit, DoubleArray(filled.size) { value(filled[it]) })
+    private inline fun column(name: String, unit: String, filled: List<Int>, value: (Int) -> Double) = Column(name, unit, DoubleArray(filled.size) { value(filled[it]) })
 
     private fun roots(square: String, name: String, unit: String, filled: List<Int>): List<Column> = listOf(
         column(name, unit, filled) { sqrt(average(it, square).mean) },

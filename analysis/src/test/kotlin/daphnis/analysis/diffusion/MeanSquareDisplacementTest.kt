@@ -53,8 +53,14 @@ class MeanSquareDisplacementTest {
     }
 
     private fun population(count: Int) = Population(
-        DoubleArray(count), DoubleArray(count), DoubleArray(count), DoubleArray(count), DoubleArray(count), DoubleArray(count),
-        DoubleArray(count) { 0.1 }, DoubleArray(count) { 1.0 },
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count) { 0.1 },
+        DoubleArray(count) { 1.0 },
     )
 
     @Test
@@ -147,7 +153,11 @@ class MeanSquareDisplacementTest {
     fun `the elastic gas diffuses as it should, from the snapshots of a run`() {
         val path = home.resolve("gas")
         val settings = listOf(
-            "particles.count=2744", "box.lengths=[24.3105,24.3105,24.3105]", "until=50", "output.snapshotEvery=5", "output.checkpointEvery=0",
+            "particles.count=2744",
+            "box.lengths=[24.3105,24.3105,24.3105]",
+            "until=50",
+            "output.snapshotEvery=5",
+            "output.checkpointEvery=0",
             "velocities={\"type\":\"gaussian\",\"sigma\":1,\"exact\":true}",
         )
         Run.start(BuiltIn.scenario("elastic-gas", settings), "gas", path).use { it.execute() }
@@ -190,7 +200,10 @@ class MeanSquareDisplacementTest {
     fun `a run of two sizes has its diffusion among the numbers and its sizes in a section`() {
         val path = home.resolve("two")
         val settings = listOf(
-            "particles={\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[0.5,0.3]},\"density\":1}", "box.lengths=[8,8,8]", "until=8", "output.snapshotEvery=2",
+            "particles={\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[0.5,0.3]},\"density\":1}",
+            "box.lengths=[8,8,8]",
+            "until=8",
+            "output.snapshotEvery=2",
             "velocities={\"type\":\"gaussian\",\"temperature\":1,\"exact\":true}",
         )
         Run.start(BuiltIn.scenario("elastic-gas", settings), "two", path).use { it.execute() }

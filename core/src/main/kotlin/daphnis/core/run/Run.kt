@@ -269,8 +269,14 @@ public class Run private constructor(
             }
             val start = setup.scenario.startTime
             return Simulation(
-                setup.population, setup.boundary, forcing, setup.timeStep, setup.forces,
-                startTime = meta?.time ?: start, startStep = meta?.step ?: 0, runStart = start,
+                setup.population,
+                setup.boundary,
+                forcing,
+                setup.timeStep,
+                setup.forces,
+                startTime = meta?.time ?: start,
+                startStep = meta?.step ?: 0,
+                runStart = start,
             )
         }
     }

@@ -64,7 +64,13 @@ class PopulationTest {
         q.addCrossing(q.indexOf(moved), 0, 4)
         for (a in listOf(q, copy)) {
             for (id in moved % 2 until 500 step 2) {
-                val added = if (id != moved) 0 else if (a === q) 7 else 3
+                val added = if (id != moved) {
+                    0
+                } else if (a === q) {
+                    7
+                } else {
+                    3
+                }
                 assertEquals(listOf(-id + added, 0, id), (0..2).map { a.boxesCrossed(id, it) })
             }
         }
