@@ -71,13 +71,7 @@ internal class DiffusionSection(private val input: AnalysisInput, from: Double, 
 
     private fun caption(d: MeanSquareDisplacement): String {
         val found = d.diffusion(*(if (omega != null) intArrayOf(0) else coordinates.indices.toList().toIntArray()))
-        val said = if (found ==
-            null
-        ) {
-            "They do not become linear in time within these lags, so there is no coefficient."
-        } else {
-            "D is half the slope where they are linear in time."
-        }
+        val said = if (found == null) "They do not become linear in time within these lags: no coefficient." else "D is half the slope where they are linear."
         return if (omega != null) "X is the guiding centre; x swings about it once an orbit. $said" else said
     }
 
