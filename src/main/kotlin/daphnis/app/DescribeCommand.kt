@@ -55,11 +55,11 @@ class DescribeCommand : CliktCommand(name = "describe") {
     private fun describeStep(setup: ScenarioSetup, scenario: Scenario) {
         val dt = setup.timeStep.next(setup.population)
         val steps = if (setup.timeStep is FixedTimeStep) {
-            "%.0f".format(Locale.ROOT, ceil(setup.scenario.end / dt - 1e-6))
+            "%.0f".format(Locale.ROOT, ceil((setup.scenario.end - setup.scenario.startTime) / dt - 1e-6))
         } else {
             "at least %.0f".format(
                 Locale.ROOT,
-                setup.scenario.end / dt,
+                (setup.scenario.end - setup.scenario.startTime) / dt,
             )
         }
         row("steps", "%s of %.6g to time %.6g", steps, dt, setup.scenario.end)

@@ -32,7 +32,7 @@ internal class Progress(private val quiet: Boolean) :
         val line = String.format(
             Locale.ROOT,
             "%3.0f %%  step %d  time %.4g of %.4g  %s left  %.3g collisions/s  energy %.5g",
-            100 * simulation.time / until,
+            100 * (simulation.time - simulation.runStart) / (until - simulation.runStart),
             simulation.step,
             simulation.time,
             until,

@@ -52,7 +52,7 @@ class RunCommand : CliktCommand(name = "run") {
         if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
         val timed = FrameSetup.withTimes(scenario.copy(until = 1.0), this.scenario)
         val step = timed.timeStep as? TimeStepSpec.Fixed ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
-        return timed.copy(until = steps * step.dt)
+        return timed.copy(until = timed.startTime + steps * step.dt)
     }
 
     /** runs/NAME, or runs/NAME-2, -3, … */

@@ -20,6 +20,7 @@ import daphnis.core.population.Population
  * forces act for its second half · outputs look. Not thread-safe: one thread calls; an engine may use more within [advance].
  *
  * @param collisions null for spheres that pass through one another
+ * @param runStart time at step 0, for a run that goes on at [startStep]; null to count back from there, with a fixed step
  * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
  */
 public class Simulation(
@@ -31,6 +32,7 @@ public class Simulation(
     private val outputs: List<Output> = emptyList(),
     startTime: Double = 0.0,
     startStep: Long = 0,
+    runStart: Double? = null,
 ) : AutoCloseable {
     /** Time at the end of the last step. With a fixed step it is the start plus a whole number of steps, without accumulated round-off. */
     public var time: Double = startTime
@@ -40,12 +42,14 @@ public class Simulation(
     public var step: Long = startStep
         private set
 
+    /** Time at step 0 of the run. */
+    public val runStart: Double = runStart ?: if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else startTime
+
     // A drift acts next to the drift: last before it, first after it.
     private val forces = forces.sortedBy { it is Drift }
     private val loop = collisions?.engine?.loop ?: InlineLoop
     private val velocities = KeptVelocities()
     private var opened = false
-    private val origin = if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else 0.0
 
     init {
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
@@ -74,7 +78,7 @@ public class Simulation(
             throw e
         }
         step++
-        time = if (timeStep is FixedTimeStep) origin + step * duration else start + duration
+        time = if (timeStep is FixedTimeStep) runStart + step * duration else start + duration
         applyBoundary()
         for (k in forces.indices.reversed()) forces[k].afterDrift(population, time, duration)
         checkFinite()

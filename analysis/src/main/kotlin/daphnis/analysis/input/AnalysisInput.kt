@@ -50,6 +50,9 @@ public class AnalysisInput private constructor(
     /** Number of states. */
     public val size: Int get() = times.size
 
+    /** Reads state [k] as its file holds it. @throws FormatException when it cannot be read */
+    public fun frame(k: Int): Frame = load(k)
+
     /** Reads state [k]. @throws FormatException when its file cannot be read */
     public fun state(k: Int): PatchState {
         val population = load(k).population()
@@ -75,7 +78,7 @@ public class AnalysisInput private constructor(
             val setup = ScenarioSetup.of(scenario, run.scenario.toString(), first)
             val step = setup.timeStep
             val times = DoubleArray(steps.size) { k ->
-                if (step is daphnis.core.FixedTimeStep) steps[k] * step.duration else frame(k).time
+                if (step is daphnis.core.FixedTimeStep) scenario.startTime + steps[k] * step.duration else frame(k).time
             }
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null

@@ -8,6 +8,7 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.occultation.RayCasting
+import daphnis.analysis.profile.DispersionBySize
 import daphnis.analysis.profile.Profile
 
 /** Everything that is averaged over states, with bins chosen from one of them. */
@@ -38,6 +39,8 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
     val ofPairs = Averages(pairs)
     val ofStructure = Averages(structure)
     val ofDepth = Averages(rays.depth())
+    val sizes = DispersionBySize.of(sample)
+    val ofSizes = sizes?.let { Averages(it) }
     val ofScan = Averages({ rays.cast(it).scan() })
     val flow = FlowField(FLOW_CELLS, FLOW_CELLS)
     var flowSums = DoubleArray(0)
@@ -64,6 +67,7 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
         ofVertical.add(state)
         ofDepth.add(state)
         ofScan.add(state)
+        ofSizes?.add(state)
         if (!isCompact) return
         ofPairs.add(state)
         ofStructure.add(state)

@@ -31,12 +31,15 @@ internal class Sections(
     private val structure = StructureSections(input, measures, numbers, plots, tables)
 
     fun write(page: ReportPage, last: PatchState, from: Double, states: Int) {
-        numbers(page, from, states)
+        val diffusion = DiffusionSection(input, from, numbers.meanRadius)
+        numbers(page, from, states, diffusion.rows())
         pictures(page, last)
         if (input.omega != null) StreamlineSection(input, plots, tables, options).write(page, last)
         evolution(page)
         profiles(page)
         ellipsoid(page)
+        if (measures.sizes != null && measures.ofSizes != null) SizeClassSection(input, measures.sizes.classes, measures.ofSizes).write(page, plots, tables)
+        diffusion.write(page, plots, tables)
         if (measures.isCompact) {
             if (input.omega == null && last.boundary.meanFlow != null) flow(page)
             structure.correlations(page)
@@ -46,9 +49,9 @@ internal class Sections(
         reproduce(page, last)
     }
 
-    private fun numbers(page: ReportPage, from: Double, states: Int) {
+    private fun numbers(page: ReportPage, from: Double, states: Int, further: List<NumberRow>) {
         page.section("Numbers")
-        val rows = numbers.rows()
+        val rows = numbers.rows() + further
         val origin = if (input.transport !=
             null
         ) {

@@ -29,6 +29,7 @@ public interface BoundaryConditions {
     /**
      * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and velocities and
      * may remove spheres. Must depend on each sphere's own state and [time] alone, so that the array order cannot matter.
+     * A boundary that wraps says so with [Population.addCrossing], so that files can hold where a sphere has been.
      */
     public fun endStep(population: Population, time: Double)
 }
@@ -65,4 +66,7 @@ public class ImageShear(public val normalAxis: Int, public val slideAxis: Int, p
         val raw = (velocity * time) % slideLength
         return if (raw < 0) raw + slideLength else raw
     }
+
+    /** Whole lengths of the box that [offset] leaves out: `velocity · time = turns · length + offset`. */
+    public fun turns(time: Double): Double = Math.rint((velocity * time - offset(time)) / slideLength)
 }

@@ -49,8 +49,9 @@ public class HillSheet(override val box: Box, public val omega: Double, public v
                 x[k] = inside(x[k] - boxes * length, box.lowerX, box.upperX)
                 y[k] -= boxes * offset
                 vy[k] -= boxes * shear.velocity
+                shear.count(population, k, boxes, time)
             }
         }
-        wrap(population.y, box.lowerY, box.upperY, from, to)
+        wrap(population, 1, box, from, to)
     }
 }

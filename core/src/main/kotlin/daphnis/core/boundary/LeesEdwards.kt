@@ -33,8 +33,9 @@ public class LeesEdwards(override val box: Box, public val shearRate: Double) : 
             y[k] = inside(y[k] - boxes * length, box.lowerY, box.upperY)
             x[k] -= boxes * offset
             vx[k] -= boxes * shear.velocity
+            shear.count(population, k, boxes, time)
         }
-        wrap(x, box.lowerX, box.upperX, from, to)
-        wrap(population.z, box.lowerZ, box.upperZ, from, to)
+        wrap(population, 0, box, from, to)
+        wrap(population, 2, box, from, to)
     }
 }

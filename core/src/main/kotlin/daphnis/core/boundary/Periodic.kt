@@ -13,8 +13,8 @@ public class Periodic(override val box: Box, periodicX: Boolean = true, periodic
     override fun contactFaces(axis: Int): ContactFaces = if (periodic[axis]) ContactFaces.PERIODIC else ContactFaces.OPEN
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
-        if (periodic[0]) wrap(population.x, box.lowerX, box.upperX, from, to)
-        if (periodic[1]) wrap(population.y, box.lowerY, box.upperY, from, to)
-        if (periodic[2]) wrap(population.z, box.lowerZ, box.upperZ, from, to)
+        if (periodic[0]) wrap(population, 0, box, from, to)
+        if (periodic[1]) wrap(population, 1, box, from, to)
+        if (periodic[2]) wrap(population, 2, box, from, to)
     }
 }

@@ -28,8 +28,9 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
             val boxes = floor((y[k] - box.lowerY) / length)
             y[k] = inside(y[k] - boxes * length, box.lowerY, box.upperY)
             vx[k] -= boxes * velocityJump
+            population.addCrossing(k, 1, boxes.toInt())
         }
-        wrap(population.x, box.lowerX, box.upperX, from, to)
-        wrap(population.z, box.lowerZ, box.upperZ, from, to)
+        wrap(population, 0, box, from, to)
+        wrap(population, 2, box, from, to)
     }
 }

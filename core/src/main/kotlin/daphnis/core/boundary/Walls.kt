@@ -17,8 +17,8 @@ public class Walls(override val box: Box, override val wallRestitution: Double =
     override fun contactFaces(axis: Int): ContactFaces = if (walled[axis]) ContactFaces.WALL else ContactFaces.PERIODIC
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
-        if (!walled[0]) wrap(population.x, box.lowerX, box.upperX, from, to)
-        if (!walled[1]) wrap(population.y, box.lowerY, box.upperY, from, to)
-        if (!walled[2]) wrap(population.z, box.lowerZ, box.upperZ, from, to)
+        if (!walled[0]) wrap(population, 0, box, from, to)
+        if (!walled[1]) wrap(population, 1, box, from, to)
+        if (!walled[2]) wrap(population, 2, box, from, to)
     }
 }

@@ -1,5 +1,6 @@
 package daphnis.core.boundary
 
+import daphnis.core.population.Population
 import kotlin.math.floor
 
 internal const val AXES = 3
@@ -11,14 +12,31 @@ internal inline fun requireFinite(box: Box, which: (Int) -> Boolean) {
     }
 }
 
-/** Puts the entries [from] until [to] back into [lower, upper). */
-internal fun wrap(a: DoubleArray, lower: Double, upper: Double, from: Int, to: Int) {
+/** Puts the spheres [from] until [to] back into [box] along [axis], and counts the boxes they crossed. */
+internal fun wrap(population: Population, axis: Int, box: Box, from: Int, to: Int) {
+    val a = if (axis == 0) {
+        population.x
+    } else if (axis == 1) {
+        population.y
+    } else {
+        population.z
+    }
+    val lower = box.lower(axis)
+    val upper = box.upper(axis)
     val length = upper - lower
     for (k in from until to) {
         val v = a[k]
         if (v >= lower && v < upper) continue
-        a[k] = inside(v - floor((v - lower) / length) * length, lower, upper)
+        val boxes = floor((v - lower) / length)
+        a[k] = inside(v - boxes * length, lower, upper)
+        population.addCrossing(k, axis, boxes.toInt())
     }
+}
+
+/** Counts that the sphere at [index] has gone through [boxes] along the normal axis of images that slide, at [time]. */
+internal fun ImageShear.count(population: Population, index: Int, boxes: Double, time: Double) {
+    population.addCrossing(index, normalAxis, boxes.toInt())
+    population.addCrossing(index, slideAxis, (-boxes * turns(time)).toInt())
 }
 
 /** −tiny + length rounds to the upper face itself, which is outside; the nearest double inside is the same point to half an ulp. */

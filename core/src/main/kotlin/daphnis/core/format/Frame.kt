@@ -11,6 +11,8 @@ import daphnis.core.population.Population
  *
  * @property lengths edges of the box along x, y, z; NaN on open axes
  * @property periodic whether the box repeats along x, y, z
+ * @property image boxes crossed since the start of the run, `image[axis][k]`, or null when it is not known: with it a sphere stands at
+ *   position + Σ image · [edges] where it would be without images
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  */
 public class Frame(
@@ -26,6 +28,7 @@ public class Frame(
     public val mass: DoubleArray,
     public val normalAxis: Int = 1,
     public val slideAxis: Int = 0,
+    public val image: Array<IntArray>? = null,
 ) {
     /** Number of spheres. */
     public val size: Int get() = id.size
@@ -74,7 +77,19 @@ public class Frame(
                 pick(population.mass),
                 boundary.shear?.normalAxis ?: 1,
                 boundary.shear?.slideAxis ?: 0,
+                image(population, boundary, time, order),
             )
+        }
+
+        /** The edges lean by the reduced offset, so that boxes along the slide count from there. */
+        private fun image(population: Population, boundary: BoundaryConditions, time: Double, order: IntArray): Array<IntArray> {
+            val image = Array(3) { axis -> IntArray(order.size) { population.boxesCrossed(population.id[order[it]], axis) } }
+            val shear = boundary.shear ?: return image
+            val turns = shear.turns(time)
+            val across = image[shear.normalAxis]
+            val along = image[shear.slideAxis]
+            for (k in along.indices) along[k] += (across[k] * turns).toInt()
+            return image
         }
     }
 }

@@ -8,7 +8,7 @@ import java.nio.file.Path
 
 /**
  * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView read. One
- * particle group `all`: position and velocity as `{step, time, value[T][N][3]}`; id, mass and radius as plain datasets, radius
+ * particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius as plain datasets, radius
  * being an addition of ours; `box/edges` of a box centred on the origin. Units are the scenario's.
  */
 public object H5md {
@@ -39,6 +39,7 @@ public object H5md {
             if (first.lengths.none { it.isNaN() }) edges(box, frames)
             element(all, "position", frames) { it.position }
             element(all, "velocity", frames) { it.velocity }
+            if (frames.all { it.image != null }) images(all, frames)
             all.putDataset("id", first.id)
             all.putDataset("mass", first.mass)
             all.putDataset("radius", first.radius)
@@ -72,9 +73,22 @@ public object H5md {
             val v = of(frames[t])
             Array(frames[t].size) { k -> doubleArrayOf(v[0][k], v[1][k], v[2][k]) }
         }
-        val options = DatasetCreationOptions.builder().chunkDimensions(1, minOf(frames.first().size, CHUNK), 3).shuffle().deflate(DEFLATE).build()
-        element.putDataset("value", value, options)
+        element.putDataset("value", value, options(frames))
     }
+
+    /** 32-bit integers: how often each sphere crossed the box along x, y, z. */
+    private fun images(group: WritableGroup, frames: List<Frame>) {
+        val element = group.putGroup("image")
+        steps(element, frames)
+        val value = Array(frames.size) { t ->
+            val image = checkNotNull(frames[t].image)
+            Array(frames[t].size) { k -> intArrayOf(image[0][k], image[1][k], image[2][k]) }
+        }
+        element.putDataset("value", value, options(frames))
+    }
+
+    private fun options(frames: List<Frame>) =
+        DatasetCreationOptions.builder().chunkDimensions(1, minOf(frames.first().size, CHUNK), 3).shuffle().deflate(DEFLATE).build()
 
     /**
      * Reads every frame of a file that [write] wrote.
@@ -89,6 +103,7 @@ public object H5md {
             val positions = cube(data("position/value"))
             val velocities = cube(data("velocity/value"))
             val box = file.getByPath("/particles/all/box") as io.jhdf.api.Group
+            val images = if ("image" in (file.getByPath("/particles/all") as io.jhdf.api.Group).children) data("image/value") as Array<*> else null
             val edges = if ("edges" in box.children) data("box/edges/value") else null
 
             @Suppress("UNCHECKED_CAST")
@@ -110,6 +125,7 @@ public object H5md {
                         boundary[it] == "periodic"
                     },
                     offset[t], id, columns(positions), columns(velocities), radius, mass, axes[0], axes[1],
+                    images?.let { image(it[t] as Array<*>) },
                 )
             }
         }
@@ -118,6 +134,8 @@ public object H5md {
     } catch (e: RuntimeException) {
         throw FormatException("$path: is not an H5MD file of daphnis: ${e.message ?: e.javaClass.simpleName}")
     }
+
+    private fun image(rows: Array<*>) = Array(3) { axis -> IntArray(rows.size) { (rows[it] as IntArray)[axis] } }
 
     private fun lengths(edges: Any?, t: Int): DoubleArray {
         if (edges == null) return DoubleArray(3) { Double.NaN }

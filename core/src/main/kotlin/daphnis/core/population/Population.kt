@@ -56,6 +56,10 @@ public class Population(
     /** Number of spheres. */
     public val size: Int get() = x.size
 
+    /** Boxes crossed by axis and id; none as long as nothing has crossed a face. */
+    @Volatile
+    private var crossings: Array<IntArray>? = null
+
     private var indexById = IntArray(0)
     private var indexIsCurrent = false
 
@@ -94,6 +98,25 @@ public class Population(
         indexIsCurrent = false
     }
 
+    /**
+     * Through how many boxes the sphere with the stable id [id] has gone along [axis] (0 = x, 1 = y, 2 = z), counted positive
+     * upward: it stands where it would without images, less this many lengths of the box. Where images slide, the count along
+     * the slide is against images that were in line at time 0 and have slid since by velocity · time, not reduced to the box.
+     */
+    public fun boxesCrossed(id: Int, axis: Int): Int = crossings?.get(axis)?.getOrNull(id) ?: 0
+
+    /**
+     * Adds to [boxesCrossed] of the sphere at [index], for boundaries that put it that many boxes back. Threads may do this at
+     * the same time for different spheres. Part of the state of a run, though not of the digest; only spheres that cross pay.
+     */
+    public fun addCrossing(index: Int, axis: Int, boxes: Int) {
+        val counts = crossings ?: countCrossings()
+        counts[axis][id[index]] += boxes
+    }
+
+    @Synchronized
+    private fun countCrossings(): Array<IntArray> = crossings ?: (id.max() + 1).let { bound -> Array(3) { IntArray(bound) } }.also { crossings = it }
+
     /** Keeps the spheres whose index [keep] accepts, drops the others, keeps ids. Allocates; for boundaries that remove. */
     public fun retain(keep: IndexPredicate) {
         val kept = IntArray(size)
@@ -117,7 +140,10 @@ public class Population(
     /** A deep copy. */
     public fun copy(): Population = Population(
         x.copyOf(), y.copyOf(), z.copyOf(), vx.copyOf(), vy.copyOf(), vz.copyOf(), radius.copyOf(), mass.copyOf(), id.copyOf(),
-    ).also { lastCollision.copyInto(it.lastCollision) }
+    ).also { copy ->
+        lastCollision.copyInto(copy.lastCollision)
+        copy.crossings = crossings?.let { counts -> Array(3) { counts[it].copyOf() } }
+    }
 
     private fun indexIds() {
         var bound = 0

@@ -17,11 +17,12 @@ import java.util.zip.CRC32C
  *
  * The file: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name, a long with the
  * length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON ([CheckpointMeta]); `IDS `,
- * `POSX` … `LAST` are arrays in the order of ids; `END.` is empty and last. A file cut short or with flipped bytes does not pass.
+ * `POSX` … `IMGZ` are arrays in the order of ids; `END.` is empty and last. A file cut short or with flipped bytes does not pass.
  */
 internal class Checkpoint(val meta: CheckpointMeta, val population: Population) {
     companion object {
-        const val VERSION = 1
+        const val VERSION = 2
+        private val IMAGES = listOf("IMGX", "IMGY", "IMGZ")
         private const val MAGIC = 0x444150484e49530aL
         private val json = Json { encodeDefaults = true }
 
@@ -37,6 +38,11 @@ internal class Checkpoint(val meta: CheckpointMeta, val population: Population) 
                 for ((name, column) in columns(population)) {
                     val bytes = ByteBuffer.allocate(8 * order.size)
                     for (k in order) bytes.putDouble(column[k])
+                    record(out, name, bytes.array())
+                }
+                for ((axis, name) in IMAGES.withIndex()) {
+                    val bytes = ByteBuffer.allocate(4 * order.size)
+                    for (k in order) bytes.putInt(population.boxesCrossed(population.id[k], axis))
                     record(out, name, bytes.array())
                 }
                 record(out, "END.", ByteArray(0))
@@ -87,13 +93,17 @@ internal class Checkpoint(val meta: CheckpointMeta, val population: Population) 
 
         private fun decode(records: Map<String, ByteArray>, path: Path): Checkpoint = try {
             val meta = json.decodeFromString(CheckpointMeta.serializer(), String(records.getValue("META"), Charsets.UTF_8))
-            val ids = ByteBuffer.wrap(records.getValue("IDS ")).asIntBuffer().let { b -> IntArray(b.remaining()).also { b.get(it) } }
+            fun integers(name: String) = ByteBuffer.wrap(records.getValue(name)).asIntBuffer().let { b -> IntArray(b.remaining()).also { b.get(it) } }
+            val ids = integers("IDS ")
             fun column(name: String) = ByteBuffer.wrap(records.getValue(name)).asDoubleBuffer().let { b -> DoubleArray(b.remaining()).also { b.get(it) } }
             val population = Population(
                 column("POSX"), column("POSY"), column("POSZ"), column("VELX"), column("VELY"), column("VELZ"),
                 column("RADI"), column("MASS"), ids,
             )
             column("LAST").copyInto(population.lastCollision)
+            for ((axis, name) in IMAGES.withIndex()) {
+                integers(name).forEachIndexed { k, boxes -> if (boxes != 0) population.addCrossing(k, axis, boxes) }
+            }
             Checkpoint(meta, population)
         } catch (e: RuntimeException) {
             throw CheckpointException("$path: is damaged: ${e.message}")

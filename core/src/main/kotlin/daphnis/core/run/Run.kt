@@ -197,7 +197,7 @@ public class Run private constructor(
             val original = Path.of(placement.path)
             val copy = directory.initial(original)
             Files.copy(original, copy, StandardCopyOption.REPLACE_EXISTING)
-            return scenario.copy(placement = PlacementSpec.File(copy.fileName.toString()))
+            return scenario.copy(placement = PlacementSpec.File(copy.fileName.toString(), placement.time))
         }
 
         /**
@@ -212,7 +212,7 @@ public class Run private constructor(
             val lock = directory.lock()
             try {
                 val read = ScenarioJson.read(directory.scenario).atHome(path)
-                if (until != null && !(until > 0 && until.isFinite())) throw InputException("--until", null, "is $until; it must be > 0")
+                if (until != null && !(until > read.startTime && until.isFinite())) throw InputException("--until", null, "is $until; it must be > ${read.startTime}")
                 val scenario = read.copy(until = until ?: read.until)
                 val notices = ArrayList<String>()
                 val checkpoint = lastGood(directory, notices)
@@ -267,7 +267,17 @@ public class Run private constructor(
                 forcing.counters.redoneSteps = meta.redoneSteps
                 forcing.counters.causalityReplays = meta.causalityReplays
             }
-            return Simulation(setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, startTime = meta?.time ?: 0.0, startStep = meta?.step ?: 0)
+            val start = setup.scenario.startTime
+            return Simulation(
+                setup.population,
+                setup.boundary,
+                forcing,
+                setup.timeStep,
+                setup.forces,
+                startTime = meta?.time ?: start,
+                startStep = meta?.step ?: 0,
+                runStart = start,
+            )
         }
     }
 }
@@ -275,7 +285,7 @@ public class Run private constructor(
 /** The scenario with a relative particle file taken from [home]. */
 public fun Scenario.atHome(home: Path): Scenario {
     val placement = placement as? PlacementSpec.File ?: return this
-    return copy(placement = PlacementSpec.File(home.resolve(placement.path).toString()))
+    return copy(placement = PlacementSpec.File(home.resolve(placement.path).toString(), placement.time))
 }
 
 /** The engine that [scenario] asks for. @throws InputException when [engines] has none of that name and number of threads */

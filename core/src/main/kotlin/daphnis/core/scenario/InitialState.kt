@@ -9,18 +9,15 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.ParticleCsv
 import daphnis.core.population.Population
 import daphnis.core.setup.EqualSizes
-import daphnis.core.setup.GaussianVelocities
 import daphnis.core.setup.Lattice
 import daphnis.core.setup.LatticePlacement
 import daphnis.core.setup.ListedSizes
 import daphnis.core.setup.LogNormalSizes
 import daphnis.core.setup.PlacementException
-import daphnis.core.setup.Positions
 import daphnis.core.setup.PowerLawSizes
 import daphnis.core.setup.RandomPlacement
 import daphnis.core.setup.SeededRandom
 import daphnis.core.setup.SizeDistribution
-import daphnis.core.setup.UniformVelocities
 import daphnis.core.setup.fillingFactor
 import java.nio.file.Files
 import java.nio.file.Path
@@ -44,8 +41,8 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
             val (key, value) = spec.amount()
             check.fail("particles.$key", "is $value; ${e.message}")
         }
-        val velocities = velocities(radii.size, positions)
         val masses = masses(spec, radii)
+        val velocities = InitialVelocities(scenario, boundary, check).draw(masses, positions, stream(VELOCITIES))
         val flow = boundary.meanFlow
         return Population(
             positions.x + bodies.position(0),
@@ -158,46 +155,6 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
             check.that("particles.density", spec.density, mass > 0 && mass.isFinite()) { "gives a sphere of radius $r the mass $mass" }
         }
         return DoubleArray(radii.size) { spec.density * volume(radii[it]) }
-    }
-
-    private fun velocities(count: Int, positions: Positions): Array<DoubleArray> {
-        val spec = scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
-        val field = when (spec) {
-            is VelocitiesSpec.Rest -> GaussianVelocities(0.0)
-            is VelocitiesSpec.Uniform -> {
-                check.that("velocities.halfWidth", spec.halfWidth, spec.halfWidth >= 0) { "must be >= 0" }
-                UniformVelocities(spec.halfWidth)
-            }
-            is VelocitiesSpec.Gaussian -> {
-                check.that("velocities.sigma", spec.sigma, spec.sigma >= 0) { "must be >= 0" }
-                GaussianVelocities(spec.sigma)
-            }
-        }
-        val random = stream(VELOCITIES)
-        val v = Array(3) { DoubleArray(count) }
-        val drawn = DoubleArray(3)
-        for (k in 0 until count) {
-            field.draw(random, drawn)
-            for (axis in 0..2) v[axis][k] = drawn[axis]
-        }
-        if (spec.zeroMomentum) for (component in v) subtractMean(component)
-        if (spec.shearProfile) addMeanFlow(v, positions)
-        return v
-    }
-
-    /** For spheres of different mass this takes out the mean velocity, not the momentum; drawn velocities do not depend on mass. */
-    private fun subtractMean(component: DoubleArray) {
-        if (component.size < 2) return
-        val mean = component.sum() / component.size
-        for (k in component.indices) component[k] -= mean
-    }
-
-    private fun addMeanFlow(v: Array<DoubleArray>, positions: Positions) {
-        val flow = boundary.meanFlow
-            ?: check.fail("velocities.shearProfile", "is true; it needs a sheared boundary (lees-edwards, sheared-periodic or hill-sheet)")
-        val across = arrayOf(positions.x, positions.y, positions.z)[flow.normalAxis]
-        val along = v[flow.flowAxis]
-        for (k in along.indices) along[k] += flow.rate * across[k]
     }
 
     private fun fromFile(spec: PlacementSpec.File): Population {

@@ -39,6 +39,9 @@ public data class Scenario(
 ) {
     /** Time at which the run ends, of a scenario whose times are written out, see [FrameSetup.withTimes]. */
     public val end: Double get() = checkNotNull(until) { "times are not written out" }
+
+    /** Time at which the run starts: that of the state it is placed from, else 0. */
+    public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
 }
 
 @Serializable
@@ -146,10 +149,14 @@ public sealed interface PlacementSpec {
     @SerialName("lattice")
     public class Lattice(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
 
-    /** Positions, velocities, radii (and masses, ids) from a CSV file with a header, or a CartAndRad file; relative to the scenario. */
+    /**
+     * Positions, velocities, radii (and masses, ids) from a CSV file with a header, or a CartAndRad file; relative to the scenario.
+     *
+     * @property time at which the state is, so that images that slide and satellites are where they are then; null for 0
+     */
     @Serializable
     @SerialName("file")
-    public class File(public val path: String) : PlacementSpec
+    public class File(public val path: String, public val time: Double? = null) : PlacementSpec
 }
 
 @Serializable
@@ -161,7 +168,7 @@ public enum class LatticeName {
     CUBIC,
 }
 
-/** [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] takes out the mean velocity that the drawing left. */
+/** [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] takes out the velocity of the centre of mass that the drawing left. */
 @Serializable
 public sealed interface VelocitiesSpec {
     public val shearProfile: Boolean
@@ -176,10 +183,21 @@ public sealed interface VelocitiesSpec {
     @SerialName("uniform")
     public class Uniform(public val halfWidth: Double, override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) : VelocitiesSpec
 
-    /** Every component normal with standard deviation [sigma]. */
+    /**
+     * Every component normal, with exactly one of the standard deviation [sigma], the same for all, and the kinetic [temperature] T, with
+     * √(T/m) for a sphere of mass m.
+     *
+     * @property exact scales what was drawn, against the centre of mass, so that ⟨c²⟩/3 by mass is σ², or ⟨m c²⟩/3 is T
+     */
     @Serializable
     @SerialName("gaussian")
-    public class Gaussian(public val sigma: Double, override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) : VelocitiesSpec
+    public class Gaussian(
+        public val sigma: Double? = null,
+        override val shearProfile: Boolean = false,
+        override val zeroMomentum: Boolean = true,
+        public val temperature: Double? = null,
+        public val exact: Boolean = false,
+    ) : VelocitiesSpec
 }
 
 @Serializable

@@ -84,7 +84,10 @@ public class ScenarioSetup private constructor(
         }
 
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
-            check.positive("until", scenario.end)
+            val start = scenario.startTime
+            check.that("until", scenario.end, scenario.end > start && scenario.end.isFinite()) {
+                if (start == 0.0) "must be > 0" else "must be later than placement.time, $start, where the run starts"
+            }
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
                 "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
             }

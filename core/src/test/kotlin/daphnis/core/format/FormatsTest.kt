@@ -41,6 +41,23 @@ class FormatsTest {
     }
 
     @Test
+    fun `H5MD keeps boxes crossed, and reads files that do not say`() {
+        val image = Array(3) { axis -> IntArray(70) { (it - 35) * (axis + 1) } }
+        fun with(image: Array<IntArray>?, step: Long) = Frame(
+            step, frame.time, frame.lengths, frame.periodic, frame.shearOffset, frame.id, frame.position, frame.velocity, frame.radius, frame.mass, image = image,
+        )
+        val file = home.resolve("image.h5")
+        val other = Array(3) { IntArray(70) { 1 shl 30 } }
+        H5md.write(listOf(with(image, 5), with(other, 6)), file, "test")
+        val (a, b) = H5md.read(file)
+        for (axis in 0..2) assertArrayEquals(image[axis], a.image!![axis])
+        for (axis in 0..2) assertArrayEquals(other[axis], b.image!![axis])
+        io.jhdf.HdfFile(file).use { assertEquals("int", it.getDatasetByPath("/particles/all/image/value").javaType.name) }
+        H5md.write(listOf(with(image, 5), with(null, 6)), file, "test")
+        assertEquals(listOf(null, null), H5md.read(file).map { it.image }) { "known for some is not known" }
+    }
+
+    @Test
     fun `CartAndRad gives positions, velocities and radii back`() {
         val file = home.resolve("a.bin")
         CartAndRad.write(population.permuted(4), file)

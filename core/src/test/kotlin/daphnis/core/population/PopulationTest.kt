@@ -54,6 +54,31 @@ class PopulationTest {
     }
 
     @Test
+    fun `boxes crossed stay with the sphere when arrays are permuted, copied and thinned out`() {
+        val q = p.permuted(3)
+        for (k in 0 until q.size) for (axis in 0..2) q.addCrossing(k, axis, q.id[k] * (axis - 1))
+        q.addCrossing(5, 0, 3)
+        val moved = q.id[5]
+        val copy = q.copy()
+        q.retain { q.id[it] % 2 == moved % 2 }
+        q.addCrossing(q.indexOf(moved), 0, 4)
+        for (a in listOf(q, copy)) {
+            for (id in moved % 2 until 500 step 2) {
+                val added = if (id != moved) {
+                    0
+                } else if (a === q) {
+                    7
+                } else {
+                    3
+                }
+                assertEquals(listOf(-id + added, 0, id), (0..2).map { a.boxesCrossed(id, it) })
+            }
+        }
+        assertEquals(0, p.boxesCrossed(3, 0))
+        assertEquals(stateDigest(p), stateDigest(copy)) { "not part of the digest" }
+    }
+
+    @Test
     fun `the granular temperature leaves out the mean and the sheared flow`() {
         val still = granularTemperature(p, null)
         val moving = p.copy()

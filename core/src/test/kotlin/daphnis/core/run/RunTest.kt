@@ -83,8 +83,20 @@ class RunTest {
                 val a = daphnis.core.format.H5md.read(RunDirectory(home.resolve("whole")).snapshot(step)).single()
                 val b = daphnis.core.format.H5md.read(RunDirectory(home.resolve("broken$steps")).snapshot(step)).single()
                 assertArrayEquals(a.position[0], b.position[0])
+                for (axis in 0..2) assertArrayEquals(a.image!![axis], b.image!![axis]) { "boxes crossed at step $step, broken after $steps" }
+                assertTrue(step < 40 || a.image!!.all { axis -> axis.any { it != 0 } }) { "something should have crossed each face" }
             }
         }
+    }
+
+    @Test
+    fun `boxes crossed are the same whatever the engine and its threads`() {
+        fun images(name: String, vararg settings: String): List<Int> {
+            run(name, Int.MAX_VALUE, *settings)
+            return daphnis.core.format.H5md.read(RunDirectory(home.resolve(name)).snapshot(40)).single().image!!.flatMap { it.asList() }
+        }
+        val serial = images("serial", "engine.name=serial")
+        for (engine in listOf("islands", "thread-pool")) assertEquals(serial, images(engine, "engine.name=$engine", "engine.threads=3")) { engine }
     }
 
     @Test

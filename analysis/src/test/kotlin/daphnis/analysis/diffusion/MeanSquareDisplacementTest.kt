@@ -1,0 +1,221 @@
+package daphnis.analysis.diffusion
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.report.Analysis
+import daphnis.analysis.report.AnalysisOptions
+import daphnis.analysis.report.DiffusionSection
+import daphnis.analysis.report.ReportPage
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.HillSheet
+import daphnis.core.boundary.Periodic
+import daphnis.core.force.Epicycle
+import daphnis.core.format.Frame
+import daphnis.core.format.H5md
+import daphnis.core.population.Population
+import daphnis.core.run.Run
+import daphnis.core.run.RunDirectory
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.setup.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.math.abs
+import kotlin.math.sqrt
+
+class MeanSquareDisplacementTest {
+    @TempDir
+    lateinit var home: Path
+
+    private val box = Box.centred(7.0, 5.0, 9.0)
+    private val positions = listOf(Coordinate.Position(0), Coordinate.Position(1), Coordinate.Position(2))
+
+    /** Walkers in a periodic box whose velocity keeps a part [memory] from step to step; unit steps of time and unit speeds: D = (1 + a)/(1 − a)/2. */
+    private fun walk(count: Int, times: Int, memory: Double, random: SeededRandom, drift: Double = 0.0): Trajectories {
+        val v = Array(3) { DoubleArray(count) { random.nextGaussian() } }
+        val p = population(count)
+        val trajectories = Trajectories(positions, IntArray(count) { it })
+        for (t in 0 until times) {
+            trajectories.add(Frame.of(p, Periodic(box), t.toLong(), t.toDouble()))
+            for ((axis, x) in listOf(p.x, p.y, p.z).withIndex()) {
+                for (k in 0 until count) {
+                    x[k] += v[axis][k] + drift
+                    v[axis][k] = memory * v[axis][k] + sqrt(1 - memory * memory) * random.nextGaussian()
+                }
+            }
+            Periodic(box).endStep(p, t + 1.0)
+        }
+        return trajectories
+    }
+
+    private fun population(count: Int) = Population(
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count),
+        DoubleArray(count) { 0.1 },
+        DoubleArray(count) { 1.0 },
+    )
+
+    @Test
+    fun `a random walk has the coefficient it was made with, and errors that cover it`() {
+        var covered = 0
+        var sum = 0.0
+        val runs = 200
+        for (seed in 1L..runs) {
+            val d = MeanSquareDisplacement(walk(300, 64, 0.0, SeededRandom(seed))).diffusion(0, 1, 2)!!
+            if (abs(d.value - 0.5) <= d.error) covered++
+            sum += d.value
+        }
+        assertTrue(covered in 120..150) { "$covered of $runs" }
+        assertEquals(0.5, sum / runs, 0.003)
+    }
+
+    @Test
+    fun `flight that remembers its velocity is left out of the fit`() {
+        // Memory 0.8 lasts 4.5 steps; the slope at a lag of one step is a fifth of what it comes to. D = 4.5.
+        var covered = 0
+        var sum = 0.0
+        val runs = 40
+        for (seed in 1L..runs) {
+            val d = MeanSquareDisplacement(walk(200, 256, 0.8, SeededRandom(seed), drift = 0.3)).diffusion(0, 1, 2)!!
+            assertTrue(d.from >= 10) { "from lag ${d.from}" }
+            assertEquals(128.0, d.to)
+            if (abs(d.value - 4.5) <= d.error) covered++
+            sum += d.value
+        }
+        assertEquals(4.5, sum / runs, 0.08)
+        assertTrue(covered in 20..34) { "$covered of $runs" }
+    }
+
+    @Test
+    fun `free flight and rest have no coefficient`() {
+        val p = population(60)
+        val random = SeededRandom(3)
+        for (k in 0 until 60) p.vx[k] = random.nextGaussian()
+        val t = Trajectories(positions, IntArray(60) { it })
+        for (step in 0 until 80) {
+            t.add(Frame.of(p, Periodic(box), step.toLong(), step * 0.5))
+            for (k in 0 until 60) p.x[k] += p.vx[k] * 0.5
+            Periodic(box).endStep(p, step * 0.5)
+        }
+        val msd = MeanSquareDisplacement(t)
+        assertNull(msd.diffusion(0))
+        assertNull(msd.diffusion(1))
+        val mean = p.vx.average()
+        assertEquals((0 until 60).sumOf { (p.vx[it] - mean) * (p.vx[it] - mean) } / 60, msd.mean(0)[3] / 4, 1e-10) { "after 2 units of time" }
+        assertEquals(0.5, msd.lag[0], 1e-12)
+    }
+
+    @Test
+    fun `guiding centres that stay stay, through any number of faces`() {
+        val omega = 0.7
+        val sheet = HillSheet(Box.centred(3.0, 4.0, 1.0), omega)
+        val random = SeededRandom(5)
+        val s = List(40) { Epicycle(random.nextDouble(-1.5, 1.5), random.nextDouble(-2.0, 2.0), 1.2, random.nextDouble(0.0, 6.0), 0.1, 0.0).state(omega) }
+        val start = List(40) { 4 * s[it][0] + 2 * s[it][4] / omega }
+        fun column(c: Int) = DoubleArray(40) { s[it][c] }
+        val p = Population(column(0), column(1), column(2), column(3), column(4), column(5), DoubleArray(40) { 0.1 }, DoubleArray(40) { 1.0 })
+        val frame = daphnis.core.force.HillFrame(omega)
+        val simulation = daphnis.core.Simulation(p, sheet, null, daphnis.core.FixedTimeStep(0.05), listOf(frame))
+        repeat(600) { simulation.advance() }
+        val state = Frame.of(p, sheet, 600, simulation.time)
+        assertTrue(state.image!![0].any { abs(it) > 0 } && state.image!![1].any { abs(it) > 3 })
+        for (k in 0 until 40) assertEquals(start[k], Coordinate.GuidingCentre(omega).of(state, k), 1e-8) { "sphere $k" }
+    }
+
+    @Test
+    fun `too little is refused by name`() {
+        val random = SeededRandom(1)
+        fun problem(what: () -> Unit) = assertThrows(IllegalArgumentException::class.java) { what() }.message!!
+        assertTrue("15 times" in problem { MeanSquareDisplacement(walk(5, 15, 0.0, random)) })
+        assertTrue("2 at least" in problem { MeanSquareDisplacement(walk(1, 20, 0.0, random)) })
+        val t = Trajectories(positions, intArrayOf(0, 7))
+        val frame = Frame.of(population(5), Periodic(box), 0, 1.0)
+        assertTrue("particle 7 is missing" in problem { t.add(frame) })
+        val silent = Frame(0, 1.0, frame.lengths, frame.periodic, 0.0, frame.id, frame.position, frame.velocity, frame.radius, frame.mass)
+        assertTrue("crossed the box" in problem { Trajectories(positions, intArrayOf(0)).add(silent) })
+        val once = Trajectories(positions, intArrayOf(0)).also { it.add(frame) }
+        assertTrue("must ascend" in problem { once.add(frame) })
+        assertTrue("no particle" in problem { Trajectories(positions, IntArray(0)) })
+    }
+
+    /** The section of the run in [path] from [from] on. */
+    private fun section(path: Path, from: Double) = AnalysisInput.ofRun(path).let { DiffusionSection(it, from, it.state(0).population.radius.average()) }
+
+    @Test
+    fun `the elastic gas diffuses as it should, from the snapshots of a run`() {
+        val path = home.resolve("gas")
+        val settings = listOf(
+            "particles.count=2744",
+            "box.lengths=[24.3105,24.3105,24.3105]",
+            "until=50",
+            "output.snapshotEvery=5",
+            "output.checkpointEvery=0",
+            "velocities={\"type\":\"gaussian\",\"sigma\":1,\"exact\":true}",
+        )
+        Run.start(BuiltIn.scenario("elastic-gas", settings), "gas", path).use { it.execute() }
+        val rows = section(path, 5.0).rows()
+        assertEquals(listOf("", "_x", "_y", "_z").map { "self-diffusion D$it" }, rows.map { it.what })
+        assertEquals(0.929, rows[0].value, 0.04 * 0.929) { "D = ${rows[0].value} ± ${rows[0].error}" }
+        assertTrue(rows[0].error < 0.03) { "${rows[0].error}" }
+        for (row in rows.drop(1)) assertEquals(0.929, row.value, 4 * row.error) { row.what }
+        // As versions wrote them that did not count.
+        val run = RunDirectory(path)
+        for (step in run.snapshotSteps()) {
+            val f = H5md.read(run.snapshot(step)).single()
+            val silent = Frame(f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass)
+            H5md.write(listOf(silent), run.snapshot(step), "old")
+        }
+        val page = ReportPage("old")
+        val old = section(path, 5.0)
+        assertEquals(emptyList<Any>(), old.rows())
+        old.write(page, path, path)
+        assertTrue("do not say how often particles crossed the box" in page.html(""))
+    }
+
+    @Test
+    fun `sheared boxes diffuse across the flow only, rings by their guiding centres`() {
+        val shear = home.resolve("shear")
+        Run.start(BuiltIn.scenario("shear-cell", listOf("until=4", "output.snapshotEvery=5", "particles.count=300")), "shear", shear).use { it.execute() }
+        section(shear, 0.0).write(ReportPage("shear"), shear, shear)
+        val header = Files.readAllLines(shear.resolve("mean-square-displacement.csv"))[0]
+        assertEquals(listOf("lag", "msd_y", "msd_y_error", "msd_z", "msd_z_error"), header.split(',').map { it.substringBefore(' ') })
+        val ring = home.resolve("ring")
+        val settings = listOf("untilOrbits=10", "box.lengths=[50,50,20]", "output.snapshotEvery=20", "output.checkpointEvery=0")
+        Run.start(BuiltIn.scenario("ring-patch", settings), "ring", ring).use { it.execute() }
+        val row = section(ring, 2 * 2 * Math.PI / 1.4e-4).rows().single()
+        assertEquals("self-diffusion of guiding centres D_X", row.what)
+        // Of the order of the translational viscosity, as for any gas.
+        assertTrue(row.value > 1 && row.value < 30 && row.error < 0.2 * row.value) { "${row.value} ± ${row.error} ${row.unit}, ${row.note}" }
+    }
+
+    @Test
+    fun `a run of two sizes has its diffusion among the numbers and its sizes in a section`() {
+        val path = home.resolve("two")
+        val settings = listOf(
+            "particles={\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[0.5,0.3]},\"density\":1}",
+            "box.lengths=[8,8,8]",
+            "until=8",
+            "output.snapshotEvery=2",
+            "velocities={\"type\":\"gaussian\",\"temperature\":1,\"exact\":true}",
+        )
+        Run.start(BuiltIn.scenario("elastic-gas", settings), "two", path).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 2.0, frames = 6)).write(path)
+        val html = Files.readString(path.resolve("report.html"))
+        for (heading in listOf("Sizes", "Diffusion")) assertTrue(">$heading</h2>" in html) { heading }
+        assertTrue("self-diffusion D_x" in Files.readString(path.resolve("tables/numbers.csv")))
+        val table = Files.readAllLines(path.resolve("tables/size-classes.csv"))
+        assertEquals("count,mean_radius [length],sigma_x [length/time],sigma_x_error [length/time]", table[0].split(',').take(4).joinToString(","))
+        assertEquals(listOf("0.3", "0.5"), table.drop(1).map { it.split(',')[1].toDouble().let { r -> "%.1f".format(java.util.Locale.ROOT, r) } })
+        // Equipartition: m c² is the same for both.
+        val energy = table.drop(1).map { row -> row.split(',').map { it.toDouble() }.let { it[1] * it[1] * it[1] * it[8] * it[8] } }
+        assertEquals(1.0, energy[0] / energy[1], 0.25)
+    }
+}

@@ -1,0 +1,83 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.setup.GaussianVelocities
+import daphnis.core.setup.Positions
+import daphnis.core.setup.SeededRandom
+import daphnis.core.setup.UniformVelocities
+import kotlin.math.sqrt
+
+/** Draws the velocities that a scenario asks for, by sphere in the order of ids. */
+internal class InitialVelocities(private val scenario: Scenario, private val boundary: BoundaryConditions, private val check: ValueCheck) {
+    /** `v[axis][k]` of spheres of [masses] at [positions]. */
+    fun draw(masses: DoubleArray, positions: Positions, random: SeededRandom): Array<DoubleArray> {
+        val spec = scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
+        val v = Array(3) { DoubleArray(masses.size) }
+        when (spec) {
+            is VelocitiesSpec.Rest -> Unit
+            is VelocitiesSpec.Uniform -> {
+                check.that("velocities.halfWidth", spec.halfWidth, spec.halfWidth >= 0) { "must be >= 0" }
+                val field = UniformVelocities(spec.halfWidth)
+                fill(v) { _, into -> field.draw(random, into) }
+            }
+            is VelocitiesSpec.Gaussian -> gaussian(spec, masses, random, v)
+        }
+        if (spec.zeroMomentum && masses.size >= 2) for (component in v) subtractMean(component, masses)
+        if (spec is VelocitiesSpec.Gaussian && spec.exact) makeExact(spec, masses, v)
+        if (spec.shearProfile) addMeanFlow(v, positions)
+        return v
+    }
+
+    private fun gaussian(spec: VelocitiesSpec.Gaussian, masses: DoubleArray, random: SeededRandom, v: Array<DoubleArray>) {
+        check.must("velocities", (spec.sigma == null) != (spec.temperature == null)) { "needs exactly one of sigma and temperature" }
+        spec.sigma?.let { check.that("velocities.sigma", it, it >= 0) { "must be >= 0" } }
+        spec.temperature?.let { check.that("velocities.temperature", it, it >= 0) { "must be >= 0" } }
+        val field = GaussianVelocities(1.0)
+        fill(v) { k, into ->
+            field.draw(random, into)
+            val sigma = spec.sigma ?: sqrt((spec.temperature ?: 0.0) / masses[k])
+            for (axis in 0..2) into[axis] *= sigma
+        }
+    }
+
+    private inline fun fill(v: Array<DoubleArray>, draw: (Int, DoubleArray) -> Unit) {
+        val drawn = DoubleArray(3)
+        for (k in v[0].indices) {
+            draw(k, drawn)
+            for (axis in 0..2) v[axis][k] = drawn[axis]
+        }
+    }
+
+    private fun subtractMean(component: DoubleArray, masses: DoubleArray) {
+        val mean = mean(component, masses)
+        for (k in component.indices) component[k] -= mean
+    }
+
+    /** Velocity of the centre of mass. For equal masses the plain mean, whose rounding initial states are known by. */
+    private fun mean(component: DoubleArray, masses: DoubleArray): Double {
+        if (masses.all { it == masses[0] }) return component.sum() / component.size
+        var momentum = 0.0
+        for (k in component.indices) momentum += masses[k] * component[k]
+        return momentum / masses.sum()
+    }
+
+    /** Scales around the centre of mass, which stays. */
+    private fun makeExact(spec: VelocitiesSpec.Gaussian, masses: DoubleArray, v: Array<DoubleArray>) {
+        val wanted = spec.sigma?.let { it * it * masses.sum() } ?: ((spec.temperature ?: 0.0) * masses.size)
+        if (wanted == 0.0) return
+        check.that("velocities.exact", true, masses.size >= 2) { "needs two particles at least, for one alone has no velocity against the centre of mass" }
+        val means = DoubleArray(3) { if (spec.zeroMomentum) 0.0 else mean(v[it], masses) }
+        var square = 0.0
+        for (axis in 0..2) for (k in masses.indices) square += masses[k] * (v[axis][k] - means[axis]) * (v[axis][k] - means[axis])
+        val factor = sqrt(3 * wanted / square)
+        for (axis in 0..2) for (k in masses.indices) v[axis][k] = means[axis] + factor * (v[axis][k] - means[axis])
+    }
+
+    private fun addMeanFlow(v: Array<DoubleArray>, positions: Positions) {
+        val flow = boundary.meanFlow
+            ?: check.fail("velocities.shearProfile", "is true; it needs a sheared boundary (lees-edwards, sheared-periodic or hill-sheet)")
+        val across = arrayOf(positions.x, positions.y, positions.z)[flow.normalAxis]
+        val along = v[flow.flowAxis]
+        for (k in along.indices) along[k] += flow.rate * across[k]
+    }
+}
