@@ -40,8 +40,8 @@ public class Simulation(
     public var step: Long = startStep
         private set
 
-    // A drift acts next to the drift: last before it, first after it.
-    private val forces = forces.sortedBy { it is Drift }
+    /** The forces in the order in which they act before the drift. A [Drift] acts next to it: last before it, first after it. */
+    public val forces: List<Force> = forces.sortedBy { it is Drift }
     private val loop = collisions?.engine?.loop ?: InlineLoop
     private val velocities = KeptVelocities()
     private var opened = false

@@ -83,7 +83,8 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         rows += NumberRow("mean radius", meanRadius, Double.NaN, units.length)
         val flow = state.boundary.meanFlow
         val gas = scenario?.let { References.ofElastic(it, fillingFactor, temperature.mean, density) } ?: emptyMap()
-        rows += NumberRow("granular temperature ⟨c²⟩/3", temperature.mean, temperature.error, "(${units.speed})^2")
+        val around = if (flow != null && transport?.isPeculiar == false) "around the boundary's straight flow: the file is of an older version" else ""
+        rows += NumberRow("granular temperature ⟨c²⟩/3", temperature.mean, temperature.error, "(${units.speed})^2", note = around)
         if (transport == null) return rows
         val mass = population.mass.sum()
         val rate = transport.collisionRate
@@ -120,7 +121,7 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
             val m = VelocityMoments.of(state.population, state.boundary.meanFlow, state.omega, state.particles)
             val radius = state.population.radius.minOrNull() ?: 1.0
             val slab = Profile(2, m.centreZ - radius / 10, m.centreZ + radius / 10, 1).of(state)
-            m.moments + doubleArrayOf(m.dispersion, m.scaleHeight, (m.moments[0] + m.moments[1] + m.moments[2]) / 3, slab[Profile.COLUMNS.indexOf("filling_factor")])
+            m.moments + doubleArrayOf(m.dispersion, m.scaleHeight, m.temperature, slab[Profile.COLUMNS.indexOf("filling_factor")])
         }
     }
 }
