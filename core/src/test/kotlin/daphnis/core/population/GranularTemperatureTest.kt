@@ -35,7 +35,7 @@ class GranularTemperatureTest {
 
     private fun assertUnbiased(what: String, count: Int, flow: MeanFlow?, mass: (Int) -> Double = { 1.0 }, velocity: (Double, Double) -> DoubleArray) {
         val random = SeededRandom(11)
-        val draws = 60_000 / count + 200
+        val draws = 12_000 / count + 200
         val truth = doubleArrayOf(1.0, 2.0, 3.0, 0.5, 0.0, 0.0)
         val sum = DoubleArray(6)
         val square = DoubleArray(6)
