@@ -40,7 +40,10 @@ public class Simulation(
     public var step: Long = startStep
         private set
 
-    /** The forces in the order in which they act before the drift. A [Drift] acts next to it: last before it, first after it. */
+    /**
+     * The forces in the order in which they act before the drift. A [Drift] acts next to it: last before it, first
+     * after it.
+     */
     public val forces: List<Force> = forces.sortedBy { it is Drift }
     private val loop = collisions?.engine?.loop ?: InlineLoop
     private val velocities = KeptVelocities()

@@ -26,8 +26,9 @@ public class PatchState(
     public fun isParticle(index: Int): Boolean = population.id[index] < particles
 
     /**
-     * Velocity component [axis] of the sphere at [index] against the straight flow of the boundary's rate. Not the peculiar velocity, which is against the mean flow as
-     * it is measured: a bin or a group has its own mean to take out.
+     * Velocity component [axis] of the sphere at [index] against the straight flow of the boundary's rate. Not the
+     * peculiar velocity, which is against the mean flow as it is measured: a bin or a group has its own mean to take
+     * out.
      */
     public fun againstFlow(index: Int, axis: Int): Double {
         val p = population

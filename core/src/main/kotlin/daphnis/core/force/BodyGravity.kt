@@ -112,7 +112,8 @@ public class BodyGravity(private val bodies: IntArray, private val boundary: Bou
             energy += sum.of(p) { k ->
                 towardNearest(d, p.x[body] - p.x[k], p.y[body] - p.y[k], p.z[body] - p.z[k])
                 val d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + softening * softening
-                if (k == body || d2 == 0.0 || isEarlierBody(p.id[k], n)) 0.0 else -constant * p.mass[body] * p.mass[k] / sqrt(d2)
+                val isCounted = k != body && d2 > 0 && !isEarlierBody(p.id[k], n)
+                if (isCounted) -constant * p.mass[body] * p.mass[k] / sqrt(d2) else 0.0
             }
         }
         return energy

@@ -62,8 +62,9 @@ public class HillFrame(public val omega: Double, public val verticalFactor: Doub
     }
 
     /**
-     * Tidal and centrifugal potential energy Σ m (−(3/2)Ω²x² + ½(νΩ)²z²). With the kinetic energy it is Hill's energy, which a free particle keeps until it is wrapped
-     * radially: then −(3/2)Ω²x² and v_y change, and so does the sum, unless the particle's guiding centre is on the face.
+     * Tidal and centrifugal potential energy Σ m (−(3/2)Ω²x² + ½(νΩ)²z²). With the kinetic energy it is Hill's energy,
+     * which a free particle keeps until it is wrapped radially: then −(3/2)Ω²x² and v_y change, and so does the sum,
+     * unless the particle's guiding centre is on the face.
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         val p = population

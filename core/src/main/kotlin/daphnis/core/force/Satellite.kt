@@ -53,7 +53,10 @@ public class Satellite(public val gravitationalParameter: Double, private val or
         }
     }
 
-    /** −GM Σ m/√(d² + ε²), d the distance from the moon where it is at [time], no image of it; 0 for a point moon's very centre. */
+    /**
+     * −GM Σ m/√(d² + ε²), d the distance from the moon where it is at [time], no image of it; 0 for a point moon's very
+     * centre.
+     */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         val at = state(time)
         val p = population

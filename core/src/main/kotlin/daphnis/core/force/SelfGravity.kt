@@ -94,8 +94,8 @@ public class SelfGravity(
     }
 
     /**
-     * ½ Σ m Φ, Φ = −G Σ m_j/√(r² + ε²) over all spheres and images that attract: exact up to the opening angle. The potential is summed in the walk of the force, so
-     * where the last kick was at this [time] nothing is walked again.
+     * ½ Σ m Φ, Φ = −G Σ m_j/√(r² + ε²) over all spheres and images that attract: exact up to the opening angle. The
+     * potential is summed in the walk of the force, so where the last kick was at this [time] nothing is walked again.
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)

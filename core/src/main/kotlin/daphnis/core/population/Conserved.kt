@@ -19,9 +19,9 @@ public class Conserved private constructor(
     public companion object {
         /** The sums of [population] as it stands. */
         public fun of(population: Population): Conserved {
-            val sums = PopulationSums(null)
-            sums.take(population)
-            return Conserved(population.size, sums.mass, sums.kineticEnergy, sums.momentum(0), sums.momentum(1), sums.momentum(2))
+            val s = PopulationSums(null)
+            s.take(population)
+            return Conserved(s.count, s.mass, s.kineticEnergy, s.momentum(0), s.momentum(1), s.momentum(2))
         }
     }
 }

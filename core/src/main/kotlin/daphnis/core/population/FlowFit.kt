@@ -1,17 +1,21 @@
 package daphnis.core.population
 
 /**
- * The measured mean flow of a population, and the second moments of what is left of its velocities without it: of the *peculiar velocities* c.
+ * The measured mean flow of a population, and the second moments of what is left of its velocities without it: of the
+ * *peculiar velocities* c.
  *
- * The mean flow along the flow's axis is the straight line across the flow that fits best, plus the mean of what remains in slabs of equal width across it
- * (one for [SPHERES_A_SLAB] spheres, at most [MOST_SLABS]), since a driven flow need not be straight; along the other axes, and where no flow is driven, it
- * is the mean. A line needs three spheres and a distance between them; below that it is the boundary's.
+ * The mean flow along the flow's axis is the straight line across the flow that fits best, plus the mean of what
+ * remains in slabs of equal width across it (one for [SPHERES_A_SLAB] spheres, at most [MOST_SLABS]), since a driven
+ * flow need not be straight; along the other axes, and where no flow is driven, it is the mean. A line needs three
+ * spheres and a distance between them; below that it is the boundary's.
  *
- * What is fitted takes degrees of freedom away: 1 of each component, and of the one along the flow 1 + S − R² with S slabs, R² the part of Σ m y² that is
- * between them (the trace of the product of both projections). ⟨c_a c_b⟩ is multiplied by N over what is left, so that it has no bias at any number of
- * spheres; exactly where masses are equal, or energy is shared equally among unequal ones. With nothing left it is 0.
+ * What is fitted takes degrees of freedom away: 1 of each component, and of the one along the flow 1 + S − R² with S
+ * slabs, R² the part of Σ m y² that is between them (the trace of the product of both projections). ⟨c_a c_b⟩ is
+ * multiplied by N over what is left, so that it has no bias at any number of spheres; exactly where masses are equal,
+ * or energy is shared equally among unequal ones. With nothing left it is 0.
  *
- * It works on sums, masses as weights: w is the velocity without the boundary's straight flow and without the mean, y the position across less its mean.
+ * It works on sums, masses as weights: w is the velocity without the boundary's straight flow and without the mean, y
+ * the position across less its mean.
  */
 internal class FlowFit(private val flowAxis: Int) {
     /** Σ m w_a w_b: xx, yy, zz, xy, xz, yz. */
@@ -66,7 +70,10 @@ internal class FlowFit(private val flowAxis: Int) {
         return 1.0 + filled - between / across
     }
 
-    /** The component that stands beside that of the flow in moment [e], itself in its square; −1 when the flow's is not in it. */
+    /**
+     * The component that stands beside that of the flow in moment [e], itself in its square; −1 when the flow's is not
+     * in it.
+     */
     private fun otherThanFlow(e: Int): Int = if (FIRST[e] == flowAxis) {
         SECOND[e]
     } else if (SECOND[e] == flowAxis) {

@@ -4,9 +4,9 @@ import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 
 /**
- * Mass, position and velocity of each sphere in the order of the ids, [WIDTH] numbers a sphere: one line of the cache. The arrays of a population are
- * read along memory and each sphere is written at once to its place, which costs a third of a walk by id through seven arrays. Mass is 0 where there is
- * no sphere.
+ * Mass, position and velocity of each sphere in the order of the ids, [WIDTH] numbers a sphere: one line of the cache.
+ * The arrays of a population are read along memory and each sphere is written at once to its place, which costs a third
+ * of a walk by id through seven arrays. Mass is 0 where there is no sphere.
  */
 internal class IdRows {
     private val slots = IdSlots()

@@ -1,8 +1,9 @@
 package daphnis.core.population
 
 /**
- * A place for each sphere of a population that depends on the ids alone, in their order: the id itself where ids are dense, else its rank among them. So
- * columns by place take memory by the number of spheres, whatever the largest id is. Reused; allocates nothing once warm while ids are dense.
+ * A place for each sphere of a population that depends on the ids alone, in their order: the id itself where ids are
+ * dense, else its rank among them. So columns by place take memory by the number of spheres, whatever the largest id
+ * is. Reused; allocates nothing once warm while ids are dense.
  */
 internal class IdSlots {
     /** Number of places; some are empty when ids have gaps. */

@@ -1,6 +1,9 @@
 package daphnis.core.population
 
-/** Sums over the spheres of a population in the order of their ids, so that they are the same to the last bit whatever order the arrays are in. */
+/**
+ * Sums over the spheres of a population in the order of their ids, so that they are the same to the last bit whatever
+ * order the arrays are in.
+ */
 internal class OrderedSum {
     private val slots = IdSlots()
     private var terms = DoubleArray(0)

@@ -5,10 +5,12 @@ import kotlin.math.sqrt
 /**
  * Second moments of the velocities of a population, weighted by mass, around two mean flows.
  *
- * @property moments ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, what is left of the velocity without the measured mean
- *   flow, and degrees of freedom that the fit takes are made up for ([granularTemperature] is a third of xx + yy + zz)
- * @property kinetic ⟨w_a w_b⟩ likewise; w is what is left without the boundary's [MeanFlow] (with its rate, a straight line through the origin) and without the
- *   mean of the rest. With the mass over the volume it is the kinetic part of the pressure tensor, for which the energy balance of a shear flow holds
+ * @property moments ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, what is left of
+ *   the velocity without the measured mean flow, and degrees of freedom that the fit takes are made up for
+ *   ([granularTemperature] is a third of xx + yy + zz)
+ * @property kinetic ⟨w_a w_b⟩ likewise; w is what is left without the boundary's [MeanFlow] (with its rate, a straight
+ *   line through the origin) and without the mean of the rest. With the mass over the volume it is the kinetic part of
+ *   the pressure tensor, for which the energy balance of a shear flow holds
  * @property mean ⟨velocity − the boundary's flow⟩ along x, y, z
  * @property centreZ mean height
  * @property scaleHeight √⟨(z − centre)²⟩
@@ -40,7 +42,8 @@ public class VelocityMoments private constructor(
         public val COMPONENTS: List<String> = listOf("xx", "yy", "zz", "xy", "xz", "yz")
 
         /**
-         * The moments of [population], where the boundary drives [flow]; sums in the order of ids. All zero for no spheres.
+         * The moments of [population], where the boundary drives [flow]; sums in the order of ids. All zero for no
+         * spheres.
          *
          * @param omega angular speed of Hill's frame, or null
          * @param leastId spheres with ids from this on are left out, such as moonlets

@@ -5,15 +5,21 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * A table as text that only grows, line by whole line. What has gathered is written at every checkpoint, when it is much, and when it has waited for a second
- * ([flushIfDue]). On resume the file is cut back to the length that the checkpoint knew, so no line is there twice, and goes on with the columns that it has,
- * if an older version began it with fewer.
+ * A table as text that only grows, line by whole line. What has gathered is written at every checkpoint, when it is
+ * much, and when it has waited for a second ([flushIfDue]). On resume the file is cut back to the length that the
+ * checkpoint knew, so no line is there twice, and goes on with the columns that it has, if an older version began it
+ * with fewer.
  *
  * @param header names of the columns, separated by commas
  * @param keep the length to cut back to, or null to begin anew
  * @param clock nanoseconds
  */
-internal class AppendedFile(path: Path, header: String, keep: Long?, private val clock: () -> Long = System::nanoTime) : AutoCloseable {
+internal class AppendedFile(
+    path: Path,
+    header: String,
+    keep: Long?,
+    private val clock: () -> Long = System::nanoTime,
+) : AutoCloseable {
     private val file: RandomAccessFile
     private val pending = StringBuilder()
     private var lineStart = 0
@@ -58,7 +64,10 @@ internal class AppendedFile(path: Path, header: String, keep: Long?, private val
         }
     }
 
-    /** Writes what has gathered when the last time is a second ago. To be called between lines, after each step; costs a look at the clock at most. */
+    /**
+     * Writes what has gathered when the last time is a second ago. To be called between lines, after each step; costs a
+     * look at the clock at most.
+     */
     fun flushIfDue() {
         if (pending.isNotEmpty() && clock() - writtenAt >= SECOND) flush()
     }

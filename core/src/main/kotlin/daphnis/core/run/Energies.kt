@@ -4,7 +4,8 @@ import daphnis.core.Simulation
 import daphnis.core.force.Drift
 
 /**
- * The energies of a state, mass · (length/time)². NaN where a force has no potential energy ([daphnis.core.force.Force.potentialEnergy]).
+ * The energies of a state, mass · (length/time)². NaN where a force has no potential energy
+ * ([daphnis.core.force.Force.potentialEnergy]).
  *
  * @property potential in all forces but the frame
  * @property total kinetic and [potential]; NaN in a rotating frame, in which it is not conserved

@@ -185,7 +185,8 @@ public class Run private constructor(
             try {
                 val resolved = keepParticleFile(setup.scenario, directory)
                 writeAtomically(directory.scenario) { Files.writeString(it, ScenarioJson.write(resolved)) }
-                return Run(directory, resolved, simulation, sums(setup), transport(setup), CollisionStatistics(), null, 0.0, lock, emptyList())
+                val statistics = CollisionStatistics()
+                return Run(directory, resolved, simulation, sums(setup), transport(setup), statistics, null, 0.0, lock, emptyList())
             } catch (e: IOException) {
                 lock.close()
                 throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
@@ -225,7 +226,9 @@ public class Run private constructor(
                 val meta = checkpoint?.meta
                 val statistics = CollisionStatistics()
                 if (meta != null && meta.collisionSums.isNotEmpty()) statistics.restore(meta.collisionSums, meta.impactSpeeds.toLongArray())
-                return Run(directory, scenario, simulation, sums(setup), transport(setup), statistics, meta?.fileLengths, meta?.wallSeconds ?: 0.0, lock, notices)
+                val seconds = meta?.wallSeconds ?: 0.0
+                val lengths = meta?.fileLengths
+                return Run(directory, scenario, simulation, sums(setup), transport(setup), statistics, lengths, seconds, lock, notices)
             } catch (e: RuntimeException) {
                 lock.close()
                 throw e
@@ -250,7 +253,10 @@ public class Run private constructor(
             throw InputException("", null, notices.joinToString("; ") + "; no checkpoint is left to go on from, run the scenario again")
         }
 
-        private fun sums(setup: ScenarioSetup) = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, setup.scenario.firstBody ?: Int.MAX_VALUE)
+        private fun sums(setup: ScenarioSetup): PopulationSums {
+            val leastBody = setup.scenario.firstBody ?: Int.MAX_VALUE
+            return PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, leastBody)
+        }
 
         private fun transport(setup: ScenarioSetup): TransportRows? = if (setup.scenario.output.transportEvery == 0) {
             null

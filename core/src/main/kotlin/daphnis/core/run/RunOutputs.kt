@@ -7,6 +7,8 @@ import daphnis.core.output.CollisionStatistics
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.OutputSpec
+import java.nio.file.Path
+import kotlin.io.path.name
 import kotlin.math.sqrt
 
 /**
@@ -25,16 +27,19 @@ internal class RunOutputs(
     lengths: Map<String, Long>?,
     clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {
-    private val series = AppendedFile(directory.series, SERIES_HEADER, lengths?.get(RunDirectory.SERIES), clock)
-    private val transportFile =
-        if (transport != null) AppendedFile(directory.transport, TransportRows.HEADER, lengths?.get(RunDirectory.TRANSPORT), clock) else null
-    private val log = if (spec.collisionLog) AppendedFile(directory.collisions, LOG_HEADER, lengths?.get(RunDirectory.COLLISIONS), clock) else null
+    private val lengths = lengths.orEmpty()
+    private val series = appended(directory.series, SERIES_HEADER, clock)
+    private val transportFile = if (transport != null) appended(directory.transport, TransportRows.HEADER, clock) else null
+    private val log = if (spec.collisionLog) appended(directory.collisions, LOG_HEADER, clock) else null
+
+    private fun appended(path: Path, header: String, clock: () -> Long) = AppendedFile(path, header, lengths[path.name], clock)
 
     /** Looks at the simulation after a step. */
     fun write(simulation: Simulation) {
         val hasSeries = spec.seriesEvery > 0 && simulation.step % spec.seriesEvery == 0L
         val hasTransport = transport != null && simulation.step % spec.transportEvery == 0L
-        if (hasSeries || hasTransport) sums.take(simulation.population, simulation.collisions?.engine?.loop ?: InlineLoop)
+        val loop = simulation.collisions?.engine?.loop ?: InlineLoop
+        if (hasSeries || hasTransport) sums.take(simulation.population, loop)
         if (hasSeries) writeSeries(simulation)
         if (transport != null && transportFile != null) {
             statistics.write(simulation)
@@ -105,8 +110,8 @@ internal class RunOutputs(
 
     private companion object {
         const val SERIES_HEADER =
-            "step,time,particles,collisions,kinetic_energy,granular_temperature,rms_component_speed,momentum_x,momentum_y,momentum_z," +
-                "potential_energy,total_energy,hill_energy"
+            "step,time,particles,collisions,kinetic_energy,granular_temperature,rms_component_speed," +
+                "momentum_x,momentum_y,momentum_z,potential_energy,total_energy,hill_energy"
         const val LOG_HEADER = "step,time_in_step,id_lower,id_higher,impact_speed,coefficient,impulse,separation_x,separation_y,separation_z"
     }
 }

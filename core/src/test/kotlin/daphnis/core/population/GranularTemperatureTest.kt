@@ -15,7 +15,9 @@ class GranularTemperatureTest {
     private val flow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = 0.7)
     private val hill = MeanFlow(normalAxis = 0, flowAxis = 1, rate = -1.5)
 
-    /** A Maxwellian with ⟨c_x²⟩, ⟨c_y²⟩, ⟨c_z²⟩ = 1, 2, 3 and ⟨c_x c_y⟩ = ½ at mass 1, energy shared equally, on a flow. */
+    /**
+     * A Maxwellian with ⟨c_x²⟩, ⟨c_y²⟩, ⟨c_z²⟩ = 1, 2, 3 and ⟨c_x c_y⟩ = ½ at mass 1, energy shared equally, on a flow.
+     */
     private fun maxwellian(count: Int, random: SeededRandom, mass: (Int) -> Double = { 1.0 }, velocity: (x: Double, y: Double) -> DoubleArray): Population {
         fun place() = DoubleArray(count) { random.nextDouble(-4.0, 4.0) }
         val m = DoubleArray(count) { mass(it) }
