@@ -23,8 +23,8 @@ import org.openjdk.jmh.annotations.Warmup
 import java.util.concurrent.TimeUnit
 
 /**
- * The sums of one row of `series.csv` and `transport.csv`, of as many spheres as the paper's first system has, in random
- * order.
+ * The sums of one row of `series.csv` and `transport.csv`, of as many spheres as the paper's first system has, in
+ * random order.
  *
  * `java -jar bench/target/bench-0.1.0.jar SeriesRowBenchmark -prof gc`
  */

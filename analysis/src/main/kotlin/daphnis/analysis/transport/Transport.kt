@@ -47,8 +47,7 @@ public class Transport(private val table: TransportTable, private val shearRate:
     public fun moment(component: String): BlockAverage = BlockAverage.of(table["c_$component"])
 
     /** ⟨w_a w_b⟩ by component name: the kinetic part of the pressure tensor, times volume over mass. */
-    public fun kinetic(component: String): BlockAverage =
-        BlockAverage.of(table[if (isPeculiar) "kinetic_$component" else "c_$component"])
+    public fun kinetic(component: String): BlockAverage = BlockAverage.of(table[if (isPeculiar) "kinetic_$component" else "c_$component"])
 
     /** √(⟨c_x²⟩ + ⟨c_y²⟩ + ⟨c_z²⟩). */
     public val dispersion: BlockAverage

@@ -83,14 +83,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
     }
 
     /** Writes the acceleration of every sphere of the leaf, Σ a_y Δx and the potential, by index in the population. */
-    fun sum(
-        constant: Double,
-        ax: DoubleArray,
-        ay: DoubleArray,
-        az: DoubleArray,
-        stress: DoubleArray,
-        potential: DoubleArray,
-    ) {
+    fun sum(constant: Double, ax: DoubleArray, ay: DoubleArray, az: DoubleArray, stress: DoubleArray, potential: DoubleArray) {
         val softening2 = softening * softening
         val range2 = stressRange * stressRange
         for (place in tree.from[leaf] until tree.to[leaf]) {

@@ -22,8 +22,9 @@ public class UniformAcceleration(private val ax: Double, private val ay: Double,
 
     /** −Σ m a·r, 0 at the origin; NaN when the box repeats along the acceleration. */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
-        val repeats = ax != 0.0 && boundary.repeats(0) || ay != 0.0 && boundary.repeats(1) || az != 0.0 && boundary.repeats(2)
-        if (repeats) return Double.NaN
+        if (ax != 0.0 && boundary.repeats(0)) return Double.NaN
+        if (ay != 0.0 && boundary.repeats(1)) return Double.NaN
+        if (az != 0.0 && boundary.repeats(2)) return Double.NaN
         val p = population
         return sum.of(p) { k -> -p.mass[k] * (ax * p.x[k] + ay * p.y[k] + az * p.z[k]) }
     }

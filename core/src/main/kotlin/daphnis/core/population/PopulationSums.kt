@@ -32,11 +32,7 @@ import kotlin.math.sqrt
  * @param leastBody spheres with ids from this on are bodies, such as moonlets: they count for mass, momentum and
  *   energy, and for nothing else
  */
-public class PopulationSums(
-    flow: MeanFlow?,
-    private val omega: Double? = null,
-    private val leastBody: Int = Int.MAX_VALUE,
-) {
+public class PopulationSums(flow: MeanFlow?, private val omega: Double? = null, private val leastBody: Int = Int.MAX_VALUE) {
     private val table = IdRows()
     private val chunks = ChunkSums(table, flow)
     private val fit = FlowFit(flow?.flowAxis ?: -1)

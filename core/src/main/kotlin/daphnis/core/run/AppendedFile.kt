@@ -14,12 +14,7 @@ import java.nio.file.Path
  * @param keep the length to cut back to, or null to begin anew
  * @param clock nanoseconds
  */
-internal class AppendedFile(
-    path: Path,
-    header: String,
-    keep: Long?,
-    private val clock: () -> Long = System::nanoTime,
-) : AutoCloseable {
+internal class AppendedFile(path: Path, header: String, keep: Long?, private val clock: () -> Long = System::nanoTime) : AutoCloseable {
     private val file: RandomAccessFile
     private val pending = StringBuilder()
     private var lineStart = 0

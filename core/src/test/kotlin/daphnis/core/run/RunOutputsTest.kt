@@ -3,8 +3,8 @@ package daphnis.core.run
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
-import daphnis.core.boundary.Walls
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.Walls
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.output.CollisionStatistics
@@ -34,11 +34,20 @@ class RunOutputsTest {
     }
 
     @Test
-    fun `series, transport and summary of the paper's box have one granular temperature, that around the imposed flow has its own name`() {
-        val summary = run("paper-figure-1", "paper", "particles.count=3000", "until=2", "output.transportEvery=5", "output.seriesEvery=5")
+    fun `series, transport and summary of the paper's box have one granular temperature`() {
+        val summary =
+            run(
+                "paper-figure-1",
+                "paper",
+                "particles.count=3000",
+                "until=2",
+                "output.transportEvery=5",
+                "output.seriesEvery=5",
+            )
         val series = table("paper/series.csv")
         val transport = table("paper/transport.csv")
-        fun trace(name: String, row: Int) = listOf("xx", "yy", "zz").sumOf { transport.getValue("${name}_$it")[row].toDouble() } / 3
+        fun trace(name: String, row: Int) =
+            listOf("xx", "yy", "zz").sumOf { transport.getValue("${name}_$it")[row].toDouble() } / 3
         val temperatures = series.getValue("granular_temperature").map { it.toDouble() }
         for (row in temperatures.indices) assertEquals(temperatures[row], trace("c", row), 1e-14 * temperatures[row])
         assertEquals(temperatures.last(), summary.temperature)
@@ -53,15 +62,26 @@ class RunOutputsTest {
         run("cooling-gas", "gas", "particles.count=100", "until=0.2")
         val gas = table("gas/series.csv")
         assertEquals(gas["kinetic_energy"], gas["total_energy"])
-        assertTrue(gas.getValue("potential_energy").all { it == "0.0" } && gas.getValue("hill_energy").all { it == "NaN" })
+        assertTrue(
+            gas.getValue("potential_energy").all { it == "0.0" } && gas.getValue("hill_energy").all { it == "NaN" },
+        )
         run("self-gravity-wakes", "ring", "box.lengths=[60,60,8]", "untilOrbits=0.02")
         val ring = table("ring/series.csv")
         assertTrue(ring.getValue("total_energy").all { it == "NaN" })
         assertTrue(ring.getValue("potential_energy").all { it.toDouble() < 0 })
         assertTrue(ring.getValue("hill_energy").all { it.toDouble().isFinite() })
-        run("cooling-gas", "falling", "particles.count=100", "until=0.2", "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]")
+        run(
+            "cooling-gas",
+            "falling",
+            "particles.count=100",
+            "until=0.2",
+            "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
+        )
         val falling = table("falling/series.csv")
-        assertTrue(falling.getValue("potential_energy").all { it == "NaN" } && falling.getValue("total_energy").all { it == "NaN" }) { "it falls through its faces" }
+        assertTrue(
+            falling.getValue("potential_energy").all { it == "NaN" } &&
+                falling.getValue("total_energy").all { it == "NaN" },
+        ) { "it falls through its faces" }
     }
 
     @Test
@@ -69,10 +89,18 @@ class RunOutputsTest {
         var now = 0L
         val directory = RunDirectory(home.resolve("live")).also { it.create(false) }
         val p = populationOf(Sphere(x = -2.0, vx = 1.0), Sphere(x = 2.0, vx = -1.0))
-        val s = Simulation(p, Walls(Box.centred(8.0, 8.0, 8.0)), CollisionForcing(ConstantRestitution(1.0), recordCollisions = true), FixedTimeStep(0.5))
+        val s =
+            Simulation(
+                p,
+                Walls(Box.centred(8.0, 8.0, 8.0)),
+                CollisionForcing(ConstantRestitution(1.0), recordCollisions = true),
+                FixedTimeStep(0.5),
+            )
         val spec = OutputSpec(seriesEvery = 1, transportEvery = 1, collisionLog = true)
         val files = listOf(directory.series, directory.transport, directory.collisions)
-        RunOutputs(directory, spec, PopulationSums(null), TransportRows(null), CollisionStatistics(), null) { now }.use { outputs ->
+        RunOutputs(directory, spec, PopulationSums(null), TransportRows(null), CollisionStatistics(), null) {
+            now
+        }.use { outputs ->
             fun step(nanoseconds: Long) {
                 now += nanoseconds
                 s.advance()
@@ -82,7 +110,12 @@ class RunOutputsTest {
             step(999_999_999)
             assertTrue(files.all { Files.size(it) == 0L }) { "not at every row" }
             step(1)
-            assertEquals(listOf(4, 4), listOf(directory.series, directory.transport).map { Files.readAllLines(it).size })
+            assertEquals(
+                listOf(4, 4),
+                listOf(directory.series, directory.transport).map {
+                    Files.readAllLines(it).size
+                },
+            )
             repeat(3) { step(1) }
             assertEquals(4, Files.readAllLines(directory.series).size)
             step(1_000_000_000)
