@@ -45,8 +45,11 @@ public class Simulation(
     /** Time at step 0 of the run. */
     public val runStart: Double = runStart ?: if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else startTime
 
-    // A drift acts next to the drift: last before it, first after it.
-    private val forces = forces.sortedBy { it is Drift }
+    /**
+     * The forces in the order in which they act before the drift. A [Drift] acts next to it: last before it, first
+     * after it.
+     */
+    public val forces: List<Force> = forces.sortedBy { it is Drift }
     private val loop = collisions?.engine?.loop ?: InlineLoop
     private val velocities = KeptVelocities()
     private var opened = false

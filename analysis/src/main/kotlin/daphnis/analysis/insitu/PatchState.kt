@@ -25,8 +25,12 @@ public class PatchState(
     /** Whether the sphere at [index] is a particle and not a body. */
     public fun isParticle(index: Int): Boolean = population.id[index] < particles
 
-    /** Velocity component [axis] of the sphere at [index] against the mean flow that the boundary drives. */
-    public fun peculiar(index: Int, axis: Int): Double {
+    /**
+     * Velocity component [axis] of the sphere at [index] against the straight flow of the boundary's rate. Not the
+     * peculiar velocity, which is against the mean flow as it is measured: a bin or a group has its own mean to take
+     * out.
+     */
+    public fun againstFlow(index: Int, axis: Int): Double {
         val p = population
         val v = if (axis == 0) {
             p.vx[index]

@@ -43,7 +43,7 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
             result[at + 1] += p.radius[k]
         }
         for (c in 0 until classes) result[c * WIDTH + 1] /= result[c * WIDTH]
-        for (axis in 0..2) put(result, 2 + axis, meanSquares(p.radius, share, all) { state.peculiar(it, axis) })
+        for (axis in 0..2) put(result, 2 + axis, meanSquares(p.radius, share, all) { state.againstFlow(it, axis) })
         for (c in 0 until classes) result[c * WIDTH + C2] = (2..4).sumOf { result[c * WIDTH + it] }
         put(result, H2, meanSquares(p.radius, share, all) { p.z[it] })
         return result

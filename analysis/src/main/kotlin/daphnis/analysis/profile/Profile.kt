@@ -56,9 +56,9 @@ public class Profile(public val axis: Int, public val from: Double, public val t
             result[b]++
             result[b + 1] += p.mass[k]
             result[b + 2] += PI * p.radius[k] * p.radius[k]
-            val u = state.peculiar(k, 0)
-            val v = state.peculiar(k, 1)
-            val w = state.peculiar(k, 2)
+            val u = state.againstFlow(k, 0)
+            val v = state.againstFlow(k, 1)
+            val w = state.againstFlow(k, 2)
             result[b + 4] += u
             result[b + 5] += v
             result[b + 6] += w

@@ -83,7 +83,9 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         rows += NumberRow("mean radius", meanRadius, Double.NaN, units.length)
         val flow = state.boundary.meanFlow
         val gas = scenario?.let { References.ofElastic(it, fillingFactor, temperature.mean, density) } ?: emptyMap()
-        rows += NumberRow("granular temperature ⟨c²⟩/3", temperature.mean, temperature.error, "(${units.speed})^2")
+        val note = if (flow != null && transport?.isPeculiar == false) OLD_TRANSPORT else ""
+        val unit = "(${units.speed})^2"
+        rows += NumberRow("granular temperature ⟨c²⟩/3", temperature.mean, temperature.error, unit, note = note)
         if (transport == null) return rows
         val mass = population.mass.sum()
         val rate = transport.collisionRate
@@ -114,13 +116,15 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         private const val HEIGHT = 7
         private const val TEMPERATURE = 8
         private const val MIDPLANE = 9
+        private const val OLD_TRANSPORT = "around the boundary's straight flow: transport.csv is of an older version"
 
         /** Moments, dispersion, scale height, temperature, filling factor in the middle plane of one state. */
         val OF_STATE: Measure = Measure { state: PatchState ->
             val m = VelocityMoments.of(state.population, state.boundary.meanFlow, state.omega, state.particles)
             val radius = state.population.radius.minOrNull() ?: 1.0
             val slab = Profile(2, m.centreZ - radius / 10, m.centreZ + radius / 10, 1).of(state)
-            m.moments + doubleArrayOf(m.dispersion, m.scaleHeight, (m.moments[0] + m.moments[1] + m.moments[2]) / 3, slab[Profile.COLUMNS.indexOf("filling_factor")])
+            val filling = slab[Profile.COLUMNS.indexOf("filling_factor")]
+            m.moments + doubleArrayOf(m.dispersion, m.scaleHeight, m.temperature, filling)
         }
     }
 }

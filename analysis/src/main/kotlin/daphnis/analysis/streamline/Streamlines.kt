@@ -91,7 +91,7 @@ public class Streamlines private constructor(public val slabs: Int, public val g
             most = Math.max(most, p.x[k])
             area += PI * p.radius[k] * p.radius[k]
             for (axis in 0..2) {
-                val v = state.peculiar(k, axis)
+                val v = state.againstFlow(k, axis)
                 mean[axis] += v
                 square[axis] += v * v
             }

@@ -7,14 +7,20 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Averages of a steady shear flow from a run's [TransportTable]: Hill's frame with γ = dv_y/dx = −(3/2)Ω, or Lees–Edwards boxes. Errors are standard errors from block
- * averaging. Units are the run's.
+ * Averages of a steady shear flow from a run's [TransportTable]: Hill's frame with γ = dv_y/dx = −(3/2)Ω, or
+ * Lees–Edwards boxes. Errors are standard errors from block averaging. Units are the run's.
  *
- * Formulas (docs/analysis.md has them with their sources): with Σ over particles of mass m, M = Σ m, and over the collisions of a time T,
+ * Two kinds of velocity: c is peculiar, without the mean flow as it is measured, and temperature and dispersion are of
+ * it; w is without the straight flow of the boundary's rate, and stresses are of it, since the energy balance holds for
+ * it.
  *
- * - ν_trans = ⟨c_x c_y⟩ / |γ|, the flux that particles carry by moving (translational, "local");
+ * Formulas (docs/analysis.md has them with their sources): with Σ over particles of mass m, M = Σ m, and over the
+ * collisions of a time T,
+ *
+ * - ν_trans = ⟨w_x w_y⟩ / |γ|, the flux that particles carry by moving (translational, "local");
  * - ν_coll = Σ Δp_y δx / (M T |γ|), the flux that jumps from centre to centre in a collision (collisional, "nonlocal");
- * - ν_grav = −½ Σ_ij F_y,ij (x_j − x_i) / (M |γ|), the flux that gravity carries (Daisaka, Tanaka & Ida 2001, Icarus 154, 296);
+ * - ν_grav = −½ Σ_ij F_y,ij (x_j − x_i) / (M |γ|), the flux that gravity carries (Daisaka, Tanaka & Ida 2001, Icarus
+ *   154, 296);
  * - energy balance γ² (ν_trans + ν_coll + ν_grav) = energy dissipated in a unit of time and mass, in a steady state.
  *
  * (Wisdom & Tremaine 1988, AJ 95, 925.)
@@ -31,8 +37,17 @@ public class Transport(private val table: TransportTable, private val shearRate:
     /** Length of time that is averaged. */
     public val duration: Double get() = time.last() - time.first()
 
+    /**
+     * False for a file of an older version, whose columns c_ab are around the boundary's straight flow, and with them
+     * temperature and dispersion.
+     */
+    public val isPeculiar: Boolean get() = "kinetic_xx" in table
+
     /** ⟨c_a c_b⟩ by component name, such as `xx`. */
     public fun moment(component: String): BlockAverage = BlockAverage.of(table["c_$component"])
+
+    /** ⟨w_a w_b⟩ by component name: the kinetic part of the pressure tensor, times volume over mass. */
+    public fun kinetic(component: String): BlockAverage = BlockAverage.of(table[if (isPeculiar) "kinetic_$component" else "c_$component"])
 
     /** √(⟨c_x²⟩ + ⟨c_y²⟩ + ⟨c_z²⟩). */
     public val dispersion: BlockAverage
@@ -55,7 +70,7 @@ public class Transport(private val table: TransportTable, private val shearRate:
     public val impactSpeed: Double
         get() = (table["sum_impact_speed"].last() - table["sum_impact_speed"].first()) / (table["collisions"].last() - table["collisions"].first())
 
-    public val translational: BlockAverage get() = scaled(moment("xy"), -sign() / rateOrNaN())
+    public val translational: BlockAverage get() = scaled(kinetic("xy"), -sign() / rateOrNaN())
     public val collisional: BlockAverage get() = rate("virial_xy") { -sign() / table["mass"][it] / rateOrNaN() }
     public val gravitational: BlockAverage
         get() = BlockAverage.of(DoubleArray(table.size) { -sign() * table["gravity_xy"][it] / table["mass"][it] / rateOrNaN() })
@@ -69,11 +84,12 @@ public class Transport(private val table: TransportTable, private val shearRate:
     /** γ² ν over the dissipation: 1 in a steady state. NaN without dissipation. */
     public val energyBalance: Double get() = shearRate * shearRate * viscosity / dissipation.mean
 
-    /** Pressure tensor times volume over mass, by component: ⟨c_a c_b⟩ + Σ Δp_a δ_b / (M T). */
+    /** Pressure tensor times volume over mass, by component: ⟨w_a w_b⟩ + Σ Δp_a δ_b / (M T). */
     public fun pressure(component: String): BlockAverage {
         val collisions = rate("virial_$component") { 1 / table["mass"][it] }
-        val moment = moment(component)
-        return BlockAverage(moment.mean + collisions.mean, sqrt(moment.error * moment.error + collisions.error * collisions.error), moment.count)
+        val kinetic = kinetic(component)
+        val error = sqrt(kinetic.error * kinetic.error + collisions.error * collisions.error)
+        return BlockAverage(kinetic.mean + collisions.mean, error, kinetic.count)
     }
 
     /** Orbits averaged, for an angular speed. */

@@ -13,6 +13,9 @@ public class TransportTable private constructor(private val columns: Map<String,
     /** Column [name] of the file. */
     public operator fun get(name: String): DoubleArray = columns.getValue(name)
 
+    /** Whether the file has a column [name]. */
+    public operator fun contains(name: String): Boolean = name in columns
+
     /** The rows from [time] on. */
     public fun from(time: Double): TransportTable {
         val first = this["time"].indexOfFirst { it >= time }.let { if (it < 0) size else it }

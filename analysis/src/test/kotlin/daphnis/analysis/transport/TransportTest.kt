@@ -2,6 +2,7 @@ package daphnis.analysis.transport
 
 import daphnis.core.format.FormatException
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -35,6 +36,24 @@ class TransportTest {
         assertEquals(9 * 0.5 / 4.05, transport.energyBalance, 1e-12)
         assertEquals(0.5 + 0.8, transport.pressure("xx").mean, 1e-12)
         assertEquals(1.5, transport.scaleHeight.mean, 1e-12)
+    }
+
+    @Test
+    fun `temperature is of the peculiar velocities, stresses are around the imposed flow, and an older file says so`() {
+        val old = (0..3).map { t -> "$t,$t,10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,0,0,0,0" }
+        val path = file(*old.toTypedArray())
+        val before = Transport(TransportTable.read(path), -3.0)
+        assertFalse(before.isPeculiar)
+        assertEquals(0.6, before.kinetic("xy").mean, 1e-15)
+        val more = ",kinetic_xx,kinetic_yy,kinetic_zz,kinetic_xy,kinetic_xz,kinetic_yz"
+        Files.write(path, listOf(header + more) + old.map { "$it,0.8,0.4,0.25,0.9,0,0" })
+        val transport = Transport(TransportTable.read(path), -3.0)
+        assertTrue(transport.isPeculiar)
+        assertEquals(1.0 / 3, transport.temperature.mean, 1e-12)
+        assertEquals(1.0, transport.dispersion.mean, 1e-12)
+        assertEquals(0.6, transport.moment("xy").mean, 1e-15)
+        assertEquals(0.3, transport.translational.mean, 1e-12)
+        assertEquals(0.8, transport.pressure("xx").mean, 1e-12)
     }
 
     @Test

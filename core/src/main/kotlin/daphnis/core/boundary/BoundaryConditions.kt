@@ -17,6 +17,9 @@ public interface BoundaryConditions {
     /** What the contact search does at the two faces across [axis] (0 = x, 1 = y, 2 = z). */
     public fun contactFaces(axis: Int): ContactFaces = ContactFaces.OPEN
 
+    /** Whether a sphere that leaves through a face across [axis] comes back through the other. */
+    public fun repeats(axis: Int): Boolean = contactFaces(axis) == ContactFaces.PERIODIC
+
     /** How images slide against one another, or null when they stand still. */
     public val shear: ImageShear? get() = null
 

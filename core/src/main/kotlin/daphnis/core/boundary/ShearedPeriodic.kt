@@ -18,6 +18,9 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
 
     override val meanFlow: MeanFlow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = velocityJump / box.length(1))
 
+    /** Although contacts are not found through its faces. */
+    override fun repeats(axis: Int): Boolean = true
+
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val y = population.y
         val vx = population.vx

@@ -5,6 +5,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
 import kotlin.math.sqrt
 
@@ -21,6 +22,7 @@ public class BodyGravity(private val bodies: IntArray, private val boundary: Bou
     Kick {
     private var loop: RangeLoop = InlineLoop
     private val images = Images()
+    private val sum = OrderedSum()
     private val length = DoubleArray(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) boundary.box.length(it) else 0.0 }
     private val normal = boundary.shear?.normalAxis ?: -1
     private val slide = boundary.shear?.slideAxis ?: -1
@@ -96,5 +98,24 @@ public class BodyGravity(private val bodies: IntArray, private val boundary: Bou
         p.vx[body] -= x
         p.vy[body] -= y
         p.vz[body] -= z
+    }
+
+    /** −G Σ m_b m/√(d² + ε²) over pairs with a body b, each once, d the distance of the nearest images. */
+    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+        images.prepare(this.boundary, time)
+        val p = population
+        val d = DoubleArray(3)
+        var energy = 0.0
+        for (n in bodies.indices) {
+            val body = p.indexOf(bodies[n])
+            if (body < 0) continue
+            energy += sum.of(p) { k ->
+                towardNearest(d, p.x[body] - p.x[k], p.y[body] - p.y[k], p.z[body] - p.z[k])
+                val d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + softening * softening
+                val isCounted = k != body && d2 > 0 && !isEarlierBody(p.id[k], n)
+                if (isCounted) -constant * p.mass[body] * p.mass[k] / sqrt(d2) else 0.0
+            }
+        }
+        return energy
     }
 }

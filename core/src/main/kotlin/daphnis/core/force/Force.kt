@@ -1,5 +1,6 @@
 package daphnis.core.force
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
@@ -19,6 +20,13 @@ public interface Force {
 
     /** Offers the threads of the engine for loops over spheres. Called once, before the first step. */
     public fun useLoop(loop: RangeLoop): Unit = Unit
+
+    /**
+     * Potential energy of [population] in this force at [time], mass · (length/time)²; the sum in the order of ids. NaN
+     * where there is none: by default, and for a force that does work on a sphere each time it goes round through a
+     * periodic face.
+     */
+    public fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double = Double.NaN
 }
 
 /** A force given by the change of velocity it makes: applied for half the step before the drift and for half after. */
@@ -36,7 +44,8 @@ public fun interface Kick : Force {
 }
 
 /**
- * What stands for a curved path by a straight one: replaces velocities by those of the drift, and the drift's by true ones. A simulation has at
- * most one, and it acts last before the drift and first after it, whatever its place in the list of forces.
+ * What stands for a curved path by a straight one: replaces velocities by those of the drift, and the drift's by true
+ * ones. A simulation has at most one, and it acts last before the drift and first after it, whatever its place in the
+ * list of forces. Its potential energy is that of the frame.
  */
 public interface Drift : Force

@@ -82,8 +82,8 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
         sm[count++] = mass
     }
 
-    /** Writes the acceleration of every sphere of the leaf, and Σ a_y Δx, by index in the population. */
-    fun sum(constant: Double, ax: DoubleArray, ay: DoubleArray, az: DoubleArray, stress: DoubleArray) {
+    /** Writes the acceleration of every sphere of the leaf, Σ a_y Δx and the potential, by index in the population. */
+    fun sum(constant: Double, ax: DoubleArray, ay: DoubleArray, az: DoubleArray, stress: DoubleArray, potential: DoubleArray) {
         val softening2 = softening * softening
         val range2 = stressRange * stressRange
         for (place in tree.from[leaf] until tree.to[leaf]) {
@@ -94,6 +94,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
             var fy = 0.0
             var fz = 0.0
             var fyx = 0.0
+            var depth = 0.0
             for (k in 0 until count) {
                 val dx = sx[k] - x
                 val dy = sy[k] - y
@@ -103,6 +104,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
                 if (d2 == 0.0) continue
                 val s2 = d2 + softening2
                 val f = sm[k] / (s2 * sqrt(s2))
+                depth += f * s2
                 fx += f * dx
                 fy += f * dy
                 fz += f * dz
@@ -113,6 +115,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
             ay[index] = constant * fy
             az[index] = constant * fz
             stress[index] = constant * fyx
+            potential[index] = -constant * depth
         }
     }
 

@@ -1,7 +1,9 @@
 package daphnis.core.force
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
 import kotlin.math.abs
 
@@ -27,6 +29,7 @@ import kotlin.math.abs
  */
 public class HillFrame(public val omega: Double, public val verticalFactor: Double = 1.0) : Drift {
     private var loop: RangeLoop = InlineLoop
+    private val sum = OrderedSum()
 
     // For the duration at hand: chord = (ax x + bxx vx + q vy, ay x − q vx + byy vy, az z + bz vz).
     private var duration = Double.NaN
@@ -56,6 +59,18 @@ public class HillFrame(public val omega: Double, public val verticalFactor: Doub
     override fun afterDrift(population: Population, end: Double, duration: Double) {
         prepare(duration)
         loop.run(population.size) { _, from, to -> fromChord(population, from, to) }
+    }
+
+    /**
+     * Tidal and centrifugal potential energy Σ m (−(3/2)Ω²x² + ½(νΩ)²z²). With the kinetic energy it is Hill's energy,
+     * which a free particle keeps until it is wrapped radially: then −(3/2)Ω²x² and v_y change, and so does the sum,
+     * unless the particle's guiding centre is on the face.
+     */
+    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+        val p = population
+        val radial = -1.5 * omega * omega
+        val vertical = 0.5 * (verticalFactor * omega) * (verticalFactor * omega)
+        return sum.of(p) { k -> p.mass[k] * (radial * p.x[k] * p.x[k] + vertical * p.z[k] * p.z[k]) }
     }
 
     private fun toChord(p: Population, from: Int, to: Int) {

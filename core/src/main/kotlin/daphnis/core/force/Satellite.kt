@@ -1,7 +1,9 @@
 package daphnis.core.force
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
 import kotlin.math.sqrt
 
@@ -17,6 +19,7 @@ import kotlin.math.sqrt
  */
 public class Satellite(public val gravitationalParameter: Double, private val orbit: Epicycle, private val omega: Double, public val softening: Double = 0.0) : Kick {
     private var loop: RangeLoop = InlineLoop
+    private val sum = OrderedSum()
 
     init {
         require(gravitationalParameter >= 0 && gravitationalParameter.isFinite()) { "GM of the satellite is $gravitationalParameter; it must be >= 0" }
@@ -47,6 +50,22 @@ public class Satellite(public val gravitationalParameter: Double, private val or
                 population.vy[k] += f * dy
                 population.vz[k] += f * dz
             }
+        }
+    }
+
+    /**
+     * −GM Σ m/√(d² + ε²), d the distance from the moon where it is at [time], no image of it; 0 for a point moon's very
+     * centre.
+     */
+    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+        val at = state(time)
+        val p = population
+        return sum.of(p) { k ->
+            val dx = at[0] - p.x[k]
+            val dy = at[1] - p.y[k]
+            val dz = at[2] - p.z[k]
+            val d2 = dx * dx + dy * dy + dz * dz + softening * softening
+            if (d2 == 0.0) 0.0 else -gravitationalParameter * p.mass[k] / sqrt(d2)
         }
     }
 }

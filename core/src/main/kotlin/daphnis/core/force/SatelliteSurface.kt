@@ -26,6 +26,8 @@ public class SatelliteSurface(private val inner: BoundaryConditions, private val
 
     override fun contactFaces(axis: Int): ContactFaces = inner.contactFaces(axis)
 
+    override fun repeats(axis: Int): Boolean = inner.repeats(axis)
+
     /** Spheres removed by this object so far. */
     public var removed: Long = 0
         private set

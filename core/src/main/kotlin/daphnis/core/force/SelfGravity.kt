@@ -5,6 +5,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
 
 /**
@@ -42,6 +43,8 @@ public class SelfGravity(
     private var ay = DoubleArray(0)
     private var az = DoubleArray(0)
     private var stress = DoubleArray(0)
+    private var potential = DoubleArray(0)
+    private val energy = OrderedSum()
     private val seen = SeenPositions()
 
     init {
@@ -90,6 +93,15 @@ public class SelfGravity(
         return sum
     }
 
+    /**
+     * ½ Σ m Φ, Φ = −G Σ m_j/√(r² + ε²) over all spheres and images that attract: exact up to the opening angle. The
+     * potential is summed in the walk of the force, so where the last kick was at this [time] nothing is walked again.
+     */
+    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+        evaluate(population, time)
+        return energy.of(population) { k -> 0.5 * population.mass[k] * potential[k] }
+    }
+
     private fun evaluate(population: Population, time: Double) {
         if (seen.isSame(population, time)) return
         if (ax.size < population.size) {
@@ -97,6 +109,7 @@ public class SelfGravity(
             ay = DoubleArray(population.size)
             az = DoubleArray(population.size)
             stress = DoubleArray(population.size)
+            potential = DoubleArray(population.size)
         }
         tree.build(population)
         periodicImages.prepare(boundary, time)
@@ -107,7 +120,7 @@ public class SelfGravity(
             for (leaf in from until to) {
                 walk.begin(tree.leaves[leaf])
                 for (code in codes) walk.collect(periodicImages.shift(code, 0), periodicImages.shift(code, 1), periodicImages.shift(code, 2))
-                walk.sum(constant, ax, ay, az, stress)
+                walk.sum(constant, ax, ay, az, stress, potential)
             }
         }
         seen.keep(population, time)

@@ -19,25 +19,9 @@ public class Conserved private constructor(
     public companion object {
         /** The sums of [population] as it stands. */
         public fun of(population: Population): Conserved {
-            var mass = 0.0
-            var energy = 0.0
-            var px = 0.0
-            var py = 0.0
-            var pz = 0.0
-            for (id in 0 until population.idBound) {
-                val k = population.indexOf(id)
-                if (k < 0) continue
-                val m = population.mass[k]
-                val vx = population.vx[k]
-                val vy = population.vy[k]
-                val vz = population.vz[k]
-                mass += m
-                energy += 0.5 * m * (vx * vx + vy * vy + vz * vz)
-                px += m * vx
-                py += m * vy
-                pz += m * vz
-            }
-            return Conserved(population.size, mass, energy, px, py, pz)
+            val s = PopulationSums(null)
+            s.take(population)
+            return Conserved(s.count, s.mass, s.kineticEnergy, s.momentum(0), s.momentum(1), s.momentum(2))
         }
     }
 }

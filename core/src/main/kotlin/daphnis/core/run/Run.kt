@@ -8,8 +8,8 @@ import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.named.Engines
 import daphnis.core.force.SelfGravity
 import daphnis.core.output.CollisionStatistics
-import daphnis.core.population.Conserved
-import daphnis.core.population.granularTemperature
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.population.PopulationSums
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
@@ -42,6 +42,7 @@ public class Run private constructor(
     public val directory: RunDirectory,
     private val scenario: Scenario,
     public val simulation: Simulation,
+    private val sums: PopulationSums,
     private val transport: TransportRows?,
     private val statistics: CollisionStatistics,
     private val lengths: Map<String, Long>?,
@@ -67,7 +68,7 @@ public class Run private constructor(
         val begin = System.nanoTime()
         fun seconds() = (System.nanoTime() - begin) * 1e-9
         try {
-            RunOutputs(directory, scenario.output, transport, statistics, lengths).use { outputs ->
+            RunOutputs(directory, scenario.output, sums, transport, statistics, lengths).use { outputs ->
                 if (lengths == null) {
                     outputs.write(simulation)
                     checkpoint(outputs, 0.0)
@@ -134,7 +135,7 @@ public class Run private constructor(
 
     private fun summary(finished: Boolean, seconds: Double): Summary {
         val population = simulation.population
-        val sums = Conserved.of(population)
+        sums.take(population, simulation.collisions?.engine?.loop ?: InlineLoop)
         val c = simulation.collisions?.counters ?: CollisionCounters()
         val engine = simulation.collisions?.engine
         return Summary(
@@ -155,8 +156,8 @@ public class Run private constructor(
             redoneSteps = c.redoneSteps,
             causalityReplays = c.causalityReplays,
             energy = sums.kineticEnergy,
-            temperature = granularTemperature(population, simulation.boundary.meanFlow),
-            momentum = listOf(sums.momentumX, sums.momentumY, sums.momentumZ),
+            temperature = sums.granularTemperature,
+            momentum = List(3) { sums.momentum(it) },
             version = Version.text,
             jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
         )
@@ -184,7 +185,8 @@ public class Run private constructor(
             try {
                 val resolved = keepParticleFile(setup.scenario, directory)
                 writeAtomically(directory.scenario) { Files.writeString(it, ScenarioJson.write(resolved)) }
-                return Run(directory, resolved, simulation, transport(setup), CollisionStatistics(), null, 0.0, lock, emptyList())
+                val statistics = CollisionStatistics()
+                return Run(directory, resolved, simulation, sums(setup), transport(setup), statistics, null, 0.0, lock, emptyList())
             } catch (e: IOException) {
                 lock.close()
                 throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
@@ -224,7 +226,9 @@ public class Run private constructor(
                 val meta = checkpoint?.meta
                 val statistics = CollisionStatistics()
                 if (meta != null && meta.collisionSums.isNotEmpty()) statistics.restore(meta.collisionSums, meta.impactSpeeds.toLongArray())
-                return Run(directory, scenario, simulation, transport(setup), statistics, meta?.fileLengths, meta?.wallSeconds ?: 0.0, lock, notices)
+                val seconds = meta?.wallSeconds ?: 0.0
+                val lengths = meta?.fileLengths
+                return Run(directory, scenario, simulation, sums(setup), transport(setup), statistics, lengths, seconds, lock, notices)
             } catch (e: RuntimeException) {
                 lock.close()
                 throw e
@@ -249,10 +253,15 @@ public class Run private constructor(
             throw InputException("", null, notices.joinToString("; ") + "; no checkpoint is left to go on from, run the scenario again")
         }
 
+        private fun sums(setup: ScenarioSetup): PopulationSums {
+            val leastBody = setup.scenario.firstBody ?: Int.MAX_VALUE
+            return PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, leastBody)
+        }
+
         private fun transport(setup: ScenarioSetup): TransportRows? = if (setup.scenario.output.transportEvery == 0) {
             null
         } else {
-            TransportRows(setup.angularSpeed, setup.scenario.firstBody ?: Int.MAX_VALUE, setup.forces.filterIsInstance<SelfGravity>().firstOrNull())
+            TransportRows(setup.forces.filterIsInstance<SelfGravity>().firstOrNull())
         }
 
         private fun simulation(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory): Simulation {

@@ -4,37 +4,52 @@ import daphnis.core.Simulation
 import daphnis.core.format.Frame
 import daphnis.core.format.H5md
 import daphnis.core.output.CollisionStatistics
-import daphnis.core.population.Conserved
-import daphnis.core.population.granularTemperature
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.OutputSpec
+import java.nio.file.Path
+import kotlin.io.path.name
 import kotlin.math.sqrt
 
 /**
  * Everything that a run writes as it goes, except checkpoints: time series, transport, snapshots, log of collisions.
  *
+ * @param sums of the population, taken for each row
  * @param statistics sums over all collisions of the run, kept when transport is written
+ * @param clock nanoseconds; rows that have waited for a second are written
  */
 internal class RunOutputs(
     private val directory: RunDirectory,
     private val spec: OutputSpec,
+    private val sums: PopulationSums,
     private val transport: TransportRows?,
     private val statistics: CollisionStatistics,
     lengths: Map<String, Long>?,
+    clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {
-    private val series = AppendedFile(directory.series, SERIES_HEADER, lengths?.get(RunDirectory.SERIES))
-    private val transportFile =
-        if (transport != null) AppendedFile(directory.transport, TransportRows.HEADER, lengths?.get(RunDirectory.TRANSPORT)) else null
-    private val log = if (spec.collisionLog) AppendedFile(directory.collisions, LOG_HEADER, lengths?.get(RunDirectory.COLLISIONS)) else null
+    private val lengths = lengths.orEmpty()
+    private val series = appended(directory.series, SERIES_HEADER, clock)
+    private val transportFile = if (transport != null) appended(directory.transport, TransportRows.HEADER, clock) else null
+    private val log = if (spec.collisionLog) appended(directory.collisions, LOG_HEADER, clock) else null
+
+    private fun appended(path: Path, header: String, clock: () -> Long) = AppendedFile(path, header, lengths[path.name], clock)
 
     /** Looks at the simulation after a step. */
     fun write(simulation: Simulation) {
-        if (spec.seriesEvery > 0 && simulation.step % spec.seriesEvery == 0L) writeSeries(simulation)
+        val hasSeries = spec.seriesEvery > 0 && simulation.step % spec.seriesEvery == 0L
+        val hasTransport = transport != null && simulation.step % spec.transportEvery == 0L
+        val loop = simulation.collisions?.engine?.loop ?: InlineLoop
+        if (hasSeries || hasTransport) sums.take(simulation.population, loop)
+        if (hasSeries) writeSeries(simulation)
         if (transport != null && transportFile != null) {
             statistics.write(simulation)
-            if (simulation.step % spec.transportEvery == 0L) transport.append(simulation, statistics, transportFile)
+            if (hasTransport) transport.append(simulation, sums, statistics, transportFile)
         }
         if (spec.snapshotEvery > 0 && simulation.step % spec.snapshotEvery == 0L) writeSnapshot(simulation)
         if (log != null && simulation.step > 0) writeCollisions(simulation, log)
+        series.flushIfDue()
+        transportFile?.flushIfDue()
+        log?.flushIfDue()
     }
 
     fun writeSnapshot(simulation: Simulation) {
@@ -66,15 +81,15 @@ internal class RunOutputs(
     }
 
     private fun writeSeries(simulation: Simulation) {
-        val sums = Conserved.of(simulation.population)
         val counters = simulation.collisions?.counters
+        val energies = Energies(simulation, sums.kineticEnergy)
         val line = series.line()
         line.append(simulation.step).append(',').append(simulation.time)
         line.append(',').append(sums.count).append(',').append(counters?.collisions ?: 0)
-        line.append(',').append(sums.kineticEnergy)
-        line.append(',').append(granularTemperature(simulation.population, simulation.boundary.meanFlow))
+        line.append(',').append(sums.kineticEnergy).append(',').append(sums.granularTemperature)
         line.append(',').append(if (sums.mass > 0) sqrt(2 * sums.kineticEnergy / sums.mass / 3) else 0.0)
-        line.append(',').append(sums.momentumX).append(',').append(sums.momentumY).append(',').append(sums.momentumZ)
+        for (axis in 0..2) line.append(',').append(sums.momentum(axis))
+        line.append(',').append(energies.potential).append(',').append(energies.total).append(',').append(energies.hill)
         series.endLine()
     }
 
@@ -95,7 +110,8 @@ internal class RunOutputs(
 
     private companion object {
         const val SERIES_HEADER =
-            "step,time,particles,collisions,kinetic_energy,granular_temperature,rms_component_speed,momentum_x,momentum_y,momentum_z"
+            "step,time,particles,collisions,kinetic_energy,granular_temperature,rms_component_speed," +
+                "momentum_x,momentum_y,momentum_z,potential_energy,total_energy,hill_energy"
         const val LOG_HEADER = "step,time_in_step,id_lower,id_higher,impact_speed,coefficient,impulse,separation_x,separation_y,separation_z"
     }
 }

@@ -3,28 +3,27 @@ package daphnis.core.run
 import daphnis.core.Simulation
 import daphnis.core.force.SelfGravity
 import daphnis.core.output.CollisionStatistics
-import daphnis.core.population.VelocityMoments
+import daphnis.core.population.PopulationSums
 
 /**
- * The rows of `transport.csv`: what viscosities, pressure and energy balance are computed from. Sums over collisions count from the start of the run.
- *
- * @param omega angular speed of Hill's frame, or null
- * @param leastBody id from which on spheres are bodies and not particles
+ * The rows of `transport.csv`: what viscosities, pressure and energy balance are computed from. Sums over collisions
+ * count from the start of the run.
  */
-internal class TransportRows(private val omega: Double?, private val leastBody: Int, private val gravity: SelfGravity?) {
-    fun append(simulation: Simulation, sums: CollisionStatistics, file: AppendedFile) {
-        val p = simulation.population
-        val moments = VelocityMoments.of(p, simulation.boundary.meanFlow, omega, leastBody)
-        var mass = 0.0
-        for (id in 0 until minOf(p.idBound, leastBody)) p.indexOf(id).let { if (it >= 0) mass += p.mass[it] }
+internal class TransportRows(private val gravity: SelfGravity?) {
+    /** @param sums of the simulation's population as it stands */
+    fun append(simulation: Simulation, sums: PopulationSums, collisions: CollisionStatistics, file: AppendedFile) {
         val line = file.line()
-        line.append(simulation.step).append(',').append(simulation.time).append(',').append(p.size).append(',').append(mass)
-        for (m in moments.moments) line.append(',').append(m)
-        for (m in moments.mean) line.append(',').append(m)
-        line.append(',').append(moments.centreZ).append(',').append(moments.scaleHeight).append(',').append(moments.guidingX)
-        line.append(',').append(sums.count).append(',').append(sums.sumSpeed).append(',').append(sums.dissipated)
-        for (e in VIRIAL) line.append(',').append(sums.virial[e])
-        line.append(',').append(gravity?.stressXY(p) ?: 0.0)
+        line.append(simulation.step).append(',').append(simulation.time)
+        line.append(',').append(sums.count).append(',').append(sums.particleMass)
+        // A file begun by a version that knew w alone called it c, and so it goes on.
+        for (m in if (file.isComplete) sums.moments else sums.kinetic) line.append(',').append(m)
+        for (m in sums.mean) line.append(',').append(m)
+        line.append(',').append(sums.centreZ).append(',').append(sums.scaleHeight).append(',').append(sums.guidingX)
+        line.append(',').append(collisions.count)
+        line.append(',').append(collisions.sumSpeed).append(',').append(collisions.dissipated)
+        for (e in VIRIAL) line.append(',').append(collisions.virial[e])
+        line.append(',').append(gravity?.stressXY(simulation.population) ?: 0.0)
+        for (m in sums.kinetic) line.append(',').append(m)
         file.endLine()
     }
 
@@ -33,6 +32,8 @@ internal class TransportRows(private val omega: Double?, private val leastBody: 
         private val VIRIAL = intArrayOf(0, 4, 8, 1, 2, 5)
         const val HEADER =
             "step,time,particles,mass,c_xx,c_yy,c_zz,c_xy,c_xz,c_yz,mean_vx,mean_vy,mean_vz,centre_z,scale_height,guiding_x," +
-                "collisions,sum_impact_speed,dissipated,virial_xx,virial_yy,virial_zz,virial_xy,virial_xz,virial_yz,gravity_xy"
+                "collisions,sum_impact_speed,dissipated," +
+                "virial_xx,virial_yy,virial_zz,virial_xy,virial_xz,virial_yz,gravity_xy," +
+                "kinetic_xx,kinetic_yy,kinetic_zz,kinetic_xy,kinetic_xz,kinetic_yz"
     }
 }

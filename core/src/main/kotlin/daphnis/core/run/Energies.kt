@@ -1,0 +1,30 @@
+package daphnis.core.run
+
+import daphnis.core.Simulation
+import daphnis.core.force.Drift
+
+/**
+ * The energies of a state, mass · (length/time)². NaN where a force has no potential energy
+ * ([daphnis.core.force.Force.potentialEnergy]).
+ *
+ * @property potential in all forces but the frame
+ * @property total kinetic and [potential]; NaN in a rotating frame, in which it is not conserved
+ * @property hill [kinetic][total] and [potential] and that of the rotating frame; NaN without one
+ */
+internal class Energies(simulation: Simulation, kinetic: Double) {
+    val potential: Double
+    val total: Double
+    val hill: Double
+
+    init {
+        var forces = 0.0
+        var frame = Double.NaN
+        for (force in simulation.forces) {
+            val energy = force.potentialEnergy(simulation.population, simulation.boundary, simulation.time)
+            if (force is Drift) frame = energy else forces += energy
+        }
+        potential = forces
+        hill = kinetic + forces + frame
+        total = if (simulation.forces.any { it is Drift }) Double.NaN else kinetic + forces
+    }
+}

@@ -1,0 +1,186 @@
+package daphnis.core.population
+
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ParallelLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.permuted
+import daphnis.core.setup.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import java.lang.management.ManagementFactory
+import kotlin.math.sqrt
+
+class PopulationSumsTest {
+    private val flow = MeanFlow(normalAxis = 0, flowAxis = 1, rate = -1.5)
+
+    private fun gas(count: Int, id: (Int) -> Int = { it }): Population {
+        val random = SeededRandom(4)
+        fun column() = DoubleArray(count) { random.nextGaussian() + 0.3 }
+        val mass = DoubleArray(count) { 0.1 + random.nextDouble() }
+        return Population(
+            column(), column(), column(), column(), column(), column(),
+            DoubleArray(count) {
+                0.1
+            },
+            mass, IntArray(count, id),
+        )
+    }
+
+    private fun row(
+        p: Population,
+        loop: RangeLoop = InlineLoop,
+        sums: PopulationSums = PopulationSums(
+            flow,
+            1.0,
+            leastBody =
+            3 * p.size - 30,
+        ),
+    ): List<Double> {
+        sums.take(p, loop)
+        return listOf(sums.mass, sums.kineticEnergy, sums.particleMass, sums.centreZ, sums.scaleHeight, sums.guidingX) +
+            List(3) { sums.momentum(it) } + sums.moments.asList() + sums.kinetic.asList() + sums.mean.asList()
+    }
+
+    @Test
+    fun `every last digit is the same on 1, 2, 3 and 7 threads, in any order of the arrays, and with a reused object`() {
+        for (id in listOf<(Int) -> Int>({ it }, { 2 * it }, { 3 * it + 1_000 })) {
+            val p = gas(20_000, id)
+            val expected = row(p)
+            assertTrue(expected.all { it.isFinite() })
+            val used = PopulationSums(flow, 1.0, leastBody = 3 * p.size - 30)
+            for (threads in listOf(1, 2, 3, 7)) {
+                FixedPool(threads).use { pool ->
+                    for (strategy in LoopStrategy.entries) {
+                        val loop = ParallelLoop(pool, strategy)
+                        assertEquals(expected, row(p, loop, used)) { "$threads threads, $strategy" }
+                        assertEquals(expected, row(p.permuted(threads.toLong()), loop, used)) {
+                            "$threads threads, $strategy, permuted"
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `sums agree with plain ones, bodies and sparse ids or not`() {
+        for (id in listOf<(Int) -> Int>({ it }, { 2 * it }, { 40_000 * it })) {
+            val p = gas(9000, id)
+            val bodies = p.id[8990]
+            val sums = PopulationSums(flow, 1.0, bodies).apply { take(p) }
+            val all = 0 until 9000
+            val particles = 0 until 8990
+            val mass = particles.sumOf { p.mass[it] }
+            assertEquals(all.sumOf { p.mass[it] }, sums.mass, 1e-9)
+            assertEquals(
+                all.sumOf {
+                    p.mass[it] * (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) / 2
+                },
+                sums.kineticEnergy,
+                1e-8,
+            )
+            assertEquals(all.sumOf { p.mass[it] * p.vz[it] }, sums.momentum(2), 1e-9)
+            assertEquals(mass, sums.particleMass, 1e-9)
+            val w = DoubleArray(9000) { p.vy[it] + 1.5 * p.x[it] }
+            val mean = particles.sumOf { p.mass[it] * w[it] } / mass
+            val meanX = particles.sumOf { p.mass[it] * p.vx[it] } / mass
+            assertEquals(mean, sums.mean[1], 1e-12)
+            assertEquals(
+                particles.sumOf {
+                    p.mass[it] * (w[it] - mean) * (w[it] - mean)
+                } / mass,
+                sums.kinetic[VelocityMoments.YY],
+                1e-11,
+            )
+            assertEquals(
+                particles.sumOf {
+                    p.mass[it] * (w[it] - mean) * (p.vx[it] - meanX)
+                } / mass,
+                sums.kinetic[VelocityMoments.XY],
+                1e-11,
+            )
+            val height = particles.sumOf { p.mass[it] * p.z[it] } / mass
+            assertEquals(height, sums.centreZ, 1e-12)
+            assertEquals(
+                sqrt(
+                    particles.sumOf {
+                        p.mass[it] * (p.z[it] - height) * (p.z[it] - height)
+                    } / mass,
+                ),
+                sums.scaleHeight,
+                1e-12,
+            )
+            assertEquals(particles.sumOf { p.mass[it] * (4 * p.x[it] + 2 * p.vy[it]) } / mass, sums.guidingX, 1e-12)
+        }
+    }
+
+    @Test
+    fun `the fit agrees with a plain one, line first and slab means of the rest then`() {
+        val p = gas(1700)
+        val found = VelocityMoments.of(p, flow).moments
+        val mass = p.mass.sum()
+        fun centred(a: DoubleArray): DoubleArray = (a.indices.sumOf { p.mass[it] * a[it] } / mass).let { mean ->
+            DoubleArray(a.size) {
+                a[it] -
+                    mean
+            }
+        }
+        val x = centred(p.x)
+        val u = centred(p.vy)
+        val slope = x.indices.sumOf { p.mass[it] * x[it] * u[it] } / x.indices.sumOf { p.mass[it] * x[it] * x[it] }
+        for (k in u.indices) u[k] -= slope * x[k]
+        val low = x.min()
+        val slabs = x.indices.groupBy { ((x[it] - low) / (x.max() - low) * 17).toInt().coerceAtMost(16) }
+        val c = u.copyOf()
+        for (slab in slabs.values) {
+            val mean = slab.sumOf { p.mass[it] * u[it] } / slab.sumOf { p.mass[it] }
+            for (k in slab) c[k] -= mean
+        }
+        val between =
+            slabs.values.sumOf { s -> s.sumOf { p.mass[it] * x[it] }.let { it * it } / s.sumOf { p.mass[it] } } /
+                x.indices.sumOf { p.mass[it] * x[it] * x[it] }
+        val left = 1700 - (1 + slabs.size - between)
+        val vx = centred(p.vx)
+        assertEquals(
+            c.indices.sumOf {
+                p.mass[it] * c[it] * c[it]
+            } / mass * 1700 / left,
+            found[VelocityMoments.YY],
+            1e-12,
+        )
+        assertEquals(
+            c.indices.sumOf {
+                p.mass[it] * c[it] * vx[it]
+            } / mass * 1700 / left,
+            found[VelocityMoments.XY],
+            1e-12,
+        )
+        assertEquals(
+            vx.indices.sumOf {
+                p.mass[it] * vx[it] * vx[it]
+            } / mass * 1700 / 1699,
+            found[VelocityMoments.XX],
+            1e-12,
+        )
+    }
+
+    @Test
+    fun `a row allocates nothing once warm, and ids far apart take no memory by the largest`() {
+        val bean = ManagementFactory.getThreadMXBean() as com.sun.management.ThreadMXBean
+        val thread = Thread.currentThread().id
+        fun allocated(p: Population): Long {
+            val sums = PopulationSums(flow, 1.0)
+            sums.take(p)
+            val before = bean.getThreadAllocatedBytes(thread)
+            repeat(50) { sums.take(p) }
+            return bean.getThreadAllocatedBytes(thread) - before
+        }
+        assertTrue(allocated(gas(10_000)) < 10_000) { "a few bytes of the bean itself at most" }
+        val before = bean.getThreadAllocatedBytes(thread)
+        PopulationSums(flow).take(gas(3) { it * 1_000_000_000 })
+        assertTrue(bean.getThreadAllocatedBytes(thread) - before < 1_000_000)
+    }
+}

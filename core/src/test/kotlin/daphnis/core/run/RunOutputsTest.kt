@@ -1,0 +1,149 @@
+package daphnis.core.run
+
+import daphnis.core.FixedTimeStep
+import daphnis.core.Simulation
+import daphnis.core.Sphere
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Walls
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.output.CollisionStatistics
+import daphnis.core.population.PopulationSums
+import daphnis.core.populationOf
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.OutputSpec
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+class RunOutputsTest {
+    @TempDir
+    lateinit var home: Path
+
+    private fun run(scenario: String, name: String, vararg settings: String): Summary =
+        Run.start(BuiltIn.scenario(scenario, settings.asList()), scenario, home.resolve(name)).use { it.execute() }
+
+    private fun table(file: String): Map<String, List<String>> {
+        val lines = Files.readAllLines(home.resolve(file)).map { it.split(',') }
+        for (line in lines) assertEquals(lines[0].size, line.size)
+        return lines[0].withIndex().associate { (k, name) -> name to lines.drop(1).map { it[k] } }
+    }
+
+    @Test
+    fun `series, transport and summary of the paper's box have one granular temperature`() {
+        val summary =
+            run(
+                "paper-figure-1",
+                "paper",
+                "particles.count=3000",
+                "until=2",
+                "output.transportEvery=5",
+                "output.seriesEvery=5",
+            )
+        val series = table("paper/series.csv")
+        val transport = table("paper/transport.csv")
+        fun trace(name: String, row: Int) = listOf("xx", "yy", "zz").sumOf { transport.getValue("${name}_$it")[row].toDouble() } / 3
+        val temperatures = series.getValue("granular_temperature").map { it.toDouble() }
+        for (row in temperatures.indices) assertEquals(temperatures[row], trace("c", row), 1e-14 * temperatures[row])
+        assertEquals(temperatures.last(), summary.temperature)
+        // Components uniform in ±0.05, no flow yet; the box of two wants a flow of rate 0.05.
+        val start = 0.05 * 0.05 / 3
+        assertEquals(start, temperatures[0], 0.03 * start)
+        assertEquals(start + 0.05 * 0.05 * 4 / 12 / 3, trace("kinetic", 0), 0.03 * start)
+    }
+
+    @Test
+    fun `energies stand in the series where they mean something`() {
+        run("cooling-gas", "gas", "particles.count=100", "until=0.2")
+        val gas = table("gas/series.csv")
+        assertEquals(gas["kinetic_energy"], gas["total_energy"])
+        assertTrue(
+            gas.getValue("potential_energy").all { it == "0.0" } && gas.getValue("hill_energy").all { it == "NaN" },
+        )
+        run("self-gravity-wakes", "ring", "box.lengths=[60,60,8]", "untilOrbits=0.02")
+        val ring = table("ring/series.csv")
+        assertTrue(ring.getValue("total_energy").all { it == "NaN" })
+        assertTrue(ring.getValue("potential_energy").all { it.toDouble() < 0 })
+        assertTrue(ring.getValue("hill_energy").all { it.toDouble().isFinite() })
+        run(
+            "cooling-gas",
+            "falling",
+            "particles.count=100",
+            "until=0.2",
+            "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
+        )
+        val falling = table("falling/series.csv")
+        assertTrue(
+            falling.getValue("potential_energy").all { it == "NaN" } &&
+                falling.getValue("total_energy").all { it == "NaN" },
+        ) { "it falls through its faces" }
+    }
+
+    @Test
+    fun `rows reach the disk within a second of the run, not with the checkpoint`() {
+        var now = 0L
+        val directory = RunDirectory(home.resolve("live")).also { it.create(false) }
+        val p = populationOf(Sphere(x = -2.0, vx = 1.0), Sphere(x = 2.0, vx = -1.0))
+        val s =
+            Simulation(
+                p,
+                Walls(Box.centred(8.0, 8.0, 8.0)),
+                CollisionForcing(ConstantRestitution(1.0), recordCollisions = true),
+                FixedTimeStep(0.5),
+            )
+        val spec = OutputSpec(seriesEvery = 1, transportEvery = 1, collisionLog = true)
+        val files = listOf(directory.series, directory.transport, directory.collisions)
+        RunOutputs(directory, spec, PopulationSums(null), TransportRows(null), CollisionStatistics(), null) {
+            now
+        }.use { outputs ->
+            fun step(nanoseconds: Long) {
+                now += nanoseconds
+                s.advance()
+                outputs.write(s)
+            }
+            outputs.write(s)
+            step(999_999_999)
+            assertTrue(files.all { Files.size(it) == 0L }) { "not at every row" }
+            step(1)
+            assertEquals(
+                listOf(4, 4),
+                listOf(directory.series, directory.transport).map {
+                    Files.readAllLines(it).size
+                },
+            )
+            repeat(3) { step(1) }
+            assertEquals(4, Files.readAllLines(directory.series).size)
+            step(1_000_000_000)
+            assertEquals(8, Files.readAllLines(directory.series).size)
+            assertTrue(s.collisions!!.counters.collisions > 0 && Files.readAllLines(directory.collisions).size > 1)
+            assertTrue(files.all { Files.readString(it).endsWith("\n") }) { "whole lines" }
+        }
+    }
+
+    @Test
+    fun `a file that an older version began goes on with its columns`() {
+        val path = home.resolve("old.csv")
+        Files.writeString(path, "step,time\n0,0.0\n1,0.5\nhalf a l")
+        AppendedFile(path, "step,time,energy,more", keep = 22).use { file ->
+            assertFalse(file.isComplete)
+            file.line().append("2,1.0,7.5,8")
+            file.endLine()
+            file.line().append("3,1.5,7.25,9")
+            file.endLine()
+            file.flush()
+            file.line().append("4,2.0,7.25,9")
+            file.endLine()
+        }
+        assertEquals("step,time\n0,0.0\n1,0.5\n2,1.0\n3,1.5\n4,2.0\n", Files.readString(path))
+        AppendedFile(path, "step,time", keep = null).use { file ->
+            assertTrue(file.isComplete)
+            file.line().append("0,1")
+            file.endLine()
+        }
+        assertEquals("step,time\n0,1\n", Files.readString(path))
+    }
+}
