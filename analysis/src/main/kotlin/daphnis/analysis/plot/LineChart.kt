@@ -5,7 +5,7 @@ package daphnis.analysis.plot
  * over a second for its first picture.
  *
  * @param x by point, ascending
- * @param y by point; points that are not finite are left out
+ * @param y by point; points that are not finite are left out, and one alone is a dash
  * @param logarithmic whether the y axis is; all [y] are positive then
  */
 internal class LineChart(
@@ -38,8 +38,8 @@ internal class LineChart(
         sheet.text(title, LEFT, top + LARGE + GAP, LARGE, Anchor.START)
         sheet.text(xLabel, (LEFT + right) / 2, top + height - GAP, MEDIUM, Anchor.MIDDLE)
         sheet.text(yLabel, GAP + MEDIUM, (above + bottom) / 2, MEDIUM, Anchor.MIDDLE, upright = true)
-        if (points.size < 2) return
-        sheet.path(DoubleArray(points.size) { atX(x[points[it]]) }, DoubleArray(points.size) { atY(y[points[it]]) }, colour, LINE)
+        if (points.size == 1) sheet.line(atX(x[points[0]]) - GAP, atY(y[points[0]]), atX(x[points[0]]) + GAP, atY(y[points[0]]), colour, LINE)
+        if (points.size >= 2) sheet.path(DoubleArray(points.size) { atX(x[points[it]]) }, DoubleArray(points.size) { atY(y[points[it]]) }, colour, LINE)
     }
 
     /** The y axis, with some room above and below the line. */

@@ -81,6 +81,13 @@ class RunPlotTest {
     }
 
     @Test
+    fun `the one rate of a run of one step is a dash in the middle`() {
+        RunPlot.write(series(2) { 1.0 + it }, home, "step")
+        val dash = Regex("stroke=\"#b3541e\"[^>]* d=\"M([0-9.]*) ([0-9.]*)L([0-9.]*) ([0-9.]*)\"").find(Files.readString(home.resolve("run.svg")))!!
+        assertEquals(listOf(423.0, 474.0, 437.0, 474.0), dash.groupValues.drop(1).map { it.toDouble() })
+    }
+
+    @Test
     fun `what was prepared leaves nothing behind`() {
         RunPlot.prepare()
         assertEquals(0, Files.list(home).use { it.count() })
