@@ -15,6 +15,23 @@ die() {
 daphnis scenarios >list
 grep -q '^paper-figure-1 ' list || die "scenarios does not list paper-figure-1"
 
+# Through a chain of links, one of them relative, in a directory with a space, from elsewhere.
+says=$("$here/daphnis" --version)
+mkdir -p "links of a user/bin"
+ln -s "$here/daphnis" "links of a user/first"
+ln -s ../first "links of a user/bin/daphnis"
+[ "$(cd / && PATH="$work/links of a user/bin:$PATH" sh -c 'daphnis --version' 2>&1)" = "$says" ] || die "not found through links on the PATH"
+
+# What the shared classes look like must not matter: cut short, other bytes, empty, not there.
+for damage in 'head -c 1000000' "tr '[:lower:]' x" 'head -c 0' false; do
+    archive=$(find "$here/target" "$here/build/install" -name 'daphnis-*.jsa' 2>/dev/null | head -n 1)
+    [ -n "$archive" ] || break
+    eval "$damage" <"$archive" >damaged || rm -f damaged "$archive.length"
+    rm -f "$archive"
+    if [ -f damaged ]; then mv damaged "$archive"; fi
+    [ "$("$here/daphnis" --version 2>&1)" = "$says" ] || die "a damaged archive of classes is noticed by its user ($damage)"
+done
+
 gas="run elastic-gas --until 60 --set output.checkpointEvery=20 --quiet"
 daphnis $gas --out whole >/dev/null
 

@@ -8,10 +8,12 @@ import daphnis.core.run.Summary
 import java.util.Locale
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
 
 /** Carries out what [start] makes, with progress, a plot and the closing lines; Ctrl-C ends it with a checkpoint. */
 internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
     val interruption = Interruption()
+    preparePlot()
     try {
         start().use { run ->
             for (notice in run.notices) System.err.println("daphnis: $notice")
@@ -40,6 +42,17 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
         }
     } finally {
         interruption.done()
+    }
+}
+
+/** Loads what the plot needs beside the start of the run. What fails here fails again when the plot is drawn, and is said then. */
+private fun preparePlot() {
+    thread(isDaemon = true, name = "daphnis-plot", priority = Thread.MIN_PRIORITY) {
+        try {
+            RunPlot.prepare()
+        } catch (e: RuntimeException) {
+            return@thread
+        }
     }
 }
 

@@ -16,6 +16,7 @@ internal object Figures {
     const val INK = "#1f4e79"
     const val ACCENT = "#b3541e"
     const val QUIET = "#7a7a7a"
+    const val TEXT = "#333333"
     const val LINE = 0.9
 
     /** Distinct and readable on white, also for the colour-blind (Okabe & Ito). */

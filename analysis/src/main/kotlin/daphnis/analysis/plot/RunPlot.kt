@@ -1,13 +1,5 @@
 package daphnis.analysis.plot
 
-import org.jetbrains.letsPlot.geom.geomLine
-import org.jetbrains.letsPlot.gggrid
-import org.jetbrains.letsPlot.ggsize
-import org.jetbrains.letsPlot.intern.Plot
-import org.jetbrains.letsPlot.label.labs
-import org.jetbrains.letsPlot.letsPlot
-import org.jetbrains.letsPlot.scale.scaleYLog10
-import org.jetbrains.letsPlot.themes.themeMinimal
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -22,8 +14,33 @@ public object RunPlot {
     public fun write(series: Path, directory: Path, title: String) {
         val rows = read(series)
         require(rows.size >= 2) { "the time series has ${rows.size} rows; two are needed" }
-        val figure = gggrid(listOf(temperature(rows, title), collisions(rows)), ncol = 1, align = true) + ggsize(WIDTH, HEIGHT)
-        Figures.write(figure, directory, "run", WIDTH, HEIGHT)
+        val charts = listOf(temperature(rows, title), collisions(rows))
+        Files.createDirectories(directory)
+        Files.writeString(directory.resolve("run.svg"), SvgSheet(WIDTH, HEIGHT).also { draw(charts, it) }.toString())
+        Files.write(directory.resolve("run.png"), png(charts))
+    }
+
+    /**
+     * Draws a picture of nothing and forgets it. The first picture takes ten times as long as another, for all that Java loads; another thread can do
+     * that while a run begins.
+     */
+    public fun prepare() {
+        val rows = listOf(Row(0.0, 1.0, 0.0, 1.0), Row(1.0, 1.0, 1.0, 2.0))
+        png(listOf(temperature(rows, "prepared"), collisions(rows)))
+    }
+
+    private fun png(charts: List<LineChart>): ByteArray = try {
+        if (System.getProperty(HEADLESS) == null) System.setProperty(HEADLESS, "true")
+        Png.encode(ImageSheet(WIDTH, HEIGHT, PNG_SCALE).also { draw(charts, it) }.image)
+    } catch (e: LinkageError) {
+        throw IllegalStateException("this Java has no library to draw with: ${e.message}", e)
+    } catch (e: InternalError) {
+        throw IllegalStateException("this Java has no fonts to draw with: ${e.message}", e)
+    }
+
+    private fun draw(charts: List<LineChart>, sheet: Sheet) {
+        val height = HEIGHT.toDouble() / charts.size
+        charts.forEachIndexed { k, chart -> chart.draw(sheet, k * height, WIDTH.toDouble(), height) }
     }
 
     private class Row(val time: Double, val particles: Double, val collisions: Double, val temperature: Double)
@@ -42,46 +59,29 @@ public object RunPlot {
         return all.filterIndexed { k, _ -> k % stride == 0 || k == all.lastIndex }
     }
 
-    private fun temperature(rows: List<Row>, title: String): Plot {
-        val data = mapOf("time" to rows.map { it.time }, "temperature" to rows.map { it.temperature })
-        val plot = letsPlot(data) + geomLine(color = Figures.INK, size = Figures.LINE) {
-            x = "time"
-            y = "temperature"
-        } +
-            labs(title = title, x = "time", y = "granular temperature ⟨c²⟩/3") + look()
-        return onSuitableScale(plot, rows.map { it.temperature })
+    private fun temperature(rows: List<Row>, title: String): LineChart {
+        val values = rows.map { it.temperature }
+        return LineChart(title, "time", "granular temperature ⟨c²⟩/3", rows.map { it.time }, values, Figures.INK, spreads(values))
     }
 
     /** The rate between rows so far apart that there are at most [MOST_BINS] of them, lest the noise of single steps hide it. */
-    private fun collisions(rows: List<Row>): Plot {
+    private fun collisions(rows: List<Row>): LineChart {
         val stride = maxOf(1, rows.size / MOST_BINS)
         val pairs = rows.filterIndexed { k, _ -> k % stride == 0 }.zipWithNext().filter { (a, b) -> b.time > a.time && b.particles > 0 }
         // Every collision is one of each of its two spheres.
         val rates = pairs.map { (a, b) -> 2 * (b.collisions - a.collisions) / b.particles / (b.time - a.time) }
-        val data = mapOf("time" to pairs.map { (a, b) -> (a.time + b.time) / 2 }, "rate" to rates)
-        val plot = letsPlot(data) + geomLine(color = Figures.ACCENT, size = Figures.LINE) {
-            x = "time"
-            y = "rate"
-        } +
-            labs(x = "time", y = "collisions of a sphere per unit time") + look()
-        return onSuitableScale(plot, rates)
+        val times = pairs.map { (a, b) -> (a.time + b.time) / 2 }
+        return LineChart("", "time", "collisions of a sphere per unit time", times, rates, Figures.ACCENT, spreads(rates))
     }
 
-    /** Logarithmic when the values spread over much and are positive; else linear. */
-    private fun onSuitableScale(plot: Plot, values: List<Double>): Plot {
-        if (values.isEmpty() || values.min() <= 0) return plot
-        val low = values.min()
-        val high = values.max()
-        val room = Math.pow(high / low, ROOM)
-        return if (high > LOG_FROM * low) plot + scaleYLog10(limits = low / room to high * room) else plot
-    }
-
-    private fun look() = themeMinimal()
+    /** Whether the values are positive and spread over so much that they need a logarithmic axis. */
+    private fun spreads(values: List<Double>): Boolean = values.isNotEmpty() && values.min() > 0 && values.max() > LOG_FROM * values.min()
 
     private const val WIDTH = 800
     private const val HEIGHT = 640
     private const val MOST_POINTS = 2000
     private const val MOST_BINS = 150
     private const val LOG_FROM = 5.0
-    private const val ROOM = 0.05
+    private const val PNG_SCALE = 2
+    private const val HEADLESS = "java.awt.headless"
 }

@@ -35,7 +35,7 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 LatticePlacement(lattice(placement)).place(radii, box, walled(), stream(PLACES))
             } else {
-                RandomPlacement(obstacles = bodies.obstacles).place(radii, box, walled(), stream(PLACES))
+                RandomPlacement(obstacles = bodies.obstacles, threads = scenario.engine.threadsAtStart).place(radii, box, walled(), stream(PLACES))
             }
         } catch (e: PlacementException) {
             val (key, value) = spec.amount()

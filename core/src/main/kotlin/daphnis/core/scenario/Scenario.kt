@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.engine.EngineFactory
+import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
@@ -304,7 +306,10 @@ public sealed interface TimeStepSpec {
 }
 
 @Serializable
-public class EngineSpec(public val name: String = "islands", public val threads: Int = 0)
+public class EngineSpec(public val name: String = "islands", public val threads: Int = 0) {
+    /** Threads to make and check the initial state on: those of the engine, of which the serial one has one. */
+    internal val threadsAtStart: Int get() = if (name == "serial") 1 else minOf(EngineFactory.threadsOrAll(threads), ThreadHandler.MOST)
+}
 
 /**
  * How often to write, in steps; 0 means never (checkpoints: only at the end).

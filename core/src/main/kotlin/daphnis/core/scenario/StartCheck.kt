@@ -30,7 +30,7 @@ internal class StartCheck(private val scenario: Scenario, private val population
         }
         checkSlide(timeStep)
         checkSatellites(timeStep)
-        val overlap = Overlap.deepest(population, boundary, scenario.startTime)
+        val overlap = Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
         val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
         check.must(key, overlap.depth <= TOLERANCE) {
             "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; nobody may overlap at the start"

@@ -1,6 +1,11 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ParallelLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import kotlin.math.sqrt
 
@@ -12,15 +17,41 @@ import kotlin.math.sqrt
  */
 public class Overlap private constructor(public val first: Int, public val second: Int, public val depth: Double) {
     public companion object {
-        /** Looks at every pair of neighbours, through the faces too where contacts are found through them. Allocates a grid. */
-        public fun deepest(population: Population, boundary: BoundaryConditions, time: Double): Overlap {
+        /**
+         * Looks at every pair of neighbours, through the faces too where contacts are found through them. Allocates a grid. Of pairs equally deep it
+         * names the first in the order of the grid, for any number of [threads], which end before it returns.
+         */
+        public fun deepest(population: Population, boundary: BoundaryConditions, time: Double, threads: Int = 1): Overlap =
+            if (threads == 1 || population.size < LEAST_FOR_THREADS) {
+                deepest(population, boundary, time, InlineLoop)
+            } else {
+                FixedPool(threads).use { deepest(population, boundary, time, ParallelLoop(it, LoopStrategy.DYNAMIC)) }
+            }
+
+        internal fun deepest(population: Population, boundary: BoundaryConditions, time: Double, loop: RangeLoop): Overlap {
             val grid = Grid()
-            grid.build(population, boundary, time, 0.0, DoubleArray(3))
-            val near = CellRuns(grid)
+            grid.build(population, boundary, time, 0.0, DoubleArray(3), loop)
+            val searches = Array(loop.workers) { CellRuns(grid) }
+            var deepest = Overlap(-1, -1, 0.0)
+            var slot = Int.MAX_VALUE
+            loop.run(population.size) { worker, from, to ->
+                val found = deepest(population, grid, searches[worker], from, to)
+                synchronized(grid) {
+                    if (found.depth > deepest.depth || found.depth == deepest.depth && from < slot) {
+                        deepest = found
+                        slot = from
+                    }
+                }
+            }
+            return deepest
+        }
+
+        /** Of the pairs that the spheres in the slots [from] until [to] look for. */
+        private fun deepest(population: Population, grid: Grid, near: CellRuns, from: Int, to: Int): Overlap {
             var first = -1
             var second = -1
             var depth = 0.0
-            for (slot in 0 until population.size) {
+            for (slot in from until to) {
                 val k = grid.order[slot]
                 val runs = near.ahead(slot, population.x[k], population.y[k], population.z[k], 0.0, 0.0, 0.0, population.radius[k])
                 for (r in 0 until runs) {
@@ -44,5 +75,8 @@ public class Overlap private constructor(public val first: Int, public val secon
             val s = population.radius[a] + population.radius[b]
             return (s - sqrt(dx * dx + dy * dy + dz * dz)) / s
         }
+
+        /** Below some milliseconds of work the threads are not worth their start. */
+        private const val LEAST_FOR_THREADS = 20_000
     }
 }

@@ -1,129 +1,117 @@
 package daphnis.core.setup
 
 import daphnis.core.boundary.Box
-import kotlin.math.ceil
-import kotlin.math.floor
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ParallelLoop
+import daphnis.core.parallel.RangeLoop
 
 /**
  * Random sequential addition: spheres, the largest first, go to uniform random places until one is free. Reaches filling factors near
  * 0.35 for equal spheres (the process jams at 0.384, and the tries a sphere grow fast before).
  *
+ * Places are drawn and judged by the block, see [CandidateBlock]; the outcome is that of one try after the other, bit for bit, for any
+ * number of threads and any size of block.
+ *
  * @param mostTries tries for one sphere before giving up
  * @param obstacles spheres that stand already
+ * @param threads threads to look for free places on, the caller's included; they end before [place] returns
  */
-public class RandomPlacement(private val mostTries: Int = 200_000, private val obstacles: List<Obstacle> = emptyList()) : Placement {
+public class RandomPlacement internal constructor(
+    private val mostTries: Int,
+    private val obstacles: List<Obstacle>,
+    private val threads: Int,
+    private val blockSize: Int?,
+    private val leastForThreads: Int,
+) : Placement {
+    public constructor(mostTries: Int = MOST_TRIES, obstacles: List<Obstacle> = emptyList(), threads: Int = 1) :
+        this(mostTries, obstacles, threads, null, LEAST_FOR_THREADS)
+
+    /** @throws PlacementException also when the largest sphere does not fit between walls */
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
+        val order = largestFirst(radii)
+        val space = OccupiedSpace(radii, order, box, walled, obstacles)
+        if (radii.isNotEmpty()) checkWalls(space.radius(0), box, walled)
+        val size = blockSize ?: (radii.size / BLOCKS).coerceIn(SMALLEST_BLOCK, LARGEST_BLOCK)
+        val block = CandidateBlock(space, box, walled, minOf(size, maxOf(1, radii.size)))
+        if (threads == 1 || radii.size < leastForThreads) {
+            fill(space, block, size, radii.size, random, InlineLoop)
+        } else {
+            FixedPool(threads).use { fill(space, block, size, radii.size, random, ParallelLoop(it, LoopStrategy.DYNAMIC)) }
+        }
         val positions = Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
-        val bySize = radii.indices.sortedByDescending { radii[it] }.toIntArray()
-        val space = OccupiedSpace(radii, positions, box, walled, obstacles)
-        for (sphere in bySize) placeOne(sphere, radii[sphere], box, walled, random, space, positions)
+        for (rank in order.indices) {
+            positions.x[order[rank]] = space.coordinate(rank, 0)
+            positions.y[order[rank]] = space.coordinate(rank, 1)
+            positions.z[order[rank]] = space.coordinate(rank, 2)
+        }
         return positions
     }
 
-    private fun placeOne(sphere: Int, radius: Double, box: Box, walled: BooleanArray, random: SeededRandom, space: OccupiedSpace, positions: Positions) {
-        val margin = DoubleArray(3) { if (walled[it]) radius else 0.0 }
+    private fun checkWalls(radius: Double, box: Box, walled: BooleanArray) {
         for (axis in 0..2) {
-            if (box.length(axis) <= 2 * margin[axis]) {
+            if (walled[axis] && box.length(axis) <= 2 * radius) {
                 throw PlacementException("a sphere of radius $radius does not fit between the walls along ${"xyz"[axis]}")
             }
         }
-        repeat(mostTries) {
-            val x = random.nextDouble(box.lowerX + margin[0], box.upperX - margin[0])
-            val y = random.nextDouble(box.lowerY + margin[1], box.upperY - margin[1])
-            val z = random.nextDouble(box.lowerZ + margin[2], box.upperZ - margin[2])
-            if (space.isFree(x, y, z, radius)) {
-                positions.x[sphere] = x
-                positions.y[sphere] = y
-                positions.z[sphere] = z
-                space.add(sphere)
-                return
+    }
+
+    private fun fill(space: OccupiedSpace, block: CandidateBlock, size: Int, spheres: Int, random: SeededRandom, loop: RangeLoop) {
+        var rank = 0
+        var tries = 0
+        while (rank < spheres) {
+            // Never more candidates than spheres left, so that no number is drawn that one try after the other would not draw.
+            val count = sameOctave(space, rank, minOf(size, spheres - rank))
+            block.draw(count, random)
+            block.judge(rank, count, loop)
+            for (c in 0 until count) {
+                if (accept(space, block, c, rank)) {
+                    rank++
+                    tries = 0
+                } else if (++tries == mostTries) {
+                    throw PlacementException(
+                        "no free place found for a sphere of radius ${space.radius(rank)} in $mostTries tries; random placement reaches a " +
+                            "filling factor of about 0.35, use a lattice above that",
+                    )
+                }
             }
         }
-        throw PlacementException(
-            "no free place found for a sphere of radius $radius in $mostTries tries; random placement reaches a filling factor of about 0.35, " +
-                "use a lattice above that",
-        )
+    }
+
+    /** How many spheres from [rank] on, at most [limit], share an octave. */
+    private fun sameOctave(space: OccupiedSpace, rank: Int, limit: Int): Int {
+        val largest = space.octaveFor(space.radius(rank)).largest
+        var count = limit
+        while (largest > 2 * space.radius(rank + count - 1)) count--
+        return count
+    }
+
+    /** Puts the sphere of [rank] where candidate [c] is, if that is free. */
+    private fun accept(space: OccupiedSpace, block: CandidateBlock, c: Int, rank: Int): Boolean {
+        val verdict = block.verdict(c)
+        if (verdict == Verdict.TAKEN) return false
+        val radius = space.radius(rank)
+        val x = block.coordinate(c, 0, radius)
+        val y = block.coordinate(c, 1, radius)
+        val z = block.coordinate(c, 2, radius)
+        if (verdict == Verdict.OPEN && !space.isFree(x, y, z, radius)) return false
+        space.add(rank, x, y, z)
+        return true
+    }
+
+    private companion object {
+        const val MOST_TRIES = 200_000
+
+        /** Blocks in a placement, at least: the larger a block, the more of its candidates are in each other's way. */
+        const val BLOCKS = 32
+        const val SMALLEST_BLOCK = 256
+        const val LARGEST_BLOCK = 8192
+
+        /** Below some ten milliseconds of work the threads are not worth their start. */
+        const val LEAST_FOR_THREADS = 20_000
     }
 }
 
 /** A sphere that others are placed around; its images along axes without walls count too. */
 public class Obstacle(public val x: Double, public val y: Double, public val z: Double, public val radius: Double)
-
-/**
- * The spheres placed so far, in one linked-cell grid for each octave of radius. Spheres come largest first, so all that are there are at
- * least as large as the one asked for, and neighbouring cells suffice in every octave.
- */
-private class OccupiedSpace(
-    private val radii: DoubleArray,
-    private val positions: Positions,
-    private val box: Box,
-    private val walled: BooleanArray,
-    private val obstacles: List<Obstacle>,
-) {
-    private class Octave(val largest: Double, val cells: IntArray, val heads: IntArray)
-
-    private val octaves = ArrayList<Octave>()
-    private val next = IntArray(radii.size)
-
-    fun isFree(x: Double, y: Double, z: Double, radius: Double): Boolean =
-        obstacles.none { overlaps(it.x, it.y, it.z, it.radius, x, y, z, radius) } && octaves.all { isFree(it, x, y, z, radius) }
-
-    fun add(sphere: Int) {
-        val r = radii[sphere]
-        if (octaves.isEmpty() || octaves.last().largest > 2 * r) octaves += octave(r)
-        val octave = octaves.last()
-        val cell = (
-            cell(octave, 2, positions.z[sphere]) * octave.cells[1] + cell(octave, 1, positions.y[sphere])
-            ) * octave.cells[0] + cell(octave, 0, positions.x[sphere])
-        next[sphere] = octave.heads[cell]
-        octave.heads[cell] = sphere
-    }
-
-    private fun octave(largest: Double): Octave {
-        var width = 2 * largest
-        // No more cells than a few a sphere, however empty the box.
-        val most = maxOf(64.0, 4.0 * radii.size)
-        width = maxOf(width, StrictMath.cbrt(box.volume / most))
-        val cells = IntArray(3) { (box.length(it) / width).coerceIn(1.0, 1e6).toInt() }
-        while (cells[0].toDouble() * cells[1] * cells[2] > 8 * most) for (k in 0..2) cells[k] = ceil(cells[k] / 2.0).toInt()
-        return Octave(largest, cells, IntArray(cells[0] * cells[1] * cells[2]) { -1 })
-    }
-
-    private fun cell(octave: Octave, axis: Int, position: Double): Int =
-        floor((position - box.lower(axis)) / box.length(axis) * octave.cells[axis]).toInt().coerceIn(0, octave.cells[axis] - 1)
-
-    private fun isFree(octave: Octave, x: Double, y: Double, z: Double, radius: Double): Boolean {
-        val n = octave.cells
-        val cx = cell(octave, 0, x)
-        val cy = cell(octave, 1, y)
-        val cz = cell(octave, 2, z)
-        for (kz in first(n[2])..last(n[2])) {
-            for (ky in first(n[1])..last(n[1])) {
-                for (kx in first(n[0])..last(n[0])) {
-                    val cell = (Math.floorMod(cz + kz, n[2]) * n[1] + Math.floorMod(cy + ky, n[1])) * n[0] + Math.floorMod(cx + kx, n[0])
-                    var other = octave.heads[cell]
-                    while (other >= 0) {
-                        if (overlaps(positions.x[other], positions.y[other], positions.z[other], radii[other], x, y, z, radius)) return false
-                        other = next[other]
-                    }
-                }
-            }
-        }
-        return true
-    }
-
-    // With one or two cells along an axis the neighbours on both sides are the same cells: visit each once.
-    private fun first(cells: Int): Int = if (cells >= 3) -1 else 0
-
-    private fun last(cells: Int): Int = if (cells >= 2) 1 else 0
-
-    private fun overlaps(ox: Double, oy: Double, oz: Double, or: Double, x: Double, y: Double, z: Double, radius: Double): Boolean {
-        val dx = apart(ox - x, 0)
-        val dy = apart(oy - y, 1)
-        val dz = apart(oz - z, 2)
-        val s = or + radius
-        return dx * dx + dy * dy + dz * dz < s * s
-    }
-
-    private fun apart(d: Double, axis: Int): Double = if (walled[axis]) d else d - box.length(axis) * Math.rint(d / box.length(axis))
-}
