@@ -11,6 +11,8 @@ import daphnis.core.population.Population
  *
  * @property lengths edges of the box along x, y, z; NaN on open axes
  * @property periodic whether the box repeats along x, y, z
+ * @property hasMass whether [mass] is what the file says; false when it had none and the reader put a stand-in
+ * @property hasRadius the same of [radius]
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  */
 public class Frame(
@@ -26,6 +28,8 @@ public class Frame(
     public val mass: DoubleArray,
     public val normalAxis: Int = 1,
     public val slideAxis: Int = 0,
+    public val hasMass: Boolean = true,
+    public val hasRadius: Boolean = true,
 ) {
     /** Number of spheres. */
     public val size: Int get() = id.size
@@ -52,7 +56,13 @@ public class Frame(
 
     public companion object {
         /** Copies [population] as it is at [step] and [time]. */
-        public fun of(population: Population, boundary: BoundaryConditions, step: Long, time: Double): Frame {
+        public fun of(
+            population: Population,
+            boundary: BoundaryConditions,
+            step: Long,
+            time: Double,
+            hasMass: Boolean = true,
+        ): Frame {
             val order = IntArray(population.size)
             var n = 0
             for (id in 0 until population.idBound) {
@@ -74,6 +84,7 @@ public class Frame(
                 pick(population.mass),
                 boundary.shear?.normalAxis ?: 1,
                 boundary.shear?.slideAxis ?: 0,
+                hasMass,
             )
         }
     }

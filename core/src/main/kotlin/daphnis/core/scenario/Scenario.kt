@@ -146,10 +146,15 @@ public sealed interface PlacementSpec {
     @SerialName("lattice")
     public class Lattice(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
 
-    /** Positions, velocities, radii (and masses, ids) from a CSV file with a header, or a CartAndRad file; relative to the scenario. */
+    /**
+     * Positions, velocities, radii, masses and ids from a file of any [daphnis.core.format.SnapshotFormat]; [path] is relative to the scenario.
+     *
+     * @property step of the state to take from a file that holds several; the last when left out
+     * @property density mass per volume, for a file that has no masses
+     */
     @Serializable
     @SerialName("file")
-    public class File(public val path: String) : PlacementSpec
+    public data class File(public val path: String, public val step: Long? = null, public val density: Double? = null) : PlacementSpec
 }
 
 @Serializable
