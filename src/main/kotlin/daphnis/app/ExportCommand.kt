@@ -84,8 +84,8 @@ class ExportCommand : CliktCommand(name = "export") {
         }
         if (factor != 1.0) {
             println(
-                "lengths and velocities are multiplied by $factor (one mean radius is 1), so that no reader takes them for fractions of " +
-                    "the box; --scale 1 leaves them",
+                "lengths and velocities are multiplied by $factor" +
+                    if (scale == null) " (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them" else "",
             )
         }
         return file

@@ -39,7 +39,7 @@ fun main(args: Array<String>) {
 internal fun runDaphnis(args: Array<String>): Int {
     val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), AnalyzeCommand(), ScenariosCommand(), DescribeCommand())
     return try {
-        command.parse(withoutHelpWord(args))
+        command.parse(command.understood(args))
         EXIT_DONE
     } catch (e: ProgramResult) {
         e.statusCode
@@ -61,8 +61,12 @@ internal fun runDaphnis(args: Array<String>): Int {
     }
 }
 
-/** `help` and `help run` mean `--help` and `run --help`. */
-private fun withoutHelpWord(args: Array<String>): Array<String> = if (args.firstOrNull() == "help") arrayOf(*args.drop(1).take(1).toTypedArray(), "--help") else args
+/** `help` and `help run` mean `--help` and `run --help`. A first word that is no command goes alone, so that it is what the message is about. */
+private fun CliktCommand.understood(args: Array<String>): Array<String> {
+    val words = if (args.firstOrNull() != "help") args else arrayOf(*args.drop(1).take(1).toTypedArray(), "--help")
+    val first = words.firstOrNull() ?: return words
+    return if (first.startsWith("-") || first in registeredSubcommandNames()) words else arrayOf(first)
+}
 
 /** The library's message begins with the usage; a wrong word deserves one line and where to read more. */
 private fun oneLine(help: String, e: UsageError): String {
