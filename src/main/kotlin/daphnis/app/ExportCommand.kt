@@ -67,9 +67,8 @@ class ExportCommand : CliktCommand(name = "export") {
         }
         val file = target.resolve(if (si == null) "trajectory.h5" else "trajectory-si.h5")
         H5md.write(frames.toList(), file, Version.text, si)
-        println(
-            if (si == null) "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False" else "units are m, s, m s-1 and kg",
-        )
+        val nameless = "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False"
+        println(if (si == null) nameless else "units are m, s, m s-1 and kg")
         return file
     }
 

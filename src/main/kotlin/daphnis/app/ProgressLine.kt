@@ -28,7 +28,9 @@ internal class ProgressLine(
         )
         val times = say("%.4g/%.4g", time, until)
         val candidates = listOf(
-            long, long.dropLast(1), long.dropLast(2),
+            long,
+            long.dropLast(1),
+            long.dropLast(2),
             listOf(percent, say("step %d", step), times, clock),
             listOf(percent, times, clock),
             listOf(percent, clock),

@@ -20,7 +20,12 @@ class ScenariosCommand : CliktCommand(name = "scenarios") {
             val width = BuiltIn.names.maxOf { it.length }
             for (known in BuiltIn.names) println("${known.padEnd(width)}  ${BuiltIn.scenario(known).description}")
         } else {
-            print(BuiltIn.text(name) ?: throw InputException(name, null, "no built-in scenario; ${Nearest.question(name, BuiltIn.names)}known: ${BuiltIn.names.joinToString()}"))
+            print(BuiltIn.text(name) ?: throw unknown(name))
         }
+    }
+
+    private fun unknown(name: String): InputException {
+        val known = BuiltIn.names
+        return InputException(name, null, "no built-in scenario; ${Nearest.question(name, known)}known: ${known.joinToString()}")
     }
 }

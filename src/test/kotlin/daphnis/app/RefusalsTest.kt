@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.core.format.H5md
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -50,9 +51,10 @@ class RefusalsTest {
 
     @Test
     fun `Hill's frame takes the faces that it can have`() {
-        fun hill(boundary: String, vararg more: String) = daphnis(
-            "describe", "ring-patch", "--set", "boundary=$boundary", "--set", "velocities.shearProfile=false", *more.flatMap { listOf("--set", it) }.toTypedArray(),
-        )
+        fun hill(boundary: String, more: String = "seed=1"): CommandResult {
+            val settings = listOf("boundary=$boundary", "velocities.shearProfile=false", more).flatMap { listOf("--set", it) }
+            return daphnis("describe", "ring-patch", *settings.toTypedArray())
+        }
         assertRefused(hill("""{"type":"periodic"}"""), "boundary.type", "is periodic", "hill-sheet", "open")
         assertRefused(hill("""{"type":"lees-edwards","shearRate":0.1}"""), "boundary.type", "lees-edwards", "hill-sheet")
         assertRefused(hill("""{"type":"sheared-periodic","velocityJump":0.1}"""), "boundary.type", "sheared-periodic")
@@ -72,6 +74,21 @@ class RefusalsTest {
         }
         assertDone(daphnis("export", at("a"), "--format", "xyz", "--scale", "2"))
         assertTrue("Scale=2.0" in Files.readString(home.resolve("a/export/trajectory.xyz")))
+    }
+
+    @Test
+    fun `SI units are for H5MD and for scenarios that know their own`() {
+        assertDone(small("a"))
+        assertRefused(daphnis("export", at("a"), "--format", "h5md", "--units", "si"), "--units", "units.lengthInMetres")
+        assertRefused(daphnis("export", at("a"), "--format", "xyz", "--units", "si"), "--units", "h5md")
+        val known = arrayOf("--set", "units.lengthInMetres=0.5", "--set", "units.speedInCmPerSecond=10")
+        assertDone(daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known, "--out", at("b"), "--quiet"))
+        assertTrue("m s-1" in assertDone(daphnis("export", at("b"), "--format", "h5md", "--units", "si")))
+        val own = H5md.read(home.resolve("b/snapshots/0000000001.h5")).single()
+        val si = H5md.read(home.resolve("b/export/trajectory-si.h5")).single()
+        assertEquals(0.5 * own.position[1][7], si.position[1][7])
+        assertEquals(0.1, si.velocity[2][7] / own.velocity[2][7], 1e-15)
+        assertEquals(5.0, si.time / own.time, 1e-14)
     }
 
     @Test

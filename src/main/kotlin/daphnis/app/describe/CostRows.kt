@@ -23,7 +23,8 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         outputs()
         rows.add("memory", bytes(size * ScenarioSetup.BYTES_PER_SPHERE))
         rows.add("run time", "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so")
-        rows.add("steps", "${if (exact) "" else "at least "}${"%.0f".format(Locale.ROOT, steps)} of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
+        val count = (if (exact) "" else "at least ") + String.format(Locale.ROOT, "%.0f", steps)
+        rows.add("steps", "$count of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
         search()
     }
 

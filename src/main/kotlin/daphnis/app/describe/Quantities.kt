@@ -39,14 +39,11 @@ internal class Quantities(scenario: Scenario) {
 
     fun mass(value: Double): String = if (si == null) plain(value, "mass units") else number(value * si.kilograms) + " kg"
 
-    fun density(value: Double): String =
-        if (si == null) plain(value, "mass/length^3") else number(value * si.kilograms / (si.metres * si.metres * si.metres)) + " kg/m3"
+    fun density(value: Double): String = if (si == null) plain(value, "mass/length^3") else number(value * si.kilograms / (si.metres * si.metres * si.metres)) + " kg/m3"
 
-    fun surfaceDensity(value: Double): String =
-        if (si == null) plain(value, "mass/length^2") else number(value * si.kilograms / (si.metres * si.metres)) + " kg/m2"
+    fun surfaceDensity(value: Double): String = if (si == null) plain(value, "mass/length^2") else number(value * si.kilograms / (si.metres * si.metres)) + " kg/m2"
 
-    fun acceleration(value: Double): String =
-        if (si == null) plain(value, "length/time^2") else number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
+    fun acceleration(value: Double): String = if (si == null) plain(value, "length/time^2") else number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
 
     /** What one unit of time is worth: it follows from length and speed, so nobody wrote it down. */
     fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }

@@ -56,13 +56,7 @@ public class Frame(
 
     public companion object {
         /** Copies [population] as it is at [step] and [time]. */
-        public fun of(
-            population: Population,
-            boundary: BoundaryConditions,
-            step: Long,
-            time: Double,
-            hasMass: Boolean = true,
-        ): Frame {
+        public fun of(population: Population, boundary: BoundaryConditions, step: Long, time: Double, hasMass: Boolean = true): Frame {
             val order = IntArray(population.size)
             var n = 0
             for (id in 0 until population.idBound) {

@@ -82,14 +82,7 @@ public object H5md {
         element.putDataset("time", DoubleArray(frames.size) { frames[it].time }).unit(time)
     }
 
-    private fun element(
-        group: WritableGroup,
-        name: String,
-        frames: List<Frame>,
-        unit: String?,
-        time: String?,
-        of: (Frame) -> Array<DoubleArray>,
-    ) {
+    private fun element(group: WritableGroup, name: String, frames: List<Frame>, unit: String?, time: String?, of: (Frame) -> Array<DoubleArray>) {
         val element = group.putGroup(name)
         steps(element, frames, time)
         val value = Array(frames.size) { t ->

@@ -291,7 +291,11 @@ public fun Scenario.atHome(home: Path): Scenario {
 public fun engineOf(scenario: Scenario, source: String, engines: EngineFactory = Engines): CollisionEngine {
     val spec = scenario.engine
     val engine = engines.create(spec.name, spec.threads)
-        ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; ${Nearest.question(spec.name, engines.names.toList())}known: ${engines.names.joinToString()}")
+        ?: throw InputException(
+            source,
+            "engine.name",
+            "is \"${spec.name}\"; ${Nearest.question(spec.name, engines.names.toList())}known: ${engines.names.joinToString()}",
+        )
     if (spec.threads != 0 && engine.threads != spec.threads) {
         engine.close()
         throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")

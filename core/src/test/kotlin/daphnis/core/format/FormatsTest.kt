@@ -46,9 +46,11 @@ class FormatsTest {
         val file = home.resolve("si.h5")
         H5md.write(listOf(frame), file, "test", SiUnits(metres = 1000.0, seconds = 100.0, kilograms = 5.0))
         val read = H5md.read(file).single()
-        for (axis in 0..2) for (k in 0 until frame.size) {
-            assertEquals(frame.position[axis][k] * 1000, read.position[axis][k])
-            assertEquals(frame.velocity[axis][k] * 10, read.velocity[axis][k])
+        for (axis in 0..2) {
+            for (k in 0 until frame.size) {
+                assertEquals(frame.position[axis][k] * 1000, read.position[axis][k])
+                assertEquals(frame.velocity[axis][k] * 10, read.velocity[axis][k])
+            }
         }
         assertEquals(125.0, read.time)
         assertEquals(12_000.0, read.lengths[0])
