@@ -4,6 +4,7 @@
 Usage:  pip install h5py ase MDAnalysis vtk numpy
         ./daphnis run shear-cell --until 2.5 --set output.snapshotEvery=50 --out /tmp/v
         for f in xyz vtp h5md cartandrad; do ./daphnis export /tmp/v --format $f; done
+        ./daphnis export /tmp/v --format h5md --units si    # when the scenario has units, such as ring-patch
         python3 tools/verify-exports.py /tmp/v
 
 Readers: h5py, MDAnalysis (H5MD); ASE (extended XYZ); VTK (.vtp, .pvd); NumPy (CartAndRad). Ends with a line an export.
@@ -54,7 +55,20 @@ with h5py.File(export / "trajectory.h5") as f:
     assert int(f["particles/all/box"].attrs["dimension"]) == 3
     print(f"h5md           h5py: identical, boundary {boundary}, compression {value.compression}, chunks {value.chunks}")
 
+si = export / "trajectory-si.h5"
+if si.exists():
+    with h5py.File(si) as f:
+        assert f["h5md/modules/units"].attrs["system"] == b"SI"
+        particles = f["particles/all"]
+        for path, unit in (("position/value", b"m"), ("position/time", b"s"), ("velocity/value", b"m s-1"), ("mass", b"kg"), ("radius", b"m")):
+            assert particles[path].attrs["unit"] == unit, path
+        assert particles["position/value"].shape == (len(frames), n, 3)
+    print("h5md, si       h5py: every dataset has its unit, by H5MD's module units 1.0")
+
 import MDAnalysis  # noqa: E402
+
+# Version 2.11 knows no metre and takes no text of fixed length, which the module units prescribes, for a unit: it refuses every file that
+# names such units, and a file without units unless it is told not to convert them.
 
 universe = MDAnalysis.Universe.empty(n, trajectory=True)
 universe.load_new(str(export / "trajectory.h5"), format="H5MD", convert_units=False)

@@ -9,17 +9,19 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
+import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.core.format.SnapshotFormat
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path
 
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
 class AnalyzeCommand : CliktCommand(name = "analyze") {
-    private val what by argument("dir-or-file", help = "run directory, or a particle file: H5MD, extended XYZ, CartAndRad, CSV")
+    private val what by argument("dir-or-file", help = "run directory, or a particle file: ${SnapshotFormat.known}")
     private val scenario by option("--scenario", help = "for a file: scenario file or built-in name that says what the box and the frame are")
     private val settings by option("--set", metavar = "path=value", help = "with --scenario: replace any key of it").multiple()
     private val from by option("--from", help = "averages begin at this time (default: after 3/8 of the run)").double()
@@ -58,13 +60,15 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
 
     /** One line that is written over on a terminal, a line now and then without one. */
     private class ShownProgress : AnalysisProgress {
+        private val terminal = Terminal()
         private val onTerminal = System.console() != null
         private var last = 0L
 
         override fun next(done: Int, all: Int, what: String) {
             val now = System.nanoTime()
             if (onTerminal) {
-                System.err.print("\r%3d %% %-60s".format(java.util.Locale.ROOT, 100 * done / all, what))
+                val columns = columnsFor(terminal)
+                System.err.print("\r" + "%3d %% %-60s".format(java.util.Locale.ROOT, 100 * done / all, what).take(columns))
                 if (done == all) System.err.println()
             } else if (now - last > EVERY_NANOSECONDS && done < all) {
                 System.err.println("%d of %d: %s".format(java.util.Locale.ROOT, done, all, what))

@@ -15,6 +15,7 @@ import daphnis.core.format.Vtp
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.ScenarioJson
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -26,11 +27,13 @@ class ExportCommand : CliktCommand(name = "export") {
         help = "xyz (OVITO, ASE), vtp (ParaView), h5md (h5py, MDAnalysis) or cartandrad (SwiftVis)",
     ).choice("xyz", "vtp", "h5md", "cartandrad").required()
     private val out by option("--out", metavar = "dir", help = "where to write (default: DIR/export)")
+    private val units by option("--units", help = "of h5md: as the scenario's, without names (default), or si, with names").choice("scenario", "si")
     private val scale by option("--scale", help = "factor on lengths in xyz (default: 1, or 1 / mean radius for boxes no longer than 4)").double()
 
     override fun help(context: Context) = "Write the snapshots of a run as xyz, vtp, h5md or cartandrad."
 
     override fun run() {
+        checkOptions()
         val run = RunDirectory(Path.of(directory))
         if (!Files.exists(run.scenario)) throw InputException(directory, null, "is no run directory")
         val steps = run.snapshotSteps()
@@ -41,14 +44,35 @@ class ExportCommand : CliktCommand(name = "export") {
         val written = when (format) {
             "xyz" -> xyz(frames, target)
             "vtp" -> vtp(frames, target)
-            "h5md" -> target.resolve("trajectory.h5").also { H5md.write(frames.toList(), it, Version.text) }
+            "h5md" -> h5md(frames, run, target)
             else -> cartAndRad(frames, target)
         }
         println("${steps.size} snapshots to $written")
     }
 
+    private fun checkOptions() {
+        scale?.let {
+            if (format != "xyz") throw InputException("--scale", null, "is $it; it is for --format xyz only, $format keeps all lengths as they are")
+            if (!(it > 0 && it.isFinite())) throw InputException("--scale", null, "is $it; it must be > 0")
+        }
+        if (units != null && format != "h5md") throw InputException("--units", null, "is $units; it is for --format h5md only")
+    }
+
+    private fun h5md(frames: Sequence<Frame>, run: RunDirectory, target: Path): Path {
+        val si = if (units == "si") {
+            ScenarioJson.read(run.scenario).units.si
+                ?: throw InputException("--units", null, "is si; the scenario in $directory does not say units.lengthInMetres")
+        } else {
+            null
+        }
+        val file = target.resolve(if (si == null) "trajectory.h5" else "trajectory-si.h5")
+        H5md.write(frames.toList(), file, Version.text, si)
+        val nameless = "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False"
+        println(if (si == null) nameless else "units are m, s, m s-1 and kg")
+        return file
+    }
+
     private fun xyz(frames: Sequence<Frame>, target: Path): Path {
-        scale?.let { if (!(it > 0 && it.isFinite())) throw InputException("--scale", null, "is $it; it must be > 0") }
         val file = target.resolve("trajectory.xyz")
         var factor = scale
         Files.newBufferedWriter(file).use { out ->
@@ -57,11 +81,10 @@ class ExportCommand : CliktCommand(name = "export") {
                 ExtendedXyz.write(frame, out, factor)
             }
         }
-        if (factor !=
-            1.0
-        ) {
+        if (factor != 1.0) {
             println(
-                "lengths and velocities are multiplied by $factor (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them",
+                "lengths and velocities are multiplied by $factor" +
+                    if (scale == null) " (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them" else "",
             )
         }
         return file
@@ -78,6 +101,7 @@ class ExportCommand : CliktCommand(name = "export") {
 
     private fun cartAndRad(frames: Sequence<Frame>, target: Path): Path {
         for (frame in frames) CartAndRad.write(frame.population(), target.resolve("CartAndRad.${frame.step}.bin"))
+        println("CartAndRad has no place for masses and ids: they are left out, spheres stand in the order of their ids")
         return target
     }
 }

@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.versionOption
@@ -12,6 +13,7 @@ import daphnis.core.format.FormatException
 import daphnis.core.run.RunException
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Nearest
 import java.io.IOException
 import kotlin.system.exitProcess
 
@@ -19,9 +21,12 @@ import kotlin.system.exitProcess
 class Daphnis : CliktCommand(name = "daphnis") {
     init {
         versionOption(Version.text)
+        context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
     }
 
     override fun help(context: Context) = "Event-driven simulation of very many colliding spheres: planetary rings, granular flow, hard-sphere gases."
+
+    override fun helpEpilog(context: Context) = "daphnis help COMMAND, or daphnis COMMAND --help, says what a command takes."
 
     override fun run() = Unit
 }
@@ -34,7 +39,7 @@ fun main(args: Array<String>) {
 internal fun runDaphnis(args: Array<String>): Int {
     val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), AnalyzeCommand(), ScenariosCommand(), DescribeCommand())
     return try {
-        command.parse(args)
+        command.parse(command.understood(args))
         EXIT_DONE
     } catch (e: ProgramResult) {
         e.statusCode
@@ -54,6 +59,13 @@ internal fun runDaphnis(args: Array<String>): Int {
     } catch (e: OutOfMemoryError) {
         complain("not enough memory (the JVM has ${Runtime.getRuntime().maxMemory() shr 20} MiB); raise it with JAVA_OPTS=-Xmx…", EXIT_FAILED)
     }
+}
+
+/** `help` and `help run` mean `--help` and `run --help`. A first word that is no command goes alone, so that it is what the message is about. */
+private fun CliktCommand.understood(args: Array<String>): Array<String> {
+    val words = if (args.firstOrNull() != "help") args else arrayOf(*args.drop(1).take(1).toTypedArray(), "--help")
+    val first = words.firstOrNull() ?: return words
+    return if (first.startsWith("-") || first in registeredSubcommandNames()) words else arrayOf(first)
 }
 
 /** The library's message begins with the usage; a wrong word deserves one line and where to read more. */

@@ -4,13 +4,13 @@ import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.core.Simulation
 import daphnis.core.population.Conserved
 import daphnis.core.run.RunObserver
-import java.util.Locale
 
 /** Progress of a run: one line that rewrites itself on a terminal, a plain line now and then elsewhere. */
 internal class Progress(private val quiet: Boolean) :
     RunObserver,
     AutoCloseable {
-    private val live = !quiet && Terminal().terminalInfo.outputInteractive
+    private val terminal = Terminal()
+    private val live = !quiet && terminal.terminalInfo.outputInteractive
     private val interval = if (live) LIVE_SECONDS else PLAIN_SECONDS
     private var shownAt = 0.0
     private var firstTime = Double.NaN
@@ -29,39 +29,26 @@ internal class Progress(private val quiet: Boolean) :
         if (wallSeconds - shownAt < interval) return
         val left = wallSeconds * (until - simulation.time) / (simulation.time - firstTime)
         val rate = (collisions - collisionsBefore) / (wallSeconds - shownAt)
-        val line = String.format(
-            Locale.ROOT,
-            "%3.0f %%  step %d  time %.4g of %.4g  %s left  %.3g collisions/s  energy %.5g",
-            100 * (simulation.time - simulation.runStart) / (until - simulation.runStart),
-            simulation.step,
-            simulation.time,
-            until,
-            clock(left),
-            rate,
-            Conserved.of(simulation.population).kineticEnergy,
-        )
-        show(line)
+        val energy = Conserved.of(simulation.population).kineticEnergy
+        show(ProgressLine(simulation.runStart, simulation.time, until, simulation.step, left, rate, energy))
         shownAt = wallSeconds
         collisionsBefore = collisions
     }
 
-    private fun show(line: String) {
+    private fun show(line: ProgressLine) {
         if (!live) {
-            println(line)
+            println(line.text(Int.MAX_VALUE))
             return
         }
-        print("\r" + line.padEnd(width))
+        val columns = columnsFor(terminal)
+        val text = line.text(columns)
+        print("\r" + text.padEnd(minOf(width, columns)))
         System.out.flush()
-        width = line.length
-    }
-
-    private fun clock(seconds: Double): String {
-        val s = if (seconds.isFinite()) Math.round(maxOf(0.0, seconds)) else 0
-        return if (s >= 3600) "%d:%02d:%02d".format(Locale.ROOT, s / 3600, s / 60 % 60, s % 60) else "%d:%02d".format(Locale.ROOT, s / 60, s % 60)
+        width = text.length
     }
 
     override fun close() {
-        if (live && width > 0) print("\r" + " ".repeat(width) + "\r")
+        if (live && width > 0) print("\r" + " ".repeat(minOf(width, columnsFor(terminal))) + "\r")
     }
 
     private companion object {

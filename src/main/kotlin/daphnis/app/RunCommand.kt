@@ -26,7 +26,7 @@ class RunCommand : CliktCommand(name = "run") {
     private val steps by option("--steps", help = "end after this many steps").long()
     private val until by option("--until", help = "end at this time").double()
     private val seed by option("--seed", help = "seed of the initial state").long()
-    private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenario, such as timeStep.dt=0.05").multiple()
+    private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenario, such as timeStep.dt=0.05 or 'forces[0].x=-167'").multiple()
     private val out by option("--out", metavar = "dir", help = "run directory (default: runs/NAME, numbered when it exists)")
     private val force by option("--force", help = "replace the run in the run directory").flag()
     private val quiet by option("--quiet", help = "no progress").flag()

@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.optional
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Nearest
 
 /** `daphnis scenarios`. */
 class ScenariosCommand : CliktCommand(name = "scenarios") {
@@ -19,7 +20,12 @@ class ScenariosCommand : CliktCommand(name = "scenarios") {
             val width = BuiltIn.names.maxOf { it.length }
             for (known in BuiltIn.names) println("${known.padEnd(width)}  ${BuiltIn.scenario(known).description}")
         } else {
-            print(BuiltIn.text(name) ?: throw InputException(name, null, "no built-in scenario; known: ${BuiltIn.names.joinToString()}"))
+            print(BuiltIn.text(name) ?: throw unknown(name))
         }
+    }
+
+    private fun unknown(name: String): InputException {
+        val known = BuiltIn.names
+        return InputException(name, null, "no built-in scenario; ${Nearest.question(name, known)}known: ${known.joinToString()}")
     }
 }

@@ -1,12 +1,9 @@
 package daphnis.app
 
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
-import java.io.ByteArrayOutputStream
-import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -15,34 +12,9 @@ class CommandLineTest {
     @TempDir
     lateinit var home: Path
 
-    private class Result(val code: Int, val out: String, val err: String)
-
-    private fun daphnis(vararg args: String): Result {
-        val out = ByteArrayOutputStream()
-        val err = ByteArrayOutputStream()
-        val oldOut = System.out
-        val oldErr = System.err
-        System.setOut(PrintStream(out, true))
-        System.setErr(PrintStream(err, true))
-        try {
-            return Result(runDaphnis(arrayOf(*args)), out.toString(), err.toString())
-        } finally {
-            System.setOut(oldOut)
-            System.setErr(oldErr)
-        }
-    }
-
     private fun at(name: String) = home.resolve(name).toString()
 
     private fun small(name: String, vararg more: String) = daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--out", at(name), *more)
-
-    /** Exit code 2 and one line on the error stream that holds [parts]. */
-    private fun assertRefused(result: Result, vararg parts: String) {
-        assertEquals(2, result.code) { result.err }
-        assertEquals(1, result.err.trimEnd().lines().size) { result.err }
-        for (part in parts) assertTrue(part in result.err) { "'$part' is not in ${result.err}" }
-        assertFalse("Exception" in result.err) { result.err }
-    }
 
     @Test
     fun `a run leaves a plot in both formats and says its digest`() {

@@ -6,12 +6,10 @@ import daphnis.analysis.transport.TransportTable
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.format.CartAndRad
-import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.FormatException
 import daphnis.core.format.Frame
 import daphnis.core.format.H5md
-import daphnis.core.format.ParticleCsv
+import daphnis.core.format.SnapshotFormat
 import daphnis.core.population.Population
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.Summary
@@ -86,13 +84,13 @@ public class AnalysisInput private constructor(
         }
 
         /**
-         * The frames of a foreign file: H5MD (`.h5`, `.h5md`), extended XYZ (`.xyz`), CartAndRad (`.bin`, `.CartAndRad`), or a table (`.csv`).
+         * The frames of a foreign file, of any [SnapshotFormat].
          *
          * @param scenario what the box, its faces and the frame are; without one they are the file's, and open where it does not say
          */
         public fun ofFile(path: Path, scenario: Scenario?, source: String): AnalysisInput {
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
-            val frames = read(path)
+            val frames = SnapshotFormat.of(path).read(path)
             if (frames.isEmpty()) throw FormatException("$path: holds no frame")
             if (frames[0].size == 0) throw FormatException("$path: holds no particle")
             val setup = scenario?.let { ScenarioSetup.of(it, source, frames[0].population()) }
@@ -102,23 +100,6 @@ public class AnalysisInput private constructor(
                 setup?.angularSpeed, null, null,
             )
         }
-
-        private fun read(path: Path): List<Frame> {
-            val name = path.name.lowercase()
-            return try {
-                when {
-                    name.endsWith(".h5") || name.endsWith(".h5md") -> H5md.read(path)
-                    name.endsWith(".xyz") || name.endsWith(".extxyz") -> ExtendedXyz.read(path)
-                    name.endsWith(".csv") -> listOf(single(ParticleCsv.read(path)))
-                    name.endsWith(".bin") || "cartandrad" in name -> listOf(single(CartAndRad.read(path)))
-                    else -> throw FormatException("$path: unknown format; known: .h5 and .h5md (H5MD), .xyz (extended XYZ), .bin (CartAndRad), .csv")
-                }
-            } catch (e: java.io.IOException) {
-                throw FormatException("$path: cannot be read: ${e.message}")
-            }
-        }
-
-        private fun single(p: Population): Frame = Frame.of(p, daphnis.core.boundary.Open, 0, 0.0)
 
         private fun ofFrame(frame: Frame): BoundaryConditions {
             if (frame.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open

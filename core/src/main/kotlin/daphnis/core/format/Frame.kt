@@ -13,6 +13,8 @@ import daphnis.core.population.Population
  * @property periodic whether the box repeats along x, y, z
  * @property image boxes crossed since the start of the run, `image[axis][k]`, or null when it is not known: with it a sphere stands at
  *   position + Σ image · [edges] where it would be without images
+ * @property hasMass whether [mass] is what the file says; false when it had none and the reader put a stand-in
+ * @property hasRadius the same of [radius]
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  */
 public class Frame(
@@ -28,6 +30,8 @@ public class Frame(
     public val mass: DoubleArray,
     public val normalAxis: Int = 1,
     public val slideAxis: Int = 0,
+    public val hasMass: Boolean = true,
+    public val hasRadius: Boolean = true,
     public val image: Array<IntArray>? = null,
 ) {
     /** Number of spheres. */
@@ -55,7 +59,7 @@ public class Frame(
 
     public companion object {
         /** Copies [population] as it is at [step] and [time]. */
-        public fun of(population: Population, boundary: BoundaryConditions, step: Long, time: Double): Frame {
+        public fun of(population: Population, boundary: BoundaryConditions, step: Long, time: Double, hasMass: Boolean = true): Frame {
             val order = IntArray(population.size)
             var n = 0
             for (id in 0 until population.idBound) {
@@ -77,7 +81,8 @@ public class Frame(
                 pick(population.mass),
                 boundary.shear?.normalAxis ?: 1,
                 boundary.shear?.slideAxis ?: 0,
-                image(population, boundary, time, order),
+                hasMass = hasMass,
+                image = image(population, boundary, time, order),
             )
         }
 

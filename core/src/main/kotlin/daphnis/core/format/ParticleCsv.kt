@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.boundary.Open
 import daphnis.core.population.Population
 import java.io.IOException
 import java.nio.file.Files
@@ -18,7 +19,17 @@ public object ParticleCsv {
      * @param density mass per volume where the table has no masses
      * @throws FormatException that names the line and column of what is wrong
      */
-    public fun read(path: Path, density: Double = 1.0): Population {
+    public fun read(path: Path, density: Double = 1.0): Population = table(path).let { population(it.rows, it.names, density, path) }
+
+    /** Reads [path] as a frame at step and time 0, masses from density 1 where it has none. */
+    public fun frame(path: Path): Frame {
+        val table = table(path)
+        return Frame.of(population(table.rows, table.names, 1.0, path), Open, 0, 0.0, hasMass = "mass" in table.names)
+    }
+
+    private class Table(val names: List<String>, val rows: List<DoubleArray>)
+
+    private fun table(path: Path): Table {
         var header: List<String>? = null
         val rows = ArrayList<DoubleArray>()
         try {
@@ -37,7 +48,7 @@ public object ParticleCsv {
             throw FormatException("$path: cannot be read: ${e.message}")
         }
         val names = header ?: throw FormatException("$path: is empty; a header with x, y, z, radius is needed")
-        return population(rows, names, density, path)
+        return Table(names, rows)
     }
 
     private fun readHeader(names: List<String>, path: Path): List<String> {

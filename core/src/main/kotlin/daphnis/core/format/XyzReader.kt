@@ -28,25 +28,40 @@ internal class XyzReader(private val input: BufferedReader, private val path: Pa
             if (columns.velocity >= 0) for (axis in 0..2) velocity[axis][k] = number(cells[columns.velocity + axis])
             if (columns.radius >= 0) radius[k] = number(cells[columns.radius]).also { if (it <= 0) fail("radius is $it; it must be > 0") }
             if (columns.mass >= 0) mass[k] = number(cells[columns.mass]).also { if (it <= 0) fail("mass is $it; it must be > 0") }
-            if (columns.id >=
-                0
-            ) {
-                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 } ?: fail("id is '${cells[columns.id].take(MOST_SHOWN)}'; it must be a whole number >= 0")
+            if (columns.id >= 0) {
+                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 }
+                    ?: fail("id is '${cells[columns.id].take(MOST_SHOWN)}'; it must be a whole number >= 0")
             }
         }
-        return made(number, keys, id, position, velocity, radius, mass)
+        unscale(keys, position, velocity, radius)
+        return made(number, keys, columns, id, position, velocity, radius, mass)
+    }
+
+    /** Takes back the factor on lengths and velocities that [ExtendedXyz.write] multiplied by. */
+    private fun unscale(keys: Map<String, String>, position: Array<DoubleArray>, velocity: Array<DoubleArray>, radius: DoubleArray) {
+        val scale = scale(keys)
+        if (scale == 1.0) return
+        for (column in position + velocity + radius) for (k in column.indices) column[k] /= scale
+    }
+
+    private fun scale(keys: Map<String, String>): Double {
+        val scale = keys["scale"]?.let { number(it) } ?: 1.0
+        if (scale <= 0) fail("Scale is $scale; it must be > 0")
+        return scale
     }
 
     private fun made(
         number: Int,
         keys: Map<String, String>,
+        columns: Columns,
         id: IntArray,
         position: Array<DoubleArray>,
         velocity: Array<DoubleArray>,
         radius: DoubleArray,
         mass: DoubleArray,
     ): Frame {
-        val lattice = keys["lattice"]?.trim()?.split(SPACES)?.map { number(it) }
+        val scale = scale(keys)
+        val lattice = keys["lattice"]?.trim()?.split(SPACES)?.map { number(it) / scale }
         if (lattice != null && lattice.size != CELL) fail("Lattice has ${lattice.size} numbers; it must have 9")
         val lengths = DoubleArray(3) { lattice?.get(4 * it) ?: Double.NaN }
         val periodic = keys["pbc"]?.trim()?.split(SPACES)?.map { it.startsWith("T", ignoreCase = true) || it == "1" } ?: List(3) { lattice != null }
@@ -54,7 +69,7 @@ internal class XyzReader(private val input: BufferedReader, private val path: Pa
         // Row 1 leans along x (Lees–Edwards), or row 0 along y (a shearing sheet).
         val overX = lattice?.get(1) ?: 0.0
         val overY = lattice?.get(3) ?: 0.0
-        val origin = keys["origin"]?.trim()?.split(SPACES)?.map { number(it) }
+        val origin = keys["origin"]?.trim()?.split(SPACES)?.map { number(it) / scale }
         if (lattice != null) {
             // Boxes here are centred on the origin.
             for (axis in 0..2) {
@@ -65,6 +80,7 @@ internal class XyzReader(private val input: BufferedReader, private val path: Pa
         return Frame(
             keys["step"]?.toLongOrNull() ?: number.toLong(), keys["time"]?.toDoubleOrNull() ?: number.toDouble(), lengths, periodic.toBooleanArray(),
             if (overX != 0.0) overX else overY, id, position, velocity, radius, mass, if (overX != 0.0) 0 else 1, if (overX != 0.0) 1 else 0,
+            columns.mass >= 0, columns.radius >= 0,
         ).also { frame ->
             try {
                 frame.population()

@@ -12,6 +12,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
@@ -186,7 +187,7 @@ public class Run private constructor(
                 val resolved = keepParticleFile(setup.scenario, directory)
                 writeAtomically(directory.scenario) { Files.writeString(it, ScenarioJson.write(resolved)) }
                 val statistics = CollisionStatistics()
-                return Run(directory, resolved, simulation, sums(setup), transport(setup), statistics, null, 0.0, lock, emptyList())
+                return Run(directory, resolved, simulation, sums(setup), transport(setup), statistics, null, 0.0, lock, setup.notices)
             } catch (e: IOException) {
                 lock.close()
                 throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
@@ -199,7 +200,7 @@ public class Run private constructor(
             val original = Path.of(placement.path)
             val copy = directory.initial(original)
             Files.copy(original, copy, StandardCopyOption.REPLACE_EXISTING)
-            return scenario.copy(placement = PlacementSpec.File(copy.fileName.toString(), placement.time))
+            return scenario.copy(placement = placement.copy(path = copy.fileName.toString()))
         }
 
         /**
@@ -218,6 +219,7 @@ public class Run private constructor(
                 val scenario = read.copy(until = until ?: read.until)
                 val notices = ArrayList<String>()
                 val checkpoint = lastGood(directory, notices)
+                if (until != null) checkLater(until, checkpoint?.meta?.time ?: 0.0, scenario)
                 val setup = ScenarioSetup.of(scenario, directory.scenario.toString(), checkpoint?.population)
                 val simulation = simulation(setup, checkpoint?.meta, directory.scenario.toString(), engines)
                 // Snapshots after the checkpoint are written again, to the same bits; the summary is of a run that goes on.
@@ -236,6 +238,13 @@ public class Run private constructor(
                 lock.close()
                 throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
             }
+        }
+
+        /** A time that is past cannot be an end; the last step may have fallen on either side of it by round-off. */
+        private fun checkLater(until: Double, now: Double, scenario: Scenario) {
+            val step = scenario.timeStep
+            val slack = if (step is TimeStepSpec.Fixed) step.dt * END_SLACK else 0.0
+            if (until < now - slack) throw InputException("--until", null, "is $until; the run is at time $now, give a later end")
         }
 
         private fun lastGood(directory: RunDirectory, notices: MutableList<String>): Checkpoint? {
@@ -294,14 +303,18 @@ public class Run private constructor(
 /** The scenario with a relative particle file taken from [home]. */
 public fun Scenario.atHome(home: Path): Scenario {
     val placement = placement as? PlacementSpec.File ?: return this
-    return copy(placement = PlacementSpec.File(home.resolve(placement.path).toString(), placement.time))
+    return copy(placement = placement.copy(path = home.resolve(placement.path).toString()))
 }
 
 /** The engine that [scenario] asks for. @throws InputException when [engines] has none of that name and number of threads */
 public fun engineOf(scenario: Scenario, source: String, engines: EngineFactory = Engines): CollisionEngine {
     val spec = scenario.engine
     val engine = engines.create(spec.name, spec.threads)
-        ?: throw InputException(source, "engine.name", "is \"${spec.name}\"; known: ${engines.names.joinToString()}")
+        ?: throw InputException(
+            source,
+            "engine.name",
+            "is \"${spec.name}\"; ${Nearest.question(spec.name, engines.names.toList())}known: ${engines.names.joinToString()}",
+        )
     if (spec.threads != 0 && engine.threads != spec.threads) {
         engine.close()
         throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")

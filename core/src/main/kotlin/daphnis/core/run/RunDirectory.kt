@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.format.SnapshotFormat
 import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.nio.channels.FileChannel
@@ -32,7 +33,7 @@ public class RunDirectory(public val path: Path) {
     public val report: Path get() = path.resolve("report.html")
 
     /** Copy of the particle file a scenario started from, if it did. */
-    internal fun initial(original: Path): Path = path.resolve("initial." + original.name.substringAfterLast('.', "csv"))
+    internal fun initial(original: Path): Path = path.resolve("initial." + SnapshotFormat.of(original).extensions.first())
 
     internal val checkpoint: Path get() = path.resolve("checkpoint")
     internal val previousCheckpoint: Path get() = path.resolve("checkpoint.previous")

@@ -17,6 +17,9 @@ public object BuiltIn {
     }
 
     /** The scenario [name], with `path=value` [settings] applied. */
-    public fun scenario(name: String, settings: List<String> = emptyList()): Scenario =
-        ScenarioJson.parse(text(name) ?: throw InputException(name, null, "no built-in scenario; known: ${names.joinToString()}"), name, settings)
+    public fun scenario(name: String, settings: List<String> = emptyList()): Scenario = ScenarioJson.parse(
+        text(name) ?: throw InputException(name, null, "no built-in scenario; ${Nearest.question(name, names)}known: ${names.joinToString()}"),
+        name,
+        settings,
+    )
 }

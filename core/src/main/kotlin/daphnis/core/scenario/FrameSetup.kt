@@ -22,15 +22,41 @@ public object FrameSetup {
         return frame.planet.angularSpeed(distance) * second
     }
 
+    /**
+     * Radially Hill's frame has no two places alike: what leaves at one side comes in at the other only with the sheet's shear, so images along x must slide
+     * (or there be none); along z the pull towards the midplane turns round at periodic faces.
+     */
+    internal fun checkFaces(scenario: Scenario, check: ValueCheck) {
+        val frame = scenario.frame as? FrameSpec.Hill ?: return
+        val boundary = scenario.boundary
+        if (boundary is BoundarySpec.HillSheet || boundary is BoundarySpec.Open) return
+        val walls = (boundary as? BoundarySpec.Walls)?.axes.orEmpty()
+        val fits = 'x' in walls && ('z' in walls || frame.verticalFactor == 0.0)
+        check.that("boundary.type", typeName(boundary), fits) {
+            "it does not go with a frame of type hill, whose mean flow v_y = -3/2 Ω x is not the same at both faces; " +
+                "it must be hill-sheet or open (or walls across x and z)"
+        }
+    }
+
+    private fun typeName(boundary: BoundarySpec): String = when (boundary) {
+        is BoundarySpec.Open -> "open"
+        is BoundarySpec.Periodic -> "periodic"
+        is BoundarySpec.Walls -> "walls with axes ${boundary.axes}"
+        is BoundarySpec.ShearedPeriodic -> "sheared-periodic"
+        is BoundarySpec.LeesEdwards -> "lees-edwards"
+        is BoundarySpec.HillSheet -> "hill-sheet"
+    }
+
     /** The scenario with `untilOrbits` and a step given as part of an orbit written out in units of time. */
     public fun withTimes(scenario: Scenario, source: String): Scenario {
         val check = ValueCheck(source)
         val omega = angularSpeed(scenario, source)
         val orbit = if (omega == null) null else 2 * Math.PI / omega
-        val until = scenario.until ?: scenario.untilOrbits?.let { orbits ->
+        scenario.untilOrbits?.let { orbits ->
             check.positive("untilOrbits", orbits)
-            orbits * (orbit ?: check.fail("untilOrbits", "is $orbits; it needs a frame, else give until"))
+            check.that("untilOrbits", orbits, orbit != null) { "it needs a frame of type hill; give until, a time, instead" }
         }
+        val until = scenario.until ?: scenario.untilOrbits?.let { it * orbit!! }
         val end = until ?: check.fail("until", "is missing; it must be a finite number (or give untilOrbits)")
         val step = scenario.timeStep
         if (step !is TimeStepSpec.OrbitFraction) return scenario.copy(until = end, untilOrbits = null)

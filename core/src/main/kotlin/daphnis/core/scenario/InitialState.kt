@@ -4,9 +4,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
-import daphnis.core.format.CartAndRad
-import daphnis.core.format.FormatException
-import daphnis.core.format.ParticleCsv
 import daphnis.core.population.Population
 import daphnis.core.setup.EqualSizes
 import daphnis.core.setup.Lattice
@@ -19,14 +16,15 @@ import daphnis.core.setup.RandomPlacement
 import daphnis.core.setup.SeededRandom
 import daphnis.core.setup.SizeDistribution
 import daphnis.core.setup.fillingFactor
-import java.nio.file.Files
-import java.nio.file.Path
 
 /** Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so that changing one leaves the others. */
 internal class InitialState(private val scenario: Scenario, private val box: Box, private val boundary: BoundaryConditions, private val check: ValueCheck) {
+    /** What a user should know about the state made, a line each. */
+    val notices = ArrayList<String>()
+
     fun population(): Population {
         val placement = scenario.placement
-        if (placement is PlacementSpec.File) return fromFile(placement)
+        if (placement is PlacementSpec.File) return FileState(scenario, placement, check).population(notices)
         val spec = scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val radii = radii(spec)
         val bodies = Bodies(scenario.bodies, spec.density, check)
@@ -157,20 +155,6 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         return DoubleArray(radii.size) { spec.density * volume(radii[it]) }
     }
 
-    private fun fromFile(spec: PlacementSpec.File): Population {
-        val key = "placement.path"
-        check.must("particles", scenario.particles == null) { "must be left out when the placement is a file" }
-        check.must("bodies", scenario.bodies.isEmpty()) { "must be left out when the placement is a file, which holds them" }
-        check.must("velocities", scenario.velocities == null) { "must be left out when the placement is a file, which holds them" }
-        val path = Path.of(spec.path)
-        check.that(key, spec.path, Files.isRegularFile(path)) { "no such file" }
-        val population = try {
-            if (spec.path.endsWith(".CartAndRad", ignoreCase = true) || spec.path.endsWith(".bin")) CartAndRad.read(path) else ParticleCsv.read(path)
-        } catch (e: FormatException) {
-            check.fail(key, e.message.orEmpty())
-        }
-        check.that(key, spec.path, population.size > 0) { "holds no particle" }
-        return population
     }
 
     private fun volume(radius: Double) = 4.0 / 3.0 * Math.PI * radius * radius * radius

@@ -4,8 +4,6 @@ import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
@@ -27,11 +25,10 @@ public object ScenarioJson {
      * Parses [text].
      *
      * @param source what to call it in messages
-     * @param settings `path=value` pairs that replace keys, as on the command line
+     * @param settings `path=value` pairs that replace keys, as on the command line, see [Settings]
      */
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario {
-        var tree = parseTree(text, source)
-        for (setting in settings) tree = set(tree, setting)
+        val tree = Settings.apply(parseTree(text, source), settings)
         SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
         return try {
             json.decodeFromJsonElement(Scenario.serializer(), tree)
@@ -76,29 +73,6 @@ public object ScenarioJson {
         val line = text.substring(0, offset).count { it == '\n' } + 1
         val column = offset - (text.lastIndexOf('\n', offset - 1) + 1) + 1
         return InputException("$source:$line:$column", null, "malformed JSON: $problem")
-    }
-
-    private fun set(tree: JsonElement, setting: String): JsonElement {
-        val path = setting.substringBefore('=')
-        if ('=' !in setting || path.isBlank()) throw InputException("--set", setting, "must have the form path=value, such as timeStep.dt=0.05")
-        val text = setting.substringAfter('=')
-        val value = try {
-            json.parseToJsonElement(text).let { if (it is JsonPrimitive && !it.isString && !isLiteral(it.content)) JsonPrimitive(text) else it }
-        } catch (e: SerializationException) {
-            JsonPrimitive(text)
-        } catch (e: StackOverflowError) {
-            throw InputException("--set", path, "is nested too deeply")
-        }
-        return put(tree, path.split('.'), value, setting)
-    }
-
-    private fun isLiteral(text: String) = text == "true" || text == "false" || text == "null" || text.toDoubleOrNull() != null
-
-    private fun put(tree: JsonElement?, path: List<String>, value: JsonElement, setting: String): JsonElement {
-        if (path.isEmpty()) return value
-        if (tree != null && tree !is JsonObject) throw InputException("--set", setting, "'${path.first()}' is looked for inside something that is no object")
-        val fields = tree ?: JsonObject(emptyMap())
-        return JsonObject(fields + (path.first() to put(fields[path.first()], path.drop(1), value, setting)))
     }
 
     private const val LARGEST = 64L shl 20

@@ -31,6 +31,7 @@ import kotlin.math.sqrt
  * on every machine.
  *
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
+ * @property notices what a user should know about the initial state, a line each
  * @property scenario with every default that depends on others written out, so that it means the same again
  */
 public class ScenarioSetup private constructor(
@@ -42,6 +43,7 @@ public class ScenarioSetup private constructor(
     public val forces: List<Force>,
     public val timeStep: TimeStep,
     public val angularSpeed: Double?,
+    public val notices: List<String>,
 ) {
     public companion object {
         /** Memory a sphere needs with population, packed rows, grid and queue: the most measured (docs/performance.md) and some room. */
@@ -62,6 +64,7 @@ public class ScenarioSetup private constructor(
             checkRun(scenario, check)
             val box = box(scenario, check)
             val shape = boundary(scenario, box, omega, check)
+            FrameSetup.checkFaces(scenario, check)
             val restitution = restitution(scenario, check)
             val initial = InitialState(scenario, box, shape, check)
             val population = state ?: initial.population()
@@ -74,7 +77,7 @@ public class ScenarioSetup private constructor(
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
             val firstBody = if (scenario.bodies.isEmpty()) null else scenario.firstBody ?: (population.size - scenario.bodies.size)
             val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec, firstBody = firstBody)
-            return ScenarioSetup(resolved, population, boundary, restitution, guard(guardSpec, check), forces, timeStep, omega)
+            return ScenarioSetup(resolved, population, boundary, restitution, guard(guardSpec, check), forces, timeStep, omega, initial.notices)
         }
 
         private fun checkUnits(units: UnitsSpec, check: ValueCheck) {

@@ -93,11 +93,8 @@ internal class SchemaCheck(private val source: String) {
     }
 
     private fun choices(word: String, known: List<String>): String {
-        val given = word.take(MOST_SHOWN)
         if (known.isEmpty()) return "no key is known here"
-        val nearest = known.minBy { editDistance(given, it) }
-        val meant = if (editDistance(given, nearest) <= maxOf(2, nearest.length / 2)) "did you mean '$nearest'? " else ""
-        return "${meant}known: ${known.joinToString()}"
+        return "${Nearest.question(word, known)}known: ${known.joinToString()}"
     }
 
     private fun SerialDescriptor.names(): List<String> = (0 until elementsCount).map { getElementName(it) }
@@ -112,19 +109,4 @@ internal class SchemaCheck(private val source: String) {
         const val MOST_SHOWN = 40
         val JSON_NUMBER = Regex("""-?\d+(\.\d+)?([eE][+-]?\d+)?""")
     }
-}
-
-/** Levenshtein's distance, ignoring case. */
-internal fun editDistance(a: String, b: String): Int {
-    var previous = IntArray(b.length + 1) { it }
-    for (i in a.indices) {
-        val row = IntArray(b.length + 1)
-        row[0] = i + 1
-        for (j in b.indices) {
-            val change = if (a[i].equals(b[j], ignoreCase = true)) 0 else 1
-            row[j + 1] = minOf(previous[j] + change, previous[j + 1] + 1, row[j] + 1)
-        }
-        previous = row
-    }
-    return previous[b.length]
 }

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.format.SiUnits
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlin.math.sqrt
@@ -30,6 +31,9 @@ public class UnitsSpec(public val speedInCmPerSecond: Double = 1.0, public val l
         val time = timeInSeconds ?: return null
         return planet.gravitationalParameter * time * time / (length * length * length)
     }
+
+    /** What one unit is in SI units; null when the length is not known. */
+    public val si: SiUnits? get() = lengthInMetres?.let { SiUnits(it, timeInSeconds!!, massInKg) }
 
     public companion object {
         /** m³ kg⁻¹ s⁻², CODATA 2018. */

@@ -5,6 +5,7 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.permuted
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
+import io.jhdf.HdfFile
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -55,6 +56,54 @@ class FormatsTest {
         io.jhdf.HdfFile(file).use { assertEquals("int", it.getDatasetByPath("/particles/all/image/value").javaType.name) }
         H5md.write(listOf(with(image, 5), with(null, 6)), file, "test")
         assertEquals(listOf(null, null), H5md.read(file).map { it.image }) { "known for some is not known" }
+    }
+
+    @Test
+    fun `H5MD in SI units has converted numbers and says their units as the module prescribes`() {
+        val file = home.resolve("si.h5")
+        H5md.write(listOf(frame), file, "test", SiUnits(metres = 1000.0, seconds = 100.0, kilograms = 5.0))
+        val read = H5md.read(file).single()
+        for (axis in 0..2) {
+            for (k in 0 until frame.size) {
+                assertEquals(frame.position[axis][k] * 1000, read.position[axis][k])
+                assertEquals(frame.velocity[axis][k] * 10, read.velocity[axis][k])
+            }
+        }
+        assertEquals(125.0, read.time)
+        assertEquals(12_000.0, read.lengths[0])
+        assertEquals(6875.0, read.shearOffset)
+        assertEquals(frame.radius[3] * 1000, read.radius[3])
+        assertEquals(frame.mass[3] * 5, read.mass[3])
+        assertEquals(frame.step, read.step)
+        HdfFile(file).use { h5 ->
+            fun unit(path: String) = h5.getDatasetByPath(path).getAttribute("unit").data
+            assertEquals("m", unit("/particles/all/position/value"))
+            assertEquals("s", unit("/particles/all/position/time"))
+            assertEquals("m s-1", unit("/particles/all/velocity/value"))
+            assertEquals("m", unit("/particles/all/box/edges/value"))
+            assertEquals("kg", unit("/particles/all/mass"))
+            assertEquals("m", unit("/particles/all/radius"))
+            assertEquals("SI", h5.getByPath("/h5md/modules/units").getAttribute("system").data)
+        }
+        val plain = home.resolve("plain.h5")
+        H5md.write(listOf(frame), plain, "test")
+        HdfFile(plain).use { h5 -> assertTrue(h5.getDatasetByPath("/particles/all/position/value").attributes.isEmpty()) }
+    }
+
+    @Test
+    fun `a format is known by the end of the name`() {
+        fun of(name: String) = SnapshotFormat.of(Path.of("d.csv", name))
+        assertEquals(SnapshotFormat.H5MD, of("0000000010.h5"))
+        assertEquals(SnapshotFormat.H5MD, of("A.H5MD"))
+        assertEquals(SnapshotFormat.EXTENDED_XYZ, of("trajectory.xyz"))
+        assertEquals(SnapshotFormat.EXTENDED_XYZ, of("a.extxyz"))
+        assertEquals(SnapshotFormat.CSV, of("a.csv"))
+        assertEquals(SnapshotFormat.CSV, of("a.txt"))
+        for (name in listOf("a.bin", "CartAndRad.200.bin", "CartAndRad.200", "CartAndRad.200.dat", "a.CartAndRad")) {
+            assertEquals(SnapshotFormat.CART_AND_RAD, of(name)) { name }
+        }
+        val e = assertThrows(FormatException::class.java) { of("a.vtp") }
+        assertTrue("a.vtp" in e.message!! && ".xyz .extxyz (extended XYZ)" in e.message!!) { e.message }
     }
 
     @Test

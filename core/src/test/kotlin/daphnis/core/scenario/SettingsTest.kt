@@ -1,0 +1,74 @@
+package daphnis.core.scenario
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** `--set path=value`, and what is said of paths that lead nowhere. */
+class SettingsTest {
+    private val text = """{ "box": { "lengths": [4, 5, 6] }, "boundary": { "type": "periodic" },
+        "forces": [{ "type": "uniform-acceleration", "acceleration": [0, 0, -1] }, { "type": "self-gravity", "constant": 1 }],
+        "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 1 }, "until": 1 }"""
+
+    private fun with(vararg settings: String) = ScenarioJson.parse(text, "s", settings.toList())
+
+    private fun assertRefused(setting: String, vararg parts: String) {
+        val e = assertThrows(InputException::class.java) { with(setting) }
+        for (part in parts) assertTrue(part in e.message.orEmpty()) { "'$part' is not in ${e.message}" }
+        assertFalse('\n' in e.message.orEmpty())
+    }
+
+    @Test
+    fun `an entry of a list is replaced where the path says, the others stay`() {
+        assertEquals(listOf(4.0, 5.0, 9.0), with("box.lengths[2]=9").box.lengths)
+        assertEquals(listOf(7.0, 5.0, 8.0), with("box.lengths[2]=8", "box.lengths[0]=7").box.lengths)
+        val forces = with("forces[1].openingAngle=0.25", "forces[0].acceleration[1]=2.5").forces
+        assertEquals(0.25, (forces[1] as ForceSpec.SelfGravity).openingAngle)
+        assertEquals(1.0, (forces[1] as ForceSpec.SelfGravity).constant)
+        assertEquals(listOf(0.0, 2.5, -1.0), (forces[0] as ForceSpec.UniformAcceleration).acceleration)
+        val replaced = with("""forces[0]={"type":"self-gravity","constant":2}""").forces
+        assertEquals(listOf(2.0, 1.0), replaced.map { (it as ForceSpec.SelfGravity).constant })
+    }
+
+    @Test
+    fun `an index that is not there is refused with those that are`() {
+        assertRefused("forces[2].constant=1", "--set", "forces[2].constant=1", "forces has 2 entries, [0] to [1]", "[2]")
+        assertRefused("forces[0].acceleration[3]=1", "forces[0].acceleration has 3 entries")
+        assertRefused("bodies[0].radius=1", "bodies is no list", "[0]")
+        assertRefused("box[0]=1", "box is no list")
+        assertRefused("forces[99999999999].constant=1", "2 entries")
+        assertRefused("forces.constant=1", "forces is a list", "forces[0]")
+        assertRefused("until[0]=1", "until is no list")
+    }
+
+    @Test
+    fun `a path that is none is refused`() {
+        for (path in listOf("forces[", "forces]", "forces[0", "forces[a]", "[0]", "forces[-1]", "forces[0]x", "box..lengths", ".box", "box.")) {
+            assertRefused("$path=1", "--set", "$path=1", "is no key")
+        }
+        assertRefused("nothing", "path=value")
+        assertRefused("=1", "path=value")
+    }
+
+    @Test
+    fun `a key in a list that does not exist is named by the path that was typed`() {
+        assertRefused("forces[1].openingangle=1", "forces[1].openingangle", "did you mean 'openingAngle'?")
+        assertRefused("box.lengths[1]=NaN", "box.lengths[1]", "NaN", "finite number")
+        assertRefused("until=5 s", "until", "5 s", "finite number")
+        assertRefused("until=", "until", "finite number")
+    }
+
+    @Test
+    fun `the nearest word is found, swapped letters and all, and none when all are far`() {
+        assertEquals("run", Nearest.to("rnu", listOf("resume", "run", "scenarios")))
+        assertEquals("describe", Nearest.to("DESRCIBE", listOf("describe", "resume")))
+        assertEquals(1, Nearest.distance("rnu", "run"))
+        assertEquals(3, Nearest.distance("kitten", "sitting"))
+        assertEquals(4, Nearest.distance("", "four"))
+        assertNull(Nearest.to("quark", listOf("resume", "analyze")))
+        assertNull(Nearest.to("quark", emptyList()))
+    }
+}

@@ -1,0 +1,95 @@
+package daphnis.app.describe
+
+import daphnis.app.describe.Quantities.Companion.bytes
+import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.FixedTimeStep
+import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.search.Grid
+import daphnis.core.search.Reach
+import java.util.Locale
+import kotlin.math.ceil
+import kotlin.math.ln
+
+/** What a run writes, needs and takes, and how it looks for neighbours. */
+internal class CostRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
+    private val scenario = setup.scenario
+    private val size = setup.population.size
+    private val dt = setup.timeStep.next(setup.population)
+    private val exact = setup.timeStep is FixedTimeStep
+    private val steps = ((scenario.end - scenario.startTime) / dt).let { if (exact) ceil(it - SLACK) else it }
+
+    fun write() {
+        outputs()
+        rows.add("memory", bytes(size * ScenarioSetup.BYTES_PER_SPHERE))
+        rows.add("run time", "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so")
+        val count = (if (exact) "" else "at least ") + String.format(Locale.ROOT, "%.0f", steps)
+        rows.add("steps", "$count of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
+        search()
+    }
+
+    private fun outputs() {
+        val output = scenario.output
+        fun times(every: Int) = if (every == 0) 0.0 else Math.floor(steps / every) + 1
+        val last = if (output.snapshotEvery > 0 && steps % output.snapshotEvery == 0.0) 0 else 1
+        val snapshots = times(output.snapshotEvery) + last
+        row("snapshots", snapshots, snapshots * (SNAPSHOT_BYTES * size + SNAPSHOT_HEAD))
+        row("rows of series.csv", times(output.seriesEvery), times(output.seriesEvery) * SERIES_BYTES)
+        row("rows of transport.csv", times(output.transportEvery), times(output.transportEvery) * TRANSPORT_BYTES)
+        row("checkpoints kept", 2.0, 2 * CHECKPOINT_BYTES * size)
+        if (output.collisionLog) rows.add("outputs", "collisions.csv, some $LOG_BYTES B a collision")
+    }
+
+    private fun row(what: String, count: Double, disk: Double) {
+        if (count > 0) rows.add("outputs", "%.0f %s, %s".format(Locale.ROOT, count, what, bytes(disk)))
+    }
+
+    /** From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a walk through the tree for gravity. */
+    private fun secondsPerSphereAndStep(): Double {
+        var seconds = STEP_SECONDS
+        for (force in scenario.forces) {
+            if (force !is ForceSpec.SelfGravity) continue
+            val boxes = (2.0 * force.images + 1) * (2.0 * force.images + 1)
+            val angle = maxOf(force.openingAngle, LEAST_ANGLE)
+            seconds += minOf(WALK_SECONDS * ln(size * boxes + 1) / (angle * angle), PAIR_SECONDS * size * boxes)
+        }
+        return seconds
+    }
+
+    private fun took(seconds: Double) = when {
+        seconds < 1 -> "about a second"
+        seconds < 120 -> "about ${number(ceil(seconds))} s"
+        seconds < 7200 -> "about ${number(ceil(seconds / 60))} min"
+        seconds < 172_800 -> "about ${number(ceil(seconds / 3600))} h"
+        else -> "about ${number(ceil(seconds / 86_400))} days"
+    }
+
+    private fun search() {
+        val reach = Reach().apply { measure(setup.population, dt) }
+        rows.add("reach in a step", reach.bound.joinToString(" x ") { number(it) })
+        val grid = Grid().apply { build(setup.population, setup.boundary, scenario.startTime, dt, reach.bound, structure = scenario.search) }
+        for (size in 0 until grid.classes) {
+            val radii = if (grid.classes > 1) ", for radii up to ${number(grid.largestRadius(size))}" else ""
+            val cells = (0..2).joinToString(" x ") { "${grid.cellsAlong(it, size)}" }
+            val widths = (0..2).joinToString(" x ") { number(grid.cellWidth(it, size)) }
+            rows.add("cells", "$cells, each $widths$radii")
+        }
+    }
+
+    private companion object {
+        const val SLACK = 1e-6
+
+        /** Measured: positions and velocities hardly compress. */
+        const val SNAPSHOT_BYTES = 63.0
+        const val SNAPSHOT_HEAD = 3100.0
+        const val CHECKPOINT_BYTES = 76.0
+        const val SERIES_BYTES = 150.0
+        const val TRANSPORT_BYTES = 480.0
+        const val LOG_BYTES = 150
+
+        const val STEP_SECONDS = 0.25e-6
+        const val WALK_SECONDS = 0.05e-6
+        const val PAIR_SECONDS = 5e-9
+        const val LEAST_ANGLE = 0.05
+    }
+}

@@ -1,0 +1,81 @@
+package daphnis.app.describe
+
+import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.population.granularTemperature
+import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.FrameSpec
+import daphnis.core.scenario.ScenarioSetup
+import kotlin.math.sqrt
+
+/** Forces with their numbers, and the scales that gravity sets: Hill radii, Toomre's wavelength and Q, the wakes of satellites. */
+internal class GravityRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
+    private val scenario = setup.scenario
+    private val population = setup.population
+    private val omega = setup.angularSpeed
+    private val constant: Double? = scenario.forces.firstNotNullOfOrNull { given(it) } ?: scenario.units.gravitationalConstant
+
+    fun write() {
+        scenario.forces.forEachIndexed { k, force -> force(k, force) }
+        if (constant != null && omega != null) scales(constant, omega)
+    }
+
+    private fun given(force: ForceSpec): Double? = when (force) {
+        is ForceSpec.SelfGravity -> force.constant
+        is ForceSpec.BodyGravity -> force.constant
+        else -> null
+    }
+
+    private fun force(k: Int, force: ForceSpec) {
+        val text = when (force) {
+            is ForceSpec.UniformAcceleration -> "uniform-acceleration, ${force.acceleration.joinToString { say.acceleration(it) }}"
+            is ForceSpec.SelfGravity ->
+                "self-gravity, opening angle ${number(force.openingAngle)}, softening ${say.length(force.softening)}, ${force.images} images on each side"
+            is ForceSpec.BodyGravity -> "body-gravity, softening ${say.length(force.softening)}"
+            is ForceSpec.Satellite -> satellite(force)
+        }
+        rows.add("forces", "[$k] $text")
+    }
+
+    private fun satellite(moon: ForceSpec.Satellite): String {
+        val planet = (scenario.frame as FrameSpec.Hill).planet
+        val g = scenario.units.gravitationalConstant
+        val mass = moon.mass ?: scenario.units.gravitationalParameter(planet)?.let { gm -> g?.let { moon.massRatio!! * gm / it } }
+        val size = if (moon.radius > 0) "radius ${say.length(moon.radius)}" else "a point"
+        return listOfNotNull(
+            "satellite of ${mass?.let { say.mass(it) } ?: "mass ratio ${number(moon.massRatio!!)}"}",
+            size,
+            "${say.length(Math.abs(moon.x))} ${if (moon.x < 0) "inside" else "outside"} the middle of the box",
+            "e a = ${say.length(moon.e)}",
+            "wakes ${say.length(WAVELENGTH * Math.abs(moon.x))} long",
+            mass?.let { m -> g?.let { "Hill radius ${say.length(hillRadius(it * m, omega!!))}" } },
+        ).joinToString(", ")
+    }
+
+    private fun scales(g: Double, omega: Double) {
+        val particles = population.radius.indices.filter { population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE) }
+        if (particles.isEmpty()) return
+        val off = if (scenario.forces.none { it is ForceSpec.SelfGravity }) " (no self-gravity in this run)" else ""
+        val mass = particles.sumOf { population.mass[it] } / particles.size
+        val radius = Math.cbrt(particles.sumOf { Math.pow(population.radius[it], 3.0) } / particles.size)
+        // Two spheres of the mean mass: their mutual Hill radius over the distance of their centres when they touch.
+        val ratio = hillRadius(2 * g * mass, omega) / (2 * radius)
+        rows.add("Hill radius", "${say.length(hillRadius(g * mass, omega))} of a sphere of mean mass; of two, r_p = r_h / (r_1 + r_2) = ${number(ratio)}$off")
+        val area = setup.boundary.box.length(0) * setup.boundary.box.length(1)
+        val surface = particles.sumOf { population.mass[it] } / area
+        val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow))
+        val wavelength = 4 * Math.PI * Math.PI * g * surface / (omega * omega)
+        val q = dispersion * omega / (TOOMRE * g * surface)
+        rows.add("Toomre", "critical wavelength ${say.length(wavelength)}, Q = ${number(q)} at the start$off")
+    }
+
+    /** (G m / 3 Ω²)^⅓, in Hill's frame of a planet much heavier than [strength] = G m. */
+    private fun hillRadius(strength: Double, omega: Double) = Math.cbrt(strength / (3 * omega * omega))
+
+    private companion object {
+        /** 3π |Δa|: how far the shear carries a streamline along in one epicycle. */
+        const val WAVELENGTH = 3 * Math.PI
+
+        /** Toomre 1964 (ApJ 139, 1217), for stars: Q = c κ / (3.36 G Σ); κ = Ω here. */
+        const val TOOMRE = 3.36
+    }
+}

@@ -1,0 +1,109 @@
+package daphnis.app.describe
+
+import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.population.granularTemperature
+import daphnis.core.scenario.BoundarySpec
+import daphnis.core.scenario.FrameSpec
+import daphnis.core.scenario.GuardSpec
+import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.setup.fillingFactor
+import java.util.Locale
+import kotlin.math.sqrt
+
+/** The system that a scenario describes, with units: what is in it, how large, how fast, and by which laws it collides. */
+internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
+    private val scenario = setup.scenario
+    private val population = setup.population
+    private val box = setup.boundary.box
+
+    /** Rows of the population besides bodies. */
+    private val particles = population.radius.indices.filter { population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE) }
+
+    fun write() {
+        if (particles.isNotEmpty()) spheres()
+        bodies()
+        surroundings()
+        if (particles.isNotEmpty()) fullness()
+        motion()
+        collisions()
+        rows.add("seed", "${scenario.seed}")
+    }
+
+    private fun spheres() {
+        val radii = particles.map { population.radius[it] }
+        val masses = particles.map { population.mass[it] }
+        val same = radii.min() == radii.max()
+        val size = if (same) say.length(radii[0]) else "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
+        rows.add("particles", "${particles.size} spheres, radius $size")
+        val mass = if (masses.min() == masses.max()) say.mass(masses[0]) else "${say.mass(masses.min())} to ${say.mass(masses.max())}"
+        rows.add("mass", "$mass each, ${say.mass(masses.sum())} together")
+        rows.add("density", say.density(masses.sum() / radii.sumOf { VOLUME * it * it * it }))
+    }
+
+    private fun bodies() {
+        for (k in population.radius.indices) {
+            if (population.id[k] < (scenario.firstBody ?: Int.MAX_VALUE)) continue
+            val at = listOf(population.x[k], population.y[k], population.z[k]).joinToString { say.length(it) }
+            rows.add("bodies", "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, at $at")
+        }
+    }
+
+    private fun surroundings() {
+        rows.add("box", "${scenario.box.lengths.joinToString(" x ") { say.length(it) }}, ${faces()}")
+        say.unitOfTime()?.let { rows.add("unit of time", it) }
+        val omega = setup.angularSpeed ?: return
+        val frame = scenario.frame as FrameSpec.Hill
+        val where = frame.distanceInKm?.let { ", ${"%.0f".format(Locale.ROOT, it)} km from ${frame.planet.name.lowercase()}" }.orEmpty()
+        val orbit = 2 * Math.PI / omega
+        rows.add("orbit", "${say.time(orbit)}$where; the run is ${number(scenario.end / orbit)} orbits")
+    }
+
+    private fun faces(): String = when (val boundary = scenario.boundary) {
+        is BoundarySpec.Open -> "open: only where spheres are put"
+        is BoundarySpec.Periodic -> "periodic"
+        is BoundarySpec.Walls -> "walls across ${boundary.axes}"
+        is BoundarySpec.ShearedPeriodic -> "sheared-periodic, velocity jump ${say.speed(boundary.velocityJump)}"
+        is BoundarySpec.LeesEdwards -> "lees-edwards, shear rate ${number(boundary.shearRate)} per unit of time"
+        is BoundarySpec.HillSheet -> if (boundary.radiallyOpen) "ringlet, repeats along y" else "shearing sheet, repeats along x and y"
+    }
+
+    private fun fullness() {
+        val radii = DoubleArray(particles.size) { population.radius[particles[it]] }
+        val open = scenario.boundary is BoundarySpec.Open || scenario.boundary is BoundarySpec.HillSheet
+        rows.add("filling factor", number(fillingFactor(radii, box)) + if (open) " of the box at the start" else "")
+        setup.angularSpeed ?: return
+        val area = box.length(0) * box.length(1)
+        rows.add("optical depth", number(radii.sumOf { Math.PI * it * it } / area))
+        rows.add("surface density", say.surfaceDensity(particles.sumOf { population.mass[it] } / area))
+    }
+
+    private fun motion() {
+        rows.add("velocities", "${say.speed(dispersion())} in one direction at the start (root mean square, without the mean flow)")
+    }
+
+    /** Of one component: the root of the granular temperature. */
+    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.meanFlow))
+
+    private fun collisions() {
+        val c = dispersion()
+        fun at(speed: Double) = String.format(Locale.ROOT, "%.3f at %s", setup.restitution.coefficient(speed), say.speed(speed))
+        val centimetre = 1 / scenario.units.speedInCmPerSecond
+        val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
+        val law = when (val law = scenario.restitution) {
+            is RestitutionSpec.Constant -> "${number(law.coefficient)} at every speed"
+            is RestitutionSpec.Bridges -> "bridges, ${number(law.prefactor)} v^${number(law.exponent)} with v in cm/s: $examples"
+            is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
+        }
+        rows.add("restitution", law)
+        when (val guard = scenario.guard) {
+            null, is GuardSpec.None -> rows.add("guard", "none")
+            is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")
+            is GuardSpec.ContactDuration -> rows.add("guard", "elastic within ${say.time(guard.duration)} of the last collision")
+        }
+    }
+
+    private companion object {
+        const val VOLUME = 4.0 / 3.0 * Math.PI
+    }
+}

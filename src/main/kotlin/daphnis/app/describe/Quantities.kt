@@ -1,0 +1,82 @@
+package daphnis.app.describe
+
+import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.scenario.Scenario
+import java.math.BigDecimal
+import java.math.MathContext
+import java.util.Locale
+
+/** Says numbers of a scenario with their units, in those that a person would choose; "length units" and so on where the scenario does not know them. */
+internal class Quantities(scenario: Scenario) {
+    private val units = scenario.units
+    private val si = units.si
+
+    /** Speeds have a meaning in cm/s also without lengths: restitution laws use it. */
+    private val speedKnown = si != null || units.speedInCmPerSecond != 1.0 || scenario.restitution !is RestitutionSpec.Constant
+
+    fun length(value: Double): String {
+        val metres = (si ?: return plain(value, "length units")).metres * value
+        return when {
+            metres == 0.0 -> "0 m"
+            Math.abs(metres) < CENTIMETRES_BELOW -> number(metres * 100) + " cm"
+            Math.abs(metres) < KILOMETRES_FROM -> number(metres) + " m"
+            else -> number(metres / 1000) + " km"
+        }
+    }
+
+    fun time(value: Double): String {
+        val seconds = (si ?: return plain(value, "time units")).seconds * value
+        return when {
+            seconds < 2 * MINUTE -> number(seconds) + " s"
+            seconds < 2 * HOUR -> number(seconds / MINUTE) + " min"
+            seconds < 4 * DAY -> number(seconds / HOUR) + " h"
+            seconds < 2 * YEAR -> number(seconds / DAY) + " days"
+            else -> number(seconds / YEAR) + " years"
+        }
+    }
+
+    fun speed(value: Double): String = if (speedKnown) number(value * units.speedInCmPerSecond) + " cm/s" else plain(value, "units of speed")
+
+    fun mass(value: Double): String = if (si == null) plain(value, "mass units") else number(value * si.kilograms) + " kg"
+
+    fun density(value: Double): String = if (si == null) plain(value, "mass/length^3") else number(value * si.kilograms / (si.metres * si.metres * si.metres)) + " kg/m3"
+
+    fun surfaceDensity(value: Double): String = if (si == null) plain(value, "mass/length^2") else number(value * si.kilograms / (si.metres * si.metres)) + " kg/m2"
+
+    fun acceleration(value: Double): String = if (si == null) plain(value, "length/time^2") else number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
+
+    /** What one unit of time is worth: it follows from length and speed, so nobody wrote it down. */
+    fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }
+
+    private fun plain(value: Double, unit: String) = "${number(value)} $unit"
+
+    companion object {
+        /** Four significant digits without a tail of zeros, written out unless very large or very small. */
+        fun number(value: Double): String {
+            if (!value.isFinite()) return value.toString()
+            val rounded = BigDecimal(value).round(MathContext(DIGITS))
+            if (rounded.signum() == 0) return "0"
+            val size = Math.abs(value)
+            if (size >= PLAIN_FROM && size < PLAIN_BELOW) return rounded.stripTrailingZeros().toPlainString()
+            return String.format(Locale.ROOT, "%.3e", value).replace(Regex("\\.?0*e\\+?(-?)0*"), "e$1")
+        }
+
+        /** A number of bytes as people say it. */
+        fun bytes(count: Double): String = when {
+            count < 1e3 -> String.format(Locale.ROOT, "%.0f B", count)
+            count < 1e6 -> String.format(Locale.ROOT, "%.0f kB", count / 1e3)
+            count < 1e9 -> String.format(Locale.ROOT, "%.0f MB", count / 1e6)
+            else -> String.format(Locale.ROOT, "%.1f GB", count / 1e9)
+        }
+
+        private const val DIGITS = 4
+        private const val PLAIN_FROM = 1e-4
+        private const val PLAIN_BELOW = 1e7
+        private const val CENTIMETRES_BELOW = 0.1
+        private const val KILOMETRES_FROM = 1000.0
+        private const val MINUTE = 60.0
+        private const val HOUR = 3600.0
+        private const val DAY = 86_400.0
+        private const val YEAR = 3.15576e7
+    }
+}

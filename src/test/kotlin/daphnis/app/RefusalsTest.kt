@@ -1,0 +1,114 @@
+package daphnis.app
+
+import daphnis.core.format.H5md
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** What makes no sense is refused with one line and exit code 2, and leaves what is there alone. */
+class RefusalsTest {
+    @TempDir
+    lateinit var home: Path
+
+    private fun at(name: String) = home.resolve(name).toString()
+
+    private fun small(name: String) =
+        daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--set", "output.snapshotEvery=10", "--out", at(name), "--quiet")
+
+    @Test
+    fun `a resumed run cannot end before now, and is left as it was`() {
+        assertDone(small("a"))
+        val summary = Files.readString(home.resolve("a/summary.json"))
+        assertRefused(daphnis("resume", at("a"), "--until", "0.1"), "--until", "0.1", "time 2.0", "later")
+        assertRefused(daphnis("resume", at("a"), "--until", "1.9999"), "--until", "later")
+        assertEquals(summary, Files.readString(home.resolve("a/summary.json")))
+        assertRefused(daphnis("resume", at("a"), "--until", "NaN"), "--until", "NaN")
+        // Now itself is no error, and a script that asks for the same end twice is right both times.
+        assertDone(daphnis("resume", at("a"), "--until", "2", "--quiet"))
+    }
+
+    @Test
+    fun `orbits need a frame, also when a time is given`() {
+        assertRefused(daphnis("describe", "cooling-gas", "--set", "untilOrbits=4"), "untilOrbits", "4.0", "frame")
+        Files.writeString(home.resolve("both.json"), daphnis("scenarios", "cooling-gas").out.replace("\"until\":", "\"untilOrbits\": 3, \"until\":"))
+        assertRefused(daphnis("describe", at("both.json")), "both.json", "untilOrbits", "3.0", "frame")
+        assertRefused(daphnis("describe", "ring-patch", "--set", "untilOrbits=4", "--set", "until=3"), "untilOrbits", "until")
+        assertRefused(daphnis("run", "ring-patch", "--set", "untilOrbits=4", "--until", "3", "--out", at("x")), "untilOrbits", "until")
+    }
+
+    @Test
+    fun `orbits on the command line go before the time in the file`() {
+        val time = Files.writeString(home.resolve("t.json"), daphnis("scenarios", "ring-patch").out.replace(Regex("\"untilOrbits\": *[0-9.]+"), "\"until\": 1000"))
+        val steps = Regex("""steps +(\d+)""")
+        fun steps(vararg more: String) = steps.find(assertDone(daphnis("describe", *more)))!!.groupValues[1]
+        assertEquals(steps("ring-patch", "--set", "untilOrbits=2"), steps("$time", "--set", "untilOrbits=2"))
+        assertFalse(steps("$time") == steps("$time", "--set", "untilOrbits=2"))
+    }
+
+    @Test
+    fun `Hill's frame takes the faces that it can have`() {
+        fun hill(boundary: String, more: String = "seed=1"): CommandResult {
+            val settings = listOf("boundary=$boundary", "velocities.shearProfile=false", more).flatMap { listOf("--set", it) }
+            return daphnis("describe", "ring-patch", *settings.toTypedArray())
+        }
+        assertRefused(hill("""{"type":"periodic"}"""), "boundary.type", "is periodic", "hill-sheet", "open")
+        assertRefused(hill("""{"type":"lees-edwards","shearRate":0.1}"""), "boundary.type", "lees-edwards", "hill-sheet")
+        assertRefused(hill("""{"type":"sheared-periodic","velocityJump":0.1}"""), "boundary.type", "sheared-periodic")
+        assertRefused(hill("""{"type":"walls","axes":"z"}"""), "boundary.type", "walls", "x and z")
+        assertRefused(hill("""{"type":"walls","axes":"x"}"""), "boundary.type", "walls")
+        assertDone(hill("""{"type":"walls","axes":"x"}""", "frame.verticalFactor=0"))
+        assertDone(hill("""{"type":"walls"}"""))
+        assertDone(hill("""{"type":"open"}"""))
+        assertRefused(daphnis("describe", "cooling-gas", "--set", """boundary={"type":"hill-sheet"}"""), "boundary", "hill-sheet", "frame")
+    }
+
+    @Test
+    fun `a scale is refused where it would do nothing`() {
+        assertDone(small("a"))
+        for (format in listOf("vtp", "h5md", "cartandrad")) {
+            assertRefused(daphnis("export", at("a"), "--format", format, "--scale", "2"), "--scale", "xyz", format)
+        }
+        assertDone(daphnis("export", at("a"), "--format", "xyz", "--scale", "2"))
+        assertTrue("Scale=2.0" in Files.readString(home.resolve("a/export/trajectory.xyz")))
+    }
+
+    @Test
+    fun `SI units are for H5MD and for scenarios that know their own`() {
+        assertDone(small("a"))
+        assertRefused(daphnis("export", at("a"), "--format", "h5md", "--units", "si"), "--units", "units.lengthInMetres")
+        assertRefused(daphnis("export", at("a"), "--format", "xyz", "--units", "si"), "--units", "h5md")
+        val known = arrayOf("--set", "units.lengthInMetres=0.5", "--set", "units.speedInCmPerSecond=10")
+        assertDone(daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known, "--out", at("b"), "--quiet"))
+        assertTrue("m s-1" in assertDone(daphnis("export", at("b"), "--format", "h5md", "--units", "si")))
+        val own = H5md.read(home.resolve("b/snapshots/0000000001.h5")).single()
+        val si = H5md.read(home.resolve("b/export/trajectory-si.h5")).last()
+        assertEquals(0.5 * own.position[1][7], si.position[1][7])
+        assertEquals(0.1, si.velocity[2][7] / own.velocity[2][7], 1e-15)
+        assertEquals(5.0, si.time / own.time, 1e-14)
+    }
+
+    @Test
+    fun `help is help however one asks for it`() {
+        val help = assertDone(daphnis("--help"))
+        assertTrue("analyze" in help && "daphnis help COMMAND" in help) { help }
+        assertEquals(help, assertDone(daphnis("help")))
+        assertEquals(help, assertDone(daphnis()))
+        assertEquals(assertDone(daphnis("run", "--help")), assertDone(daphnis("help", "run")))
+    }
+
+    @Test
+    fun `a mistyped word is answered with the one that was meant`() {
+        assertRefused(daphnis("rnu"), "rnu", "Did you mean run?")
+        assertRefused(daphnis("help", "rnu"), "rnu", "Did you mean run?")
+        assertRefused(daphnis("desribe", "moonlet"), "Did you mean describe?")
+        assertRefused(daphnis("run", "--enigne", "serial"), "--enigne", "--engine")
+        assertRefused(daphnis("run", "coolign-gas"), "did you mean 'cooling-gas'?")
+        assertRefused(daphnis("scenarios", "moonlit"), "did you mean 'moonlet'?")
+        assertRefused(daphnis("run", "cooling-gas", "--engine", "isles"), "engine.name", "did you mean 'islands'?")
+        assertFalse("mean" in daphnis("quark").err)
+    }
+}
