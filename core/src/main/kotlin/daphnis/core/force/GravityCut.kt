@@ -10,10 +10,10 @@ import daphnis.core.boundary.Images
  * along axes that do not repeat.
  *
  * ```
- *   weight of a pair   1 ─────────┐            w = t² (3 − 2t),  t = (range² − ρ²) / (range² − inner²)
- *                                  ╲
- *                      0            └─────▶ ρ
- *                         0     inner range
+ *   weight of a pair   1 ──────╮              w = t² (3 − 2t),  t = (range² − ρ²) / (range² − inner²)
+ *                               ╲
+ *                      0         ╰────▶ ρ
+ *                         0  inner  range
  * ```
  *
  * The weight is the same from either side of a pair, so momentum is conserved; it fades, so that a tree's node near the cut, weighed by
@@ -78,7 +78,7 @@ internal class GravityCut(private val boundary: BoundaryConditions, images: Int)
     }
 
     private companion object {
-        const val INNER_PART = 2.0 / 3.0
-        const val NODES_ACROSS = 4
+        const val INNER_PART = 0.5
+        const val NODES_ACROSS = 2
     }
 }

@@ -12,7 +12,7 @@ import daphnis.core.population.Population
  * error is smaller than that of a walk of its own.
  *
  * Along periodic axes images attract too, where they are at the time if they slide. What attracts a particle ends at one distance around
- * itself ([range]), fading over the last third of it, so that a uniform sheet pulls nothing along itself and there is no centre that a patch prefers.
+ * itself ([range]), fading from half of it on, so that a uniform sheet pulls nothing along itself and there is no centre that a patch prefers.
  * Without periodic axes everything attracts.
  *
  * The sums are taken in the order of the tree, which depends on positions and ids alone: the same bits on any number of threads. The force at the end
