@@ -17,6 +17,7 @@ import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.warnings
 import daphnis.core.search.Overlap
 import java.io.IOException
 import java.nio.file.Files
@@ -36,7 +37,7 @@ public class RunException(message: String) : RuntimeException(message)
  * A scenario being carried out in a run directory: made by [start] or [resume], done by [execute]. One thread.
  *
  * @property resumedFrom the step it goes on from; 0 at a start
- * @property notices what a user should know, a line each, such as a damaged checkpoint that was passed over
+ * @property notices what a user should know, a line each, such as [warnings] or a damaged checkpoint that was passed over
  */
 public class Run private constructor(
     public val directory: RunDirectory,
@@ -184,7 +185,7 @@ public class Run private constructor(
             try {
                 val resolved = keepParticleFile(setup.scenario, directory)
                 writeAtomically(directory.scenario) { Files.writeString(it, ScenarioJson.write(resolved)) }
-                return Run(directory, resolved, simulation, transport(setup), CollisionStatistics(), null, 0.0, lock, emptyList())
+                return Run(directory, resolved, simulation, transport(setup), CollisionStatistics(), null, 0.0, lock, warnings(setup))
             } catch (e: IOException) {
                 lock.close()
                 throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")
