@@ -29,13 +29,17 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
     val what = if (thermal > 0) "the thermal speed" else "the speed of a fall through the box"
     return line(
         "timeStep: a step of %.4g changes speeds across the walls along %s by %.2g of %s; elastic bounces there gain about %.1g of their energy each; take steps of %.3g or less",
-        dt, "xyz"[axis], ratio, what, GAIN * ratio * ratio, MOST_FALL * speed / fall,
+        dt,
+        "xyz"[axis],
+        ratio,
+        what,
+        GAIN * ratio * ratio,
+        MOST_FALL * speed / fall,
     )
 }
 
 /** Uniform acceleration along [axis]. */
-private fun fall(setup: ScenarioSetup, axis: Int): Double =
-    abs(setup.scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>().sumOf { it.acceleration[axis] })
+private fun fall(setup: ScenarioSetup, axis: Int): Double = abs(setup.scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>().sumOf { it.acceleration[axis] })
 
 /** Collisions are found on chords, which are off the epicycles by a share of the step squared. */
 private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
@@ -45,7 +49,9 @@ private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
     if (steps >= FEWEST_STEPS * (1 - 1e-9)) return null
     return line(
         "timeStep: %.3g steps an orbit; chords are off the epicycles by %.1g of an epicycle within a step, and forces act once a step; take %.0f or more",
-        steps, (omega * dt).let { it * it / 8 }, FEWEST_STEPS,
+        steps,
+        (omega * dt).let { it * it / 8 },
+        FEWEST_STEPS,
     )
 }
 

@@ -23,7 +23,8 @@ class WarningsTest {
           "until": 0.02
         }
         """.trimIndent(),
-        "box", settings.toList(),
+        "box",
+        settings.toList(),
     )
 
     private fun warningsOf(scenario: Scenario) = warnings(ScenarioSetup.of(scenario, "test"))
@@ -55,7 +56,23 @@ class WarningsTest {
 
     @Test
     fun `no built-in scenario needs a warning`() {
-        for (name in BuiltIn.names) assertEquals(emptyList<String>(), warningsOf(BuiltIn.scenario(name, if (name == "moonlet") listOf("box.lengths=[200,400,40]") else emptyList()))) { name }
+        for (name in BuiltIn.names) {
+            assertEquals(
+                emptyList<String>(),
+                warningsOf(
+                    BuiltIn.scenario(
+                        name,
+                        if (name ==
+                            "moonlet"
+                        ) {
+                            listOf("box.lengths=[200,400,40]")
+                        } else {
+                            emptyList()
+                        },
+                    ),
+                ),
+            ) { name }
+        }
     }
 
     @Test
