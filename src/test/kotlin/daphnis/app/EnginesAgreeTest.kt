@@ -113,6 +113,7 @@ class EnginesAgreeTest {
         assertEquals(r.size, s.size) { story }
         for (k in 0 until r.size) {
             val same = r.time[k] == s.time[k] &&
+                r.rank[k] == s.rank[k] &&
                 r.lower[k] == s.lower[k] &&
                 r.higher[k] == s.higher[k] &&
                 r.impulse(k) == s.impulse(k) &&

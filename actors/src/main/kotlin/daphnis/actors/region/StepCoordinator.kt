@@ -33,6 +33,9 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     private var phase = Phase.SEARCH
     private var outstanding = 0
 
+    /** How often the step at hand was redone because a sphere outran its bound. */
+    private var redone = 0L
+
     /** The regions, for whoever runs them. */
     public val regions: List<Region> = List(map.count) { Region(it, map, crew) }
 
@@ -57,6 +60,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
         failure = null
         cancelled = false
         isFinished = false
+        redone = 0
         field.measure(step, loop)
         attempt()
     }
@@ -107,7 +111,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     private fun goOn() {
         if (field.isOutrun) {
             field.enlarge()
-            step!!.counters.redoneSteps++
+            redone++
             attempt()
             return
         }
@@ -150,6 +154,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
         }
         val step = step!!
         field.store(step, loop)
+        step.counters.redoneSteps += redone
         crew.finish(step.counters, step.record)
         isFinished = true
     }

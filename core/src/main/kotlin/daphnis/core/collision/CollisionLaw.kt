@@ -2,7 +2,6 @@ package daphnis.core.collision
 
 import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows.Companion.STRIDE
-import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
 import kotlin.math.sqrt
 
@@ -34,6 +33,10 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
     public var separationZ: Double = 0.0
         private set
 
+    /** Place of the last collision among those at the same time that led to it, 1 for the first; see [StepRows.rank]. */
+    public var rank: Int = 0
+        private set
+
     /** Whether the guard made the last collision elastic. */
     public var guarded: Boolean = false
         private set
@@ -50,8 +53,8 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
         val state = rows.state
         val p = first * STRIDE
         val q = second * STRIDE
-        advanceTo(state, p, time)
-        advanceTo(state, q, time)
+        rows.advance(first, time)
+        rows.advance(second, time)
         val dx = state[q] - state[p] + (images.shift(image, 0) + images.slide(image, 0) * time)
         val dy = state[q + 1] - state[p + 1] + (images.shift(image, 1) + images.slide(image, 1) * time)
         val dz = state[q + 2] - state[p + 2] + images.shift(image, 2)
@@ -90,14 +93,9 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
         separationX = dx
         separationY = dy
         separationZ = dz
+        rank = 1 + maxOf(rows.rank[first], rows.rank[second])
+        rows.rank[first] = rank
+        rows.rank[second] = rank
         return true
-    }
-
-    private fun advanceTo(state: DoubleArray, p: Int, time: Double) {
-        val elapsed = time - state[p + TIME]
-        state[p] += state[p + VX] * elapsed
-        state[p + 1] += state[p + VX + 1] * elapsed
-        state[p + 2] += state[p + VX + 2] * elapsed
-        state[p + TIME] = time
     }
 }

@@ -1,8 +1,9 @@
 package daphnis.core.collision
 
 /**
- * The collisions of one step in the order (time, lower id, higher id), as a structure of arrays of [size] entries. Filled by the engine
- * when somebody asks for it; valid until the next step.
+ * The collisions of one step in the order (time, rank, lower id, higher id), as a structure of arrays of [size] entries. Filled by the engine
+ * when it is asked for; valid until the next step. Of collisions at one time each stands behind those that led to it: its [rank] is one more than
+ * that of any which one of its spheres had before at that time. The order belongs to the trajectory, so it is the same from every engine.
  *
  * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher id.
  */
@@ -13,6 +14,10 @@ public class CollisionRecord {
 
     /** Time from the start of the step. */
     public var time: DoubleArray = DoubleArray(INITIAL)
+        private set
+
+    /** Place among the collisions at the same time that led to one another, from 1; see [StepRows.rank]. */
+    public var rank: IntArray = IntArray(INITIAL)
         private set
 
     /** Lower id. */
@@ -47,6 +52,7 @@ public class CollisionRecord {
         val k = size++
         val swap = first > second
         this.time[k] = time
+        rank[k] = law.rank
         lower[k] = if (swap) second else first
         higher[k] = if (swap) first else second
         val p = k * WIDTH
@@ -63,6 +69,7 @@ public class CollisionRecord {
     public fun addAll(other: CollisionRecord, from: Int, to: Int) {
         while (size + to - from > time.size) grow()
         other.time.copyInto(time, size, from, to)
+        other.rank.copyInto(rank, size, from, to)
         other.lower.copyInto(lower, size, from, to)
         other.higher.copyInto(higher, size, from, to)
         other.data.copyInto(data, size * WIDTH, from * WIDTH, to * WIDTH)
@@ -70,8 +77,8 @@ public class CollisionRecord {
     }
 
     /**
-     * Puts the entries in order; those of one pair at one time by what they hold. Engines call it at the end of the step, since in the order
-     * in which they process collisions, simultaneous ones may stand otherwise.
+     * Puts the entries in order. Engines call it at the end of the step, since in the order in which they process collisions, simultaneous ones may
+     * stand otherwise.
      */
     public fun sort() {
         var k = 1
@@ -93,15 +100,15 @@ public class CollisionRecord {
 
     private fun isBefore(a: Int, b: Int): Boolean {
         if (time[a] != time[b]) return time[a] < time[b]
+        if (rank[a] != rank[b]) return rank[a] < rank[b]
         if (lower[a] != lower[b]) return lower[a] < lower[b]
-        if (higher[a] != higher[b]) return higher[a] < higher[b]
-        for (k in 0 until WIDTH) if (data[a * WIDTH + k] != data[b * WIDTH + k]) return data[a * WIDTH + k] < data[b * WIDTH + k]
-        return false
+        return higher[a] < higher[b]
     }
 
     private fun grow() {
         val n = time.size * 2
         time = time.copyOf(n)
+        rank = rank.copyOf(n)
         lower = lower.copyOf(n)
         higher = higher.copyOf(n)
         data = data.copyOf(n * WIDTH)

@@ -37,6 +37,13 @@ public class StepRows {
     public var lastCollision: DoubleArray = DoubleArray(0)
         private set
 
+    /**
+     * Place of the sphere's last collision among those at its local time that led to one another, by slot: 1 for one that no other at that
+     * time led to, one more than the higher of its two spheres' otherwise; 0 when the sphere has not collided at its local time.
+     */
+    public var rank: IntArray = IntArray(0)
+        private set
+
     /** Number of spheres. */
     public var size: Int = 0
         private set
@@ -80,6 +87,7 @@ public class StepRows {
             mass[slot] = m[k]
             id[slot] = ids[k]
             origin[slot] = k
+            rank[slot] = 0
         }
         if (tracksLastCollision) {
             val last = population.lastCollision
@@ -139,6 +147,7 @@ public class StepRows {
         mass[k] = rows.mass[slot]
         id[k] = rows.id[slot]
         origin[k] = rows.origin[slot]
+        rank[k] = rows.rank[slot]
         if (tracksLastCollision) lastCollision[k] = rows.lastCollision[slot]
         return k
     }
@@ -146,7 +155,19 @@ public class StepRows {
     /** Takes over the state of row [k] of [rows] as that of [slot]. */
     public fun put(slot: Int, rows: StepRows, k: Int) {
         rows.state.copyInto(state, slot * STRIDE, k * STRIDE, (k + 1) * STRIDE)
+        rank[slot] = rows.rank[k]
         if (tracksLastCollision) lastCollision[slot] = rows.lastCollision[k]
+    }
+
+    /** Brings [slot] along its path to [time], from the start of the step. */
+    internal fun advance(slot: Int, time: Double) {
+        val p = slot * STRIDE
+        val elapsed = time - state[p + TIME]
+        state[p] += state[p + VX] * elapsed
+        state[p + 1] += state[p + VX + 1] * elapsed
+        state[p + 2] += state[p + VX + 2] * elapsed
+        state[p + TIME] = time
+        if (elapsed != 0.0) rank[slot] = 0
     }
 
     private fun grow() {
@@ -155,6 +176,7 @@ public class StepRows {
         mass = mass.copyOf(n)
         id = id.copyOf(n)
         origin = origin.copyOf(n)
+        rank = rank.copyOf(n)
         lastCollision = lastCollision.copyOf(n)
     }
 
@@ -164,6 +186,7 @@ public class StepRows {
         mass = DoubleArray(n)
         id = IntArray(n)
         origin = IntArray(n)
+        rank = IntArray(n)
         lastCollision = DoubleArray(n)
     }
 

@@ -49,13 +49,8 @@ public class WallContact {
 
     /** Reflects sphere [slot] at wall [face] at [time]. */
     public fun reflect(rows: StepRows, slot: Int, face: Int, time: Double) {
-        val p = slot * STRIDE
-        val state = rows.state
-        val elapsed = time - state[p + TIME]
-        for (axis in 0..2) state[p + axis] += state[p + VX + axis] * elapsed
-        state[p + TIME] = time
-        val axis = face shr 1
-        state[p + VX + axis] *= -restitution
+        rows.advance(slot, time)
+        rows.state[slot * STRIDE + VX + (face shr 1)] *= -restitution
     }
 
     public companion object {

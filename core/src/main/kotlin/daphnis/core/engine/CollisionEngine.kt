@@ -41,7 +41,7 @@ public interface CollisionEngine : AutoCloseable {
  * One step's work. The object is reused from step to step.
  *
  * @property law the physics of a collision
- * @property counters where the engine adds what it counted, once the step has succeeded
+ * @property counters where the engine adds what it counted, once the step has succeeded; a step that throws adds nothing
  * @property search how neighbours are found
  * @property record where collisions are to be written in order, or null when nobody wants them
  */

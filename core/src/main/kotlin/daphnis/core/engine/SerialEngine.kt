@@ -46,12 +46,14 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
     override fun advance(step: CollisionStep) {
         reach.measure(step.population, step.duration)
         walls.prepare(step.boundary)
-        while (!attempt(step)) step.counters.redoneSteps++
+        var redone = 0
+        while (!attempt(step)) redone++
         rows.store(step.population, step.duration)
         step.record?.sort()
         step.counters.collisions += collisions
         step.counters.wallCollisions += wallCollisions
         step.counters.guardActivations += guarded
+        step.counters.redoneSteps += redone
     }
 
     /** @return false when somebody outran the bound, which is now larger */

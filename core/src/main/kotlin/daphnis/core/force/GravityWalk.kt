@@ -8,21 +8,35 @@ import kotlin.math.sqrt
 
 /**
  * One walk through a [tree] for all spheres of a leaf (Barnes 1990, J. Comput. Phys. 87, 161): [begin], [collect] for each image, [sum]. Collects what
- * attracts the leaf, spheres and nodes taken as one, in one list, then sums the list for each sphere. Each thread has its own.
+ * attracts the leaf, spheres and nodes taken as one, in two lists: what is so near to all of the leaf that nothing is cut, and what the
+ * [cut] weighs pair by pair. Then sums the lists for each sphere. Each thread has its own.
  */
-internal class GravityWalk(private val tree: GravityTree, private val openingAngle: Double, private val softening: Double, private val stressRange: Double) {
+internal class GravityWalk(private val tree: GravityTree, private val openingAngle: Double, softening: Double, private val cut: GravityCut) {
+    private val whole = Attractors()
+    private val cutOff = Attractors()
+    private val softening2 = softening * softening
+    private val theta2 = openingAngle * openingAngle
+    private val range2 = cut.range * cut.range
+    private val inner2 = cut.inner * cut.inner
+    private val fading = 1 / (range2 - inner2)
+    private val fadingPotential = FadingPotential(range2, inner2, softening2)
+    private val lift = fadingPotential.lift
+    private val countsX = cut.counts(0)
+    private val countsY = cut.counts(1)
+    private val countsZ = cut.counts(2)
     private var leaf = 0
 
-    // What attracts: position and mass.
-    private var sx = DoubleArray(INITIAL)
-    private var sy = DoubleArray(INITIAL)
-    private var sz = DoubleArray(INITIAL)
-    private var sm = DoubleArray(INITIAL)
-    private var count = 0
+    // Of the sphere being summed: acceleration, Σ a_y Δx and minus the potential, over G.
+    private var fx = 0.0
+    private var fy = 0.0
+    private var fz = 0.0
+    private var fyx = 0.0
+    private var depth = 0.0
 
     fun begin(leaf: Int) {
         this.leaf = leaf
-        count = 0
+        whole.clear()
+        cutOff.clear()
     }
 
     /** Adds what attracts the leaf from the image of everything that is displaced by ([dx], [dy], [dz]); all zero for the original. */
@@ -32,32 +46,50 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
         val first = tree.from[leaf]
         val node = tree.node
         val skip = tree.skip
-        val own = leaf * WIDTH
-        val theta2 = openingAngle * openingAngle
+        // Nodes before this one lie so near that nothing of them is cut.
+        var wholeUntil = if (cut.isPresent) 0 else tree.nodes
         var n = 0
         while (n < tree.nodes) {
+            if (n >= wholeUntil) {
+                if (nearest2(n, dx, dy, dz) >= range2) {
+                    n = skip[n]
+                    continue
+                }
+                if (farthest2(n, dx, dy, dz) <= inner2) wholeUntil = skip[n]
+            }
+            val isWhole = n < wholeUntil
+            val into = if (isWhole) whole else cutOff
             val p = n * WIDTH
-            val x = node[p] + dx
-            val y = node[p + 1] + dy
-            val z = node[p + 2] + dz
-            val ax = gap(node[own + LEAST], node[own + MOST], x)
-            val ay = gap(node[own + LEAST + 1], node[own + MOST + 1], y)
-            val az = gap(node[own + LEAST + 2], node[own + MOST + 2], z)
-            val size = Math.max(
-                Math.max(node[p + MOST] - node[p + LEAST], node[p + MOST + 1] - node[p + LEAST + 1]),
-                node[p + MOST + 2] - node[p + LEAST + 2],
-            )
+            val size = sizeOf(p)
             val isOwn = isOriginal && tree.from[n] <= first && first < tree.to[n]
-            if (!isOwn && size * size < theta2 * (ax * ax + ay * ay + az * az)) {
-                add(x, y, z, node[p + MASS])
+            if (!isOwn && (isWhole || size <= cut.largestNode) && size * size < theta2 * distance2(p, dx, dy, dz)) {
+                into.add(node[p] + dx, node[p + 1] + dy, node[p + 2] + dz, node[p + MASS])
                 n = skip[n]
             } else if (skip[n] == n + 1) {
-                for (k in tree.from[n] until tree.to[n]) add(tree.x[k] + dx, tree.y[k] + dy, tree.z[k] + dz, tree.mass[k])
+                for (k in tree.from[n] until tree.to[n]) into.add(tree.x[k] + dx, tree.y[k] + dy, tree.z[k] + dz, tree.mass[k])
                 n++
             } else {
                 n++
             }
         }
+    }
+
+    private fun sizeOf(p: Int): Double {
+        val node = tree.node
+        return Math.max(
+            Math.max(node[p + MOST] - node[p + LEAST], node[p + MOST + 1] - node[p + LEAST + 1]),
+            node[p + MOST + 2] - node[p + LEAST + 2],
+        )
+    }
+
+    /** Square of the distance of the centre of mass in row [p] from the leaf's box. */
+    private fun distance2(p: Int, dx: Double, dy: Double, dz: Double): Double {
+        val node = tree.node
+        val own = leaf * WIDTH
+        val ax = gap(node[own + LEAST], node[own + MOST], node[p] + dx)
+        val ay = gap(node[own + LEAST + 1], node[own + MOST + 1], node[p + 1] + dy)
+        val az = gap(node[own + LEAST + 2], node[own + MOST + 2], node[p + 2] + dz)
+        return ax * ax + ay * ay + az * az
     }
 
     /** Distance of [a] from the interval. */
@@ -69,47 +101,35 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
         0.0
     }
 
-    private fun add(x: Double, y: Double, z: Double, mass: Double) {
-        if (count == sx.size) {
-            sx = sx.copyOf(count * 2)
-            sy = sy.copyOf(count * 2)
-            sz = sz.copyOf(count * 2)
-            sm = sm.copyOf(count * 2)
-        }
-        sx[count] = x
-        sy[count] = y
-        sz[count] = z
-        sm[count++] = mass
+    /** Square of the least distance, along the axes that count, between a sphere of the leaf and one of the image of node [n]. */
+    private fun nearest2(n: Int, dx: Double, dy: Double, dz: Double): Double =
+        countsX * near2(n, 0, dx) + countsY * near2(n, 1, dy) + countsZ * near2(n, 2, dz)
+
+    private fun near2(n: Int, axis: Int, shift: Double): Double {
+        val node = tree.node
+        val p = n * WIDTH + axis
+        val own = leaf * WIDTH + axis
+        val apart = Math.max(node[p + LEAST] + shift - node[own + MOST], node[own + LEAST] - (node[p + MOST] + shift))
+        return if (apart > 0.0) apart * apart else 0.0
+    }
+
+    /** Likewise the greatest distance. */
+    private fun farthest2(n: Int, dx: Double, dy: Double, dz: Double): Double =
+        countsX * far2(n, 0, dx) + countsY * far2(n, 1, dy) + countsZ * far2(n, 2, dz)
+
+    private fun far2(n: Int, axis: Int, shift: Double): Double {
+        val node = tree.node
+        val p = n * WIDTH + axis
+        val own = leaf * WIDTH + axis
+        val apart = Math.max(node[p + MOST] + shift - node[own + LEAST], node[own + MOST] - (node[p + LEAST] + shift))
+        return apart * apart
     }
 
     /** Writes the acceleration of every sphere of the leaf, Σ a_y Δx and the potential, by index in the population. */
     fun sum(constant: Double, ax: DoubleArray, ay: DoubleArray, az: DoubleArray, stress: DoubleArray, potential: DoubleArray) {
-        val softening2 = softening * softening
-        val range2 = stressRange * stressRange
         for (place in tree.from[leaf] until tree.to[leaf]) {
-            val x = tree.x[place]
-            val y = tree.y[place]
-            val z = tree.z[place]
-            var fx = 0.0
-            var fy = 0.0
-            var fz = 0.0
-            var fyx = 0.0
-            var depth = 0.0
-            for (k in 0 until count) {
-                val dx = sx[k] - x
-                val dy = sy[k] - y
-                val dz = sz[k] - z
-                val d2 = dx * dx + dy * dy + dz * dz
-                // The sphere itself is in the list.
-                if (d2 == 0.0) continue
-                val s2 = d2 + softening2
-                val f = sm[k] / (s2 * sqrt(s2))
-                depth += f * s2
-                fx += f * dx
-                fy += f * dy
-                fz += f * dz
-                if (d2 < range2) fyx += f * dy * dx
-            }
+            sumWhole(tree.x[place], tree.y[place], tree.z[place])
+            addCutOff(tree.x[place], tree.y[place], tree.z[place])
             val index = tree.order[place]
             ax[index] = constant * fx
             ay[index] = constant * fy
@@ -119,7 +139,69 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
         }
     }
 
-    private companion object {
-        const val INITIAL = 1024
+    private fun sumWhole(x: Double, y: Double, z: Double) {
+        val sx = whole.x
+        val sy = whole.y
+        val sz = whole.z
+        val sm = whole.mass
+        var fx = 0.0
+        var fy = 0.0
+        var fz = 0.0
+        var fyx = 0.0
+        var depth = 0.0
+        for (k in 0 until whole.size) {
+            val dx = sx[k] - x
+            val dy = sy[k] - y
+            val dz = sz[k] - z
+            val d2 = dx * dx + dy * dy + dz * dz
+            // The sphere itself is in the list.
+            if (d2 == 0.0) continue
+            val s2 = d2 + softening2
+            val f = sm[k] / (s2 * sqrt(s2))
+            depth += f * s2 - sm[k] * lift
+            fx += f * dx
+            fy += f * dy
+            fz += f * dz
+            fyx += f * dy * dx
+        }
+        this.fx = fx
+        this.fy = fy
+        this.fz = fz
+        this.fyx = fyx
+        this.depth = depth
+    }
+
+    private fun addCutOff(x: Double, y: Double, z: Double) {
+        val sx = cutOff.x
+        val sy = cutOff.y
+        val sz = cutOff.z
+        val sm = cutOff.mass
+        var fx = fx
+        var fy = fy
+        var fz = fz
+        var fyx = fyx
+        var depth = depth
+        for (k in 0 until cutOff.size) {
+            val dx = sx[k] - x
+            val dy = sy[k] - y
+            val dz = sz[k] - z
+            val rho2 = countsX * dx * dx + countsY * dy * dy + countsZ * dz * dz
+            val d2 = dx * dx + dy * dy + dz * dz
+            if (rho2 >= range2 || d2 == 0.0) continue
+            val t = (range2 - rho2) * fading
+            val weight = if (t >= 1.0) 1.0 else t * t * (3.0 - 2.0 * t)
+            val s2 = d2 + softening2
+            val f = weight * sm[k] / (s2 * sqrt(s2))
+            depth += if (t >= 1.0) f * s2 - sm[k] * lift else sm[k] * fadingPotential.depth(rho2)
+            fx += f * dx
+            fy += f * dy
+            fz += f * dz
+            fyx += f * dy * dx
+        }
+        this.fx = fx
+        this.fy = fy
+        this.fz = fz
+        this.fyx = fyx
+        this.depth = depth
     }
 }

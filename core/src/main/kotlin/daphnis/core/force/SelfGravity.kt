@@ -1,7 +1,6 @@
 package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
@@ -11,7 +10,11 @@ import daphnis.core.population.Population
 /**
  * Gravity of all spheres on one another, by a tree (Barnes & Hut 1986, Nature 324, 446): a node whose size is below [openingAngle] times its distance counts as
  * one mass at its centre of mass, others are opened. Spheres of one leaf share a walk, so the distance is that from the leaf's box, and a sphere's
- * error is smaller than that of a walk of its own. Along periodic axes [images] boxes on each side attract too, where they are at the time if they slide.
+ * error is smaller than that of a walk of its own.
+ *
+ * Along periodic axes images attract too, where they are at the time if they slide. What attracts a particle ends at one distance around
+ * itself ([range]), fading from half of it on, so that a uniform sheet pulls nothing along itself and there is no centre that a patch prefers.
+ * Without periodic axes everything attracts.
  *
  * The sums are taken in the order of the tree, which depends on positions and ids alone: the same bits on any number of threads. The force at the end
  * of a step is kept for the beginning of the next. Momentum is conserved as well as the opening angle allows, not to round-off.
@@ -19,7 +22,7 @@ import daphnis.core.population.Population
  * @param constant G, length³/(mass · time²)
  * @param openingAngle θ in [0, 1]; 0 opens everything
  * @param softening ε in 1/(r² + ε²), length
- * @param images boxes on each side, ≥ 0
+ * @param images boxes on each side, in 0..[MOST_IMAGES]: gravity reaches ([images] + ½) of the shortest periodic edge
  */
 public class SelfGravity(
     private val boundary: BoundaryConditions,
@@ -31,11 +34,6 @@ public class SelfGravity(
     private var loop: RangeLoop = InlineLoop
     private val tree = GravityTree()
     private val periodicImages = Images()
-
-    // Which images, centred on the original: those across sliding faces begin with the nearest.
-    private val ranges = IntArray(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) images else 0 }
-    private val codes = IntArray(ranges.fold(1) { n, range -> n * (2 * range + 1) })
-    private val stressRange: Double
     private var walks = arrayOf<GravityWalk>()
 
     // Of the last evaluation, by index in the population: accelerations, and what they were computed for.
@@ -52,10 +50,12 @@ public class SelfGravity(
         require(openingAngle in 0.0..1.0) { "opening angle is $openingAngle; it must be in [0, 1]" }
         require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be >= 0" }
         require(images in 0..MOST_IMAGES) { "images is $images; it must be in 0..$MOST_IMAGES" }
-        // So far images reach in all directions from everybody, wherever they have slid to.
-        val shortest = (0..2).filter { ranges[it] > 0 }.minOfOrNull { boundary.box.length(it) }
-        stressRange = if (shortest == null) Double.POSITIVE_INFINITY else shortest * (images - 0.5)
     }
+
+    private val cut = GravityCut(boundary, images)
+
+    /** Where gravity ends, by the distance along the periodic axes; infinite when nothing repeats. Length. */
+    public val range: Double get() = cut.range
 
     override fun useLoop(loop: RangeLoop) {
         this.loop = loop
@@ -79,9 +79,8 @@ public class SelfGravity(
     }
 
     /**
-     * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i), F_ij the force of j on i, over images too, of
-     * pairs no farther apart than images reach in every direction, so that a uniform sheet carries none. Of the last kick, whose population this must be;
-     * summed in the order of ids.
+     * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i), F_ij the force of j on i, over images too.
+     * A uniform sheet carries none. Of the last kick, whose population this must be; summed in the order of ids.
      */
     public fun stressXY(population: Population): Double {
         if (stress.size < population.size) return 0.0
@@ -94,8 +93,9 @@ public class SelfGravity(
     }
 
     /**
-     * ½ Σ m Φ, Φ = −G Σ m_j/√(r² + ε²) over all spheres and images that attract: exact up to the opening angle. The
-     * potential is summed in the walk of the force, so where the last kick was at this [time] nothing is walked again.
+     * ½ Σ m Φ over all spheres and images that attract, Φ = −G Σ m_j/√(r² + ε²), raised so that it is 0 where gravity ends
+     * (see [FadingPotential]): exact up to the opening angle. The potential is summed in the walk of the force, so where the
+     * last kick was at this [time] nothing is walked again.
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
@@ -113,45 +113,23 @@ public class SelfGravity(
         }
         tree.build(population)
         periodicImages.prepare(boundary, time)
-        chooseImages()
-        if (walks.size < loop.workers) walks = Array(loop.workers) { GravityWalk(tree, openingAngle, softening, stressRange) }
+        cut.choose(periodicImages)
+        if (walks.size < loop.workers) walks = Array(loop.workers) { GravityWalk(tree, openingAngle, softening, cut) }
         loop.run(tree.leafCount, LEAVES_A_PIECE) { worker, from, to ->
             val walk = walks[worker]
             for (leaf in from until to) {
                 walk.begin(tree.leaves[leaf])
-                for (code in codes) walk.collect(periodicImages.shift(code, 0), periodicImages.shift(code, 1), periodicImages.shift(code, 2))
+                for (code in cut.codes) walk.collect(periodicImages.shift(code, 0), periodicImages.shift(code, 1), periodicImages.shift(code, 2))
                 walk.sum(constant, ax, ay, az, stress, potential)
             }
         }
         seen.keep(population, time)
     }
 
-    private fun chooseImages() {
-        val shear = boundary.shear
-        val center = IntArray(3)
-        var n = 0
-        for (x in -ranges[0]..ranges[0]) {
-            for (y in -ranges[1]..ranges[1]) {
-                for (z in -ranges[2]..ranges[2]) {
-                    if (shear != null) {
-                        val boxes = if (shear.normalAxis == 0) {
-                            x
-                        } else if (shear.normalAxis == 1) {
-                            y
-                        } else {
-                            z
-                        }
-                        center[shear.slideAxis] = -Math.rint(boxes * periodicImages.shearOffset / boundary.box.length(shear.slideAxis)).toInt()
-                    }
-                    codes[n++] = Images.code(x + center[0], y + center[1], z + center[2])
-                }
-            }
-        }
-    }
-
-    private companion object {
-        const val MOST_IMAGES = 60
-        const val LEAVES_A_PIECE = 8
+    public companion object {
+        /** The most boxes on each side: with sliding images their numbers along two axes must fit a code. */
+        public const val MOST_IMAGES: Int = 60
+        private const val LEAVES_A_PIECE = 8
     }
 }
 

@@ -2,7 +2,6 @@ package daphnis.core.format
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Open
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.population.Population
 
@@ -71,7 +70,7 @@ public class Frame(
             return Frame(
                 step,
                 time,
-                DoubleArray(3) { if (boundary === Open) Double.NaN else boundary.box.length(it) },
+                DoubleArray(3) { axis -> boundary.box.length(axis).let { if (it.isFinite()) it else Double.NaN } },
                 BooleanArray(3) { wrapped || boundary.contactFaces(it) == ContactFaces.PERIODIC },
                 boundary.shear?.offset(time) ?: 0.0,
                 IntArray(n) { population.id[order[it]] },

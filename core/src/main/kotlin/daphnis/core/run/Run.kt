@@ -18,6 +18,7 @@ import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.warnings
 import daphnis.core.search.Overlap
 import java.io.IOException
 import java.nio.file.Files
@@ -37,7 +38,7 @@ public class RunException(message: String) : RuntimeException(message)
  * A scenario being carried out in a run directory: made by [start] or [resume], done by [execute]. One thread.
  *
  * @property resumedFrom the step it goes on from; 0 at a start
- * @property notices what a user should know, a line each, such as a damaged checkpoint that was passed over
+ * @property notices what a user should know, a line each, such as [warnings] or a damaged checkpoint that was passed over
  */
 public class Run private constructor(
     public val directory: RunDirectory,
@@ -187,7 +188,8 @@ public class Run private constructor(
                 val resolved = keepParticleFile(setup.scenario, directory)
                 writeAtomically(directory.scenario) { Files.writeString(it, ScenarioJson.write(resolved)) }
                 val statistics = CollisionStatistics()
-                return Run(directory, resolved, simulation, sums(setup), transport(setup), statistics, null, 0.0, lock, setup.notices)
+                val notices = setup.notices + warnings(setup)
+                return Run(directory, resolved, simulation, sums(setup), transport(setup), statistics, null, 0.0, lock, notices)
             } catch (e: IOException) {
                 lock.close()
                 throw RunException("cannot write to $path: ${RunDirectory.reason(e)}")

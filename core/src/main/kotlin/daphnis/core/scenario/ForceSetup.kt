@@ -34,7 +34,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
         is ForceSpec.SelfGravity -> {
             check.that("$key.openingAngle", spec.openingAngle, spec.openingAngle >= 0 && spec.openingAngle <= 1) { "must be in [0, 1]" }
             check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
-            check.that("$key.images", spec.images, spec.images in 0..MOST_IMAGES) { "must be in 0..$MOST_IMAGES" }
+            check.that("$key.images", spec.images, spec.images in 0..SelfGravity.MOST_IMAGES) { "must be in 0..${SelfGravity.MOST_IMAGES}" }
             SelfGravity(boundary, constant(spec.constant, key), spec.openingAngle, spec.softening, spec.images)
         }
         is ForceSpec.BodyGravity -> {
@@ -72,9 +72,5 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
         val satellite = Satellite(strength, Epicycle(spec.x, spec.y, spec.e, spec.phase), omega, spec.softening)
         if (spec.radius > 0) boundary = SatelliteSurface(boundary, satellite, spec.radius)
         return satellite
-    }
-
-    private companion object {
-        const val MOST_IMAGES = 16
     }
 }

@@ -277,7 +277,7 @@ public sealed interface ForceSpec {
      *
      * @property openingAngle a node is taken as one mass when its size is below this times its distance
      * @property softening length ε in 1/(r² + ε²)
-     * @property images boxes on each side whose images attract
+     * @property images gravity reaches so many of the shortest periodic edge, and a half, around each particle
      * @property constant G in the scenario's units; from [Scenario.units] when left out
      */
     @Serializable

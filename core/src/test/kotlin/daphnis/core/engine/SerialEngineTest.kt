@@ -115,7 +115,27 @@ class SerialEngineTest {
     }
 
     @Test
-    fun `without a guard a collapse is noticed, and the population is as it was`() {
+    fun `without a guard a collapse of three ends by round-off, in contact and at rest to one another`() {
+        val p = populationOf(Sphere(x = 0.0, vx = 1.0), Sphere(x = 3.0), Sphere(x = 6.5, vx = -1.0))
+        val simulation = simulationOf(p, Open, 100.0, ConstantRestitution(0.06))
+        simulation.advance()
+        val record = simulation.collisions!!.record!!
+        assertTrue(record.size in 30..60) { "${record.size} collisions" }
+        assertTrue(record.impactSpeed(record.size - 1) < 1e-15)
+        for (id in 0..1) {
+            val a = p.indexOf(id)
+            val b = p.indexOf(id + 1)
+            assertEquals(0.0, p.vx[b] - p.vx[a], 1e-15)
+            assertEquals(2.0, p.x[b] - p.x[a], 1e-13)
+        }
+        // With a coefficient above 7 − 4√3 they part after a few.
+        val parting = simulationOf(populationOf(Sphere(x = 0.0, vx = 1.0), Sphere(x = 3.0), Sphere(x = 6.5, vx = -1.0)), Open, 100.0, ConstantRestitution(0.08))
+        parting.advance()
+        assertTrue(parting.collisions!!.record!!.let { it.impactSpeed(it.size - 1) } > 1e-12)
+    }
+
+    @Test
+    fun `without a guard a collapse of many is noticed, and the population is as it was`() {
         // Forty in a row, all closing in on the middle.
         val spheres = Array(40) { Sphere(x = 2.0001 * it, vx = (20 - it) * 1.0, r = 1.0) }
         val p = populationOf(*spheres)

@@ -94,9 +94,9 @@ class PotentialEnergyTest {
         val time = 1.3
         val shifts = Images().also { it.prepare(sheet, time) }
         var expected = 0.0
-        for (ix in -1..1) {
+        for (ix in -2..2) {
             val nearest = -Math.rint(ix * shifts.shearOffset / box.length(1)).toInt()
-            for (iy in nearest - 1..nearest + 1) expected += pairs(p, shifts, Images.code(ix, iy, 0))
+            for (iy in nearest - 2..nearest + 2) expected += pairs(p, shifts, Images.code(ix, iy, 0))
         }
         assertEquals(expected, SelfGravity(sheet, 2.0, 0.0, 0.1).potentialEnergy(p, sheet, time), 1e-12 * abs(expected))
         val tree = SelfGravity(sheet, 2.0, 0.5, 0.1).potentialEnergy(p, sheet, time)
@@ -111,14 +111,40 @@ class PotentialEnergyTest {
                 val dx = p.x[j] - p.x[i] + shifts.shift(code, 0)
                 val dy = p.y[j] - p.y[i] + shifts.shift(code, 1)
                 val dz = p.z[j] - p.z[i]
-                if (i != j ||
-                    code != 0
-                ) {
-                    energy -= 0.5 * 2.0 * p.mass[i] * p.mass[j] / sqrt(dx * dx + dy * dy + dz * dz + 0.01)
-                }
+                if (i != j || code != 0) energy -= p.mass[i] * p.mass[j] * depth(sqrt(dx * dx + dy * dy), dz)
             }
         }
         return energy
+    }
+
+    /** −Φ/G of a unit of mass with softening 0.1 whose pull fades from 7.5 to 15, by Simpson's rule. */
+    private fun depth(rho: Double, z: Double): Double {
+        val from = maxOf(rho, 7.5)
+        val h = maxOf(0.0, 15 - from) / 200
+        var work = 0.0
+        for (k in 0..200) {
+            val a = from + k * h
+            val t = (225 - a * a) / (225 - 56.25)
+            val weight = if (k == 0 || k == 200) 1 else if (k % 2 == 1) 4 else 2
+            work += weight * h / 3 * t * t * (3 - 2 * t) * a / Math.pow(a * a + 0.01, 1.5)
+        }
+        return if (rho >= 7.5) work else work + 1 / sqrt(rho * rho + z * z + 0.01) - 1 / sqrt(7.5 * 7.5 + 0.01)
+    }
+
+    @Test
+    fun `the slope of the potential is the force, also where it fades`() {
+        // One pair in range: the box is so long that images are far away along it.
+        val sheet = HillSheet(Box.centred(100.0, 90.0, 8.0), 1.0)
+        fun at(x: Double) = populationOf(Sphere(x = -20.0, y = 3.0, m = 2.0), Sphere(x = x, y = 3.0, m = 5.0))
+        fun gravity() = SelfGravity(sheet, 0.7, 0.0, 0.5, images = 0)
+        for (x in listOf(-15.0, 2.0, 5.0, 15.0, 24.0)) {
+            val h = 1e-3
+            val slope = (gravity().potentialEnergy(at(x + h), sheet, 0.0) - gravity().potentialEnergy(at(x - h), sheet, 0.0)) / (2 * h)
+            val force = 5.0 * gravity().accelerations(at(x), 0.0)[0][1]
+            assertEquals(-slope, force, 1e-6 * abs(force)) { "at $x" }
+            assertTrue(force < 0)
+        }
+        assertEquals(0.0, gravity().potentialEnergy(at(25.1), sheet, 0.0))
     }
 
     @Test

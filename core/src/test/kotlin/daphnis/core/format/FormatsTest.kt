@@ -1,8 +1,11 @@
 package daphnis.core.format
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Open
 import daphnis.core.permuted
+import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import io.jhdf.HdfFile
@@ -104,6 +107,32 @@ class FormatsTest {
         }
         val e = assertThrows(FormatException::class.java) { of("a.vtp") }
         assertTrue("a.vtp" in e.message!! && ".xyz .extxyz (extended XYZ)" in e.message!!) { e.message }
+    }
+
+    @Test
+    fun `a boundary of one's own without end leaves the box out of every format, as an open one does`() {
+        // The boundary of the library guide, and one that ends on one side only.
+        val endless = listOf(Box.UNBOUNDED, Box(-20.0, -20.0, -20.0, 20.0, 20.0, Double.POSITIVE_INFINITY)).map { box ->
+            object : BoundaryConditions {
+                override val box = box
+
+                override fun endStep(population: Population, time: Double) = Unit
+            }
+        }
+        fun files(boundary: BoundaryConditions): List<ByteArray> {
+            val it = Frame.of(population, boundary, 5, 1.25)
+            val vtp = home.resolve("a.vtp").also { file -> Vtp.write(it, file) }
+            val cartAndRad = home.resolve("a.bin").also { file -> CartAndRad.write(it.population(), file) }
+            val xyz = StringWriter().also { out -> ExtendedXyz.write(it, out, ExtendedXyz.suitableScale(it)) }.toString()
+            H5md.write(listOf(it), home.resolve("a.h5"), "test")
+            assertTrue(H5md.read(home.resolve("a.h5"))[0].lengths.all { length -> length.isNaN() })
+            assertFalse("Lattice" in xyz || "Infinity" in xyz) { xyz.lines()[1] }
+            return listOf(xyz.toByteArray(), Files.readAllBytes(vtp), Files.readAllBytes(cartAndRad))
+        }
+        val expected = files(Open)
+        for ((k, written) in files(endless[0]).withIndex()) assertArrayEquals(expected[k], written)
+        assertArrayEquals(doubleArrayOf(40.0, 40.0, Double.NaN), Frame.of(population, endless[1], 0, 0.0).lengths)
+        files(endless[1])
     }
 
     @Test

@@ -72,21 +72,24 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
     override fun advance(step: CollisionStep) {
         reach.measure(step.population, step.duration, loop)
         walls.prepare(step.boundary)
+        var redone = 0
         while (true) {
             when (attempt(step)) {
                 Outcome.DONE -> break
                 Outcome.OUTRUN -> {
                     reach.enlarge(rows, workers[failedWorker.get()].outrunner, step.duration)
-                    step.counters.redoneSteps++
+                    redone++
                 }
                 Outcome.TOO_LATE -> {
-                    step.counters.causalityReplays++
                     replay.advance(step)
+                    step.counters.causalityReplays++
+                    step.counters.redoneSteps += redone
                     return
                 }
             }
         }
         rows.store(step.population, step.duration, loop)
+        step.counters.redoneSteps += redone
         for (worker in workers) {
             step.counters.collisions += worker.collisions
             step.counters.wallCollisions += worker.wallCollisions

@@ -47,6 +47,32 @@ class ThreadPoolEngineTest {
     }
 
     @Test
+    fun `a replay that fails is not counted, the one that succeeds is`() {
+        var calls = AtomicInteger()
+        var strangerTaken = java.util.concurrent.CountDownLatch(1)
+        var isBroken = true
+        val slow = Restitution { speed ->
+            if (isBroken && Thread.currentThread().stackTrace.any { it.className == SerialEngine::class.java.name }) throw ArithmeticException("on purpose")
+            if (speed > 5) {
+                strangerTaken.countDown()
+            } else if (calls.getAndIncrement() == 0) {
+                strangerTaken.await()
+            }
+            1.0
+        }
+        val simulation = simulationOf(row(), Open, 1.0, slow, engine = ThreadPoolEngine(2))
+        simulation.use {
+            assertThrows(ArithmeticException::class.java) { it.advance() }
+            assertEquals(0L, simulation.collisions!!.counters.causalityReplays)
+            isBroken = false
+            calls = AtomicInteger()
+            strangerTaken = java.util.concurrent.CountDownLatch(1)
+            it.advance()
+        }
+        assertEquals(1L, simulation.collisions!!.counters.causalityReplays)
+    }
+
+    @Test
     fun `one thread never has to replay, and gives the same`() {
         val expected = row().also { simulationOf(it, Open, 1.0).advance() }
         val p = row()
