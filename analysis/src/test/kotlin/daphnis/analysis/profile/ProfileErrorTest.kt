@@ -55,7 +55,7 @@ class ProfileErrorTest {
             for ((name, value) in truth) {
                 val share = (covered[name] ?: 0) / (given[name] ?: 0).toDouble()
                 assertTrue(share in 0.60..0.75 && given.getValue(name) > 0.9 * all) { "$name at $perBin a bin: $share of ${given[name]} of $all" }
-                val scale = if (name == "c_xx" || name == "c_yy") T else maxOf(value, 0.1)
+                val scale = if (value > 0) value else if (name == "c_xy") T else 0.6
                 assertEquals(value, mean.getValue(name) / all, 0.015 * scale) { "$name at $perBin a bin" }
             }
         }
