@@ -44,6 +44,9 @@ public class BlockAverage(public val mean: Double, public val error: Double, pub
 
         private const val STRONGEST = 0.999
 
+        /** Scatter of the pseudovalues of a constant, in units of their number and size. */
+        private const val ROUNDING = 1e-13
+
         /** Of [series], in order of time. */
         public fun of(series: DoubleArray): BlockAverage {
             val n = series.size
@@ -87,7 +90,7 @@ public class BlockAverage(public val mean: Double, public val error: Double, pub
                 if (k > 0) neighbours += (blocks[k] - centre) * (blocks[k - 1] - centre)
             }
             if (n < FEWEST_NUMBERS || square.isNaN()) return BlockAverage(mean, Double.NaN, n, Double.NaN)
-            if (square == 0.0) return BlockAverage(mean, 0.0, n, m.toDouble())
+            if (sqrt(square / m) <= ROUNDING * n * abs(mean)) return BlockAverage(mean, 0.0, n, m.toDouble())
             val correlation = ((m * neighbours / square + 1) / (m - 4)).coerceIn(0.0, STRONGEST)
             val independent = m * (1 - correlation) / (1 + correlation)
             if (independent < FEWEST_INDEPENDENT) return BlockAverage(mean, Double.NaN, n, independent)
