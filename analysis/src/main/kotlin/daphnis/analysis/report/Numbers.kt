@@ -30,6 +30,15 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
 
     val ellipsoid: VelocityEllipsoid get() = VelocityEllipsoid.of(moment("xx").mean, moment("yy").mean, moment("zz").mean, moment("xy").mean)
 
+    /** Whether the averages are over a steady time, in sentences. */
+    fun steadiness(): List<String> {
+        val histories = RunHistory.of(input).ifEmpty {
+            listOf(History("granular temperature", DoubleArray(states.size) { from + it }, states.series(TEMPERATURE)))
+        }
+        val orbit = input.omega?.let { 2 * PI / it }
+        return SteadinessText(from, if (orbit != null) "orbit" else "unit of time", orbit ?: 1.0).of(histories)
+    }
+
     fun rows(): List<NumberRow> = if (input.omega != null) ring(input.omega) else box()
 
     private fun ring(omega: Double): List<NumberRow> {
