@@ -255,7 +255,13 @@ public class Streamlines private constructor(public val slabs: Int, public val g
                 least = minOf(least, p.y[k])
                 most = maxOf(most, p.y[k])
             }
-            return if (most > least) doubleArrayOf(least, most) else if (p.size == 0) doubleArrayOf(0.0, 1.0) else doubleArrayOf(least, least + 1)
+            return if (most > least) {
+                doubleArrayOf(least, most)
+            } else if (p.size == 0) {
+                doubleArrayOf(0.0, 1.0)
+            } else {
+                doubleArrayOf(least, least + 1)
+            }
         }
     }
 }

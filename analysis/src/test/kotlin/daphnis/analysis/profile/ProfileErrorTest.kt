@@ -32,8 +32,14 @@ class ProfileErrorTest {
     fun `profiles tell the truth within one error in 60 to 75 percent, from one to 50 particles a bin`() {
         for (perBin in listOf(1.0, 1.5, 4.0, 50.0)) {
             val truth = mapOf(
-                "count" to perBin, "mean_vx" to 0.0, "mean_vy" to 0.0, "c_xx" to T, "c_yy" to T, "c_xy" to 0.0,
-                "surface_density" to perBin * BINS / 200, "filling_factor" to perBin * BINS * 4.0 / 3 * PI * 1.25e-4 / 800,
+                "count" to perBin,
+                "mean_vx" to 0.0,
+                "mean_vy" to 0.0,
+                "c_xx" to T,
+                "c_yy" to T,
+                "c_xy" to 0.0,
+                "surface_density" to perBin * BINS / 200,
+                "filling_factor" to perBin * BINS * 4.0 / 3 * PI * 1.25e-4 / 800,
             )
             val covered = HashMap<String, Int>()
             val given = HashMap<String, Int>()
@@ -55,7 +61,13 @@ class ProfileErrorTest {
             for ((name, value) in truth) {
                 val share = (covered[name] ?: 0) / (given[name] ?: 0).toDouble()
                 assertTrue(share in 0.60..0.75 && given.getValue(name) > 0.9 * all) { "$name at $perBin a bin: $share of ${given[name]} of $all" }
-                val scale = if (value > 0) value else if (name == "c_xy") T else 0.6
+                val scale = if (value > 0) {
+                    value
+                } else if (name == "c_xy") {
+                    T
+                } else {
+                    0.6
+                }
                 assertEquals(value, mean.getValue(name) / all, 0.015 * scale) { "$name at $perBin a bin" }
             }
         }
@@ -83,8 +95,14 @@ class ProfileErrorTest {
         repeat(40) { k ->
             val n = if (k % 2 == 0) 1 else 3
             val p = Population(
-                DoubleArray(n), DoubleArray(n), DoubleArray(n), DoubleArray(n) { if (n == 1) 1.0 else 0.0 }, DoubleArray(n), DoubleArray(n),
-                DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 },
+                DoubleArray(n),
+                DoubleArray(n),
+                DoubleArray(n),
+                DoubleArray(n) { if (n == 1) 1.0 else 0.0 },
+                DoubleArray(n),
+                DoubleArray(n),
+                DoubleArray(n) { 0.1 },
+                DoubleArray(n) { 1.0 },
             )
             averages.add(PatchState(p, Periodic(box), k.toDouble()))
         }

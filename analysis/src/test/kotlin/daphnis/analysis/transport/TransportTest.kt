@@ -99,7 +99,9 @@ class TransportTest {
 
     @Test
     fun `a gas that cools has no error, and neither has one of a few rows`() {
-        val rows = (0..99).map { t -> "$t,$t,10,10,${Math.exp(-t / 30.0)},0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3" }
+        val rows = (0..99).map { t ->
+            "$t,$t,10,10,${Math.exp(-t / 30.0)},0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
+        }
         val cooling = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0)
         assertFalse(cooling.temperature.isLevelled || cooling.pressure.isLevelled || cooling.compressibility.isLevelled)
         assertTrue(cooling.collisional.isLevelled)
