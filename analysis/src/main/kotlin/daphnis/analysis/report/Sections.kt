@@ -56,7 +56,7 @@ internal class Sections(
         } else {
             "$states snapshots"
         }
-        page.paragraph("Averages over $origin. ± is one standard error from block averaging; numbers without it follow from the particles themselves or from averages.")
+        page.paragraph("Averages over $origin. ± is one standard error from block averaging; numbers without it follow from the particles themselves.")
         for (line in numbers.steadiness()) page.paragraph(line)
         page.numbers(rows)
         Files.createDirectories(tables)

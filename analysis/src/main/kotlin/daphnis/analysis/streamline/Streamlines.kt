@@ -112,7 +112,12 @@ public class Streamlines private constructor(public val slabs: Int, public val g
         val mean = DoubleArray(3) { axis -> group.mean { state.peculiar(it, axis) } }
         val square = group.variance { state.peculiar(it, 0) } + group.variance { state.peculiar(it, 1) } + group.variance { state.peculiar(it, 2) }
         dispersion[entry] = sqrt(square)
-        val spread = group.variance { k -> (0..2).sumOf { axis -> (state.peculiar(k, axis) - mean[axis]).let { it * it } } }
+        val spread = group.variance { k ->
+            val u = state.peculiar(k, 0) - mean[0]
+            val v = state.peculiar(k, 1) - mean[1]
+            val w = state.peculiar(k, 2) - mean[2]
+            u * u + v * v + w * w
+        }
         if (square > 0) dispersionError[entry] = sqrt(spread / n) * n / (n - 1) / (2 * sqrt(square))
         val omega = state.omega
         if (omega == null) guidingX[entry] = meanX[entry] else epicycles(state, omega, group, entry)
@@ -122,22 +127,22 @@ public class Streamlines private constructor(public val slabs: Int, public val g
         val p = state.population
         val n = group.size
         val vertical = omega * Math.max(state.verticalFactor, 1e-300)
-        val cosine: (Int) -> Double = { 3 * p.x[it] + 2 * p.vy[it] / omega }
-        val sine: (Int) -> Double = { p.vx[it] / omega }
+        fun cosine(k: Int) = 3 * p.x[k] + 2 * p.vy[k] / omega
+        fun sine(k: Int) = p.vx[k] / omega
         guidingX[entry] = group.mean { p.x[it] + cosine(it) }
-        if (key == RadialKey.GUIDING_CENTRE) meanXError[entry] = sqrt(group.variance(cosine) / n)
+        if (key == RadialKey.GUIDING_CENTRE) meanXError[entry] = sqrt(group.variance { cosine(it) } / n)
         meanE[entry] = group.mean { hypot(cosine(it), sine(it)) }
         meanEError[entry] = sqrt(group.variance { hypot(cosine(it), sine(it)) } / n)
         meanI[entry] = group.mean { hypot(p.z[it], p.vz[it] / vertical) }
         meanIError[entry] = sqrt(group.variance { hypot(p.z[it], p.vz[it] / vertical) } / n)
-        val c = group.mean(cosine)
-        val s = group.mean(sine)
+        val c = group.mean { cosine(it) }
+        val s = group.mean { sine(it) }
         val forced = hypot(c, s)
         forcedCos[entry] = c
         forcedSin[entry] = s
         forcedE[entry] = forced
         phase[entry] = atan2(s, c)
-        noise[entry] = (group.variance(cosine) + group.variance(sine)) / n
+        noise[entry] = (group.variance { cosine(it) } + group.variance { sine(it) }) / n
         forcedEUnbiased[entry] = sqrt(Math.max(0.0, forced * forced - noise[entry]).let { if (noise[entry].isNaN()) Double.NaN else it })
         if (forced == 0.0) return
         // Along the mean, and across it.
