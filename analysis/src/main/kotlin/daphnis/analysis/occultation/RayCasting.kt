@@ -2,6 +2,7 @@ package daphnis.analysis.occultation
 
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.PooledMeasure
 import daphnis.core.boundary.ContactFaces
 import kotlin.math.PI
 import kotlin.math.ceil
@@ -86,9 +87,16 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
         }
     }
 
-    /** Transmission and normal optical depth −sin B · ln T as a [Measure]; the depth is +∞ when nothing comes through. */
-    public fun depth(): Measure = Measure { state ->
-        val t = cast(state).transmission
-        doubleArrayOf(t, -sin(elevation) * ln(t))
+    /**
+     * Transmission and normal optical depth −sin B · ln T as a [PooledMeasure]: the depth is that of the mean transmission of all states, for the mean of depths
+     * would be too large in small patches. It is +∞ when nothing comes through.
+     */
+    public fun depth(): Measure = object : PooledMeasure {
+        override fun sums(state: PatchState): DoubleArray = doubleArrayOf(cast(state).transmission)
+
+        override fun finish(sums: DoubleArray, states: Int): DoubleArray {
+            val t = sums[0] / states
+            return doubleArrayOf(t, -sin(elevation) * ln(t))
+        }
     }
 }

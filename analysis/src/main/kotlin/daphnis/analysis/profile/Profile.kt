@@ -1,29 +1,33 @@
 package daphnis.analysis.profile
 
-import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.PooledMeasure
+import daphnis.core.boundary.ContactFaces
 import kotlin.math.PI
+import kotlin.math.abs
 
 /**
- * Profiles of a patch along one axis: radius (x), azimuth (y) or height (z), in equal bins. As a [Measure] it gives [COLUMNS] for each bin, entry
+ * Profiles of a patch along one axis: radius (x), azimuth (y) or height (z), in equal bins. As a [PooledMeasure] it gives [COLUMNS] for each bin, entry
  * `bin · COLUMNS.size + column`.
  *
  * | column | what |
  * |---|---|
- * | count | particles whose centre is in the bin |
+ * | count | particles whose centre is in the bin, in one state |
  * | surface_density | Σ m over the bin's area in the x-y plane; along z: Σ m over its volume |
  * | optical_depth | Σ π r² over that area (geometric); along z: over the area of the patch, so that bins add up to τ |
  * | filling_factor | volume of the spheres, cut at the bin's faces, over that of the bin; along x and y the height of the box is taken |
  * | mean_vx … | mean velocity against the flow that the boundary drives |
- * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number |
+ * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number: sums of products over the number of particles less one |
  *
- * Means of an empty bin are NaN.
+ * Means and ⟨c_a c_b⟩ are over the particles of all states together, so that a state counts by the particles that it has in the bin. Means of a bin that no state has
+ * a particle in are NaN, and so are ⟨c_a c_b⟩ of fewer than two particles. Where a profile spans a whole period, what sticks out at one end of a sphere is filled in
+ * at the other; at ends that are not periodic it is cut off.
  *
  * @param axis 0, 1 or 2
  * @param from lower edge of the first bin
  * @param to upper edge of the last
  */
-public class Profile(public val axis: Int, public val from: Double, public val to: Double, public val bins: Int) : Measure {
+public class Profile(public val axis: Int, public val from: Double, public val to: Double, public val bins: Int) : PooledMeasure {
     init {
         require(axis in 0..2) { "axis is $axis; it must be 0, 1 or 2" }
         require(bins >= 1 && from < to) { "$bins bins from $from to $to; there must be one at least, and from below to" }
@@ -32,7 +36,8 @@ public class Profile(public val axis: Int, public val from: Double, public val t
     /** Middle of [bin]. */
     public fun centre(bin: Int): Double = from + (bin + 0.5) * (to - from) / bins
 
-    override fun of(state: PatchState): DoubleArray {
+    /** By bin: [COLUMNS] up to the filling factor, then Σ of velocities and of their products. */
+    override fun sums(state: PatchState): DoubleArray {
         val p = state.population
         val a = if (axis == 0) {
             p.x
@@ -42,52 +47,78 @@ public class Profile(public val axis: Int, public val from: Double, public val t
             p.z
         }
         val width = (to - from) / bins
+        val period = period(state)
+        val result = DoubleArray(bins * WIDTH)
+        for (k in 0 until p.size) {
+            if (!state.isParticle(k)) continue
+            val r = p.radius[k]
+            addVolume(result, a[k], r, width)
+            if (a[k] - r < from) addVolume(result, a[k] + period, r, width)
+            if (a[k] + r > to) addVolume(result, a[k] - period, r, width)
+            val bin = Math.floor((a[k] - from) / width)
+            if (bin >= 0 && bin < bins) addParticle(result, bin.toInt() * WIDTH, state, k)
+        }
         val box = state.boundary.box
         // Area of a bin seen from above, and the area across which spheres are cut at its faces.
         val area = if (axis == 2) state.area else width * box.length(1 - axis)
         val section = if (axis == 2) state.area else box.length(1 - axis) * box.length(2)
-        val result = DoubleArray(bins * WIDTH)
-        for (k in 0 until p.size) {
-            if (!state.isParticle(k)) continue
-            addVolume(result, a[k], p.radius[k], width)
-            val bin = Math.floor((a[k] - from) / width)
-            if (bin < 0 || bin >= bins) continue
-            val b = bin.toInt() * WIDTH
-            result[b]++
-            result[b + 1] += p.mass[k]
-            result[b + 2] += PI * p.radius[k] * p.radius[k]
-            val u = state.againstFlow(k, 0)
-            val v = state.againstFlow(k, 1)
-            val w = state.againstFlow(k, 2)
-            result[b + 4] += u
-            result[b + 5] += v
-            result[b + 6] += w
-            result[b + 7] += u * u
-            result[b + 8] += v * v
-            result[b + 9] += w * w
-            result[b + 10] += u * v
+        for (b in result.indices step WIDTH) {
+            result[b + MASS] /= if (axis == 2) area * width else area
+            result[b + DEPTH] /= area
+            result[b + VOLUME] /= section * width
         }
-        for (bin in 0 until bins) finish(result, bin * WIDTH, if (axis == 2) area * width else area, area, section * width)
         return result
     }
 
-    private fun finish(r: DoubleArray, b: Int, forMass: Double, area: Double, volume: Double) {
-        val n = r[b]
-        r[b + 1] /= forMass
-        r[b + 2] /= area
-        r[b + 3] /= volume
-        for (c in 4 until WIDTH) r[b + c] = if (n == 0.0) Double.NaN else r[b + c] / n
-        for (c in 0..2) r[b + 7 + c] = maxOf(0.0, r[b + 7 + c] - r[b + 4 + c] * r[b + 4 + c]).let { if (n == 0.0) Double.NaN else it }
-        r[b + 10] -= r[b + 4] * r[b + 5]
+    /** Length after which the axis repeats, if that is what the profile spans; else infinite, which no image comes from. */
+    private fun period(state: PatchState): Double {
+        val box = state.boundary.box
+        val length = box.length(axis)
+        val whole = abs(from - box.lower(axis)) <= SAME * length && abs(to - box.lower(axis) - length) <= SAME * length
+        return if (whole && state.boundary.contactFaces(axis) == ContactFaces.PERIODIC) length else Double.POSITIVE_INFINITY
+    }
+
+    private fun addParticle(r: DoubleArray, b: Int, state: PatchState, k: Int) {
+        val p = state.population
+        val u = state.againstFlow(k, 0)
+        val v = state.againstFlow(k, 1)
+        val w = state.againstFlow(k, 2)
+        r[b]++
+        r[b + MASS] += p.mass[k]
+        r[b + DEPTH] += PI * p.radius[k] * p.radius[k]
+        r[b + MEAN] += u
+        r[b + MEAN + 1] += v
+        r[b + MEAN + 2] += w
+        r[b + SQUARE] += u * u
+        r[b + SQUARE + 1] += v * v
+        r[b + SQUARE + 2] += w * w
+        r[b + PRODUCT] += u * v
+    }
+
+    override fun finish(sums: DoubleArray, states: Int): DoubleArray {
+        val r = sums.copyOf()
+        for (b in r.indices step WIDTH) {
+            val n = r[b]
+            for (c in 0 until MEAN) r[b + c] /= states.toDouble()
+            for (c in MEAN until SQUARE) r[b + c] = if (n > 0) r[b + c] / n else Double.NaN
+            for (c in SQUARE until WIDTH) {
+                val first = if (c == PRODUCT) 0 else c - SQUARE
+                val second = if (c == PRODUCT) 1 else first
+                r[b + c] = if (n > 1) (r[b + c] - n * r[b + MEAN + first] * r[b + MEAN + second]) / (n - 1) else Double.NaN
+            }
+            for (c in SQUARE until PRODUCT) if (r[b + c] < 0) r[b + c] = 0.0
+        }
+        return r
     }
 
     /** Adds to each bin the part of a sphere that lies in it. */
     private fun addVolume(result: DoubleArray, centre: Double, radius: Double, width: Double) {
+        if (centre.isInfinite()) return
         val first = maxOf(0, Math.floor((centre - radius - from) / width).toInt())
         val last = minOf(bins - 1, Math.floor((centre + radius - from) / width).toInt())
         for (bin in first..last) {
             val low = from + bin * width
-            result[bin * WIDTH + 3] += below(low + width - centre, radius) - below(low - centre, radius)
+            result[bin * WIDTH + VOLUME] += below(low + width - centre, radius) - below(low - centre, radius)
         }
     }
 
@@ -101,5 +132,14 @@ public class Profile(public val axis: Int, public val from: Double, public val t
         public val COLUMNS: List<String> =
             listOf("count", "surface_density", "optical_depth", "filling_factor", "mean_vx", "mean_vy", "mean_vz", "c_xx", "c_yy", "c_zz", "c_xy")
         private val WIDTH = COLUMNS.size
+        private const val MASS = 1
+        private const val DEPTH = 2
+        private const val VOLUME = 3
+        private const val MEAN = 4
+        private const val SQUARE = 7
+        private const val PRODUCT = 10
+
+        /** Part of a length by which two ends may differ and be the same. */
+        private const val SAME = 1e-9
     }
 }

@@ -10,7 +10,6 @@ import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.transport.Transport
 import daphnis.core.population.VelocityMoments
 import kotlin.math.PI
-import kotlin.math.sqrt
 
 /** The table of numbers of a run: from its transport file where there is one, else from its snapshots; beside known values where there are any. */
 internal class Numbers(private val input: AnalysisInput, private val from: Double, private val states: Averages) {
@@ -31,6 +30,15 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
 
     val ellipsoid: VelocityEllipsoid get() = VelocityEllipsoid.of(moment("xx").mean, moment("yy").mean, moment("zz").mean, moment("xy").mean)
 
+    /** Whether the averages are over a steady time, in sentences. */
+    fun steadiness(): List<String> {
+        val histories = RunHistory.of(input).ifEmpty {
+            listOf(History("granular temperature", DoubleArray(states.size) { from + it }, states.series(TEMPERATURE)))
+        }
+        val orbit = input.omega?.let { 2 * PI / it }
+        return SteadinessText(from, if (orbit != null) "orbit" else "unit of time", orbit ?: 1.0).of(histories)
+    }
+
     fun rows(): List<NumberRow> = if (input.omega != null) ring(input.omega) else box()
 
     private fun ring(omega: Double): List<NumberRow> {
@@ -39,7 +47,7 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         val references = input.scenario?.let { References.ofPatch(it, omega, opticalDepth) } ?: emptyMap()
         val rows = ArrayList<NumberRow>()
         fun add(what: String, a: BlockAverage, unit: String, scale: Double, key: String = "", note: String = "") {
-            rows += NumberRow(what, a.mean / scale, a.error / scale, unit, references[key], note)
+            rows += NumberRow.of(what, a * (1 / scale), unit, references[key], note)
         }
         fun exact(what: String, value: Double, unit: String, note: String = "") {
             rows += NumberRow(what, value, Double.NaN, unit, note = note)
@@ -49,24 +57,25 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         exact("mean radius r", r, units.length)
         exact("r Ω", speed, units.speed)
         add("velocity dispersion c", transport?.dispersion ?: states.average(DISPERSION), "r Ω", speed, "c")
-        for ((name, axis) in listOf("xx" to "x", "yy" to "y", "zz" to "z")) add("σ_$axis", root(moment(name)), "r Ω", speed, "sigma_$axis")
-        exact("orientation of the velocity ellipsoid", Math.toDegrees(ellipsoid.orientation), "degrees", "from the radial direction toward the orbit")
+        for ((name, axis) in listOf("xx" to "x", "yy" to "y", "zz" to "z")) add("σ_$axis", moment(name).root(), "r Ω", speed, "sigma_$axis")
+        val orientation = transport?.orientation ?: BlockAverage(ellipsoid.orientation, Double.NaN, states.size)
+        add("orientation of the velocity ellipsoid", orientation, "degrees", Math.toRadians(1.0), note = "from the radial direction toward the orbit")
         add("scale height H", transport?.scaleHeight ?: states.average(HEIGHT), "r", r, "H")
         add("filling factor in the middle plane", states.average(MIDPLANE), "", 1.0, "midplane")
         if (transport != null) {
             add("collisions of a particle", transport.collisionRate, "orbit^-1", omega / (2 * PI), "collisions")
-            exact("mean impact speed", transport.impactSpeed * (input.scenario?.units?.speedInCmPerSecond ?: 1.0), "cm/s")
+            add("mean impact speed", transport.impactSpeed, "cm/s", 1 / (input.scenario?.units?.speedInCmPerSecond ?: 1.0))
             val unit = r * r * omega
             add("viscosity, translational", transport.translational, "r² Ω", unit, "nu_trans")
             add("viscosity, collisional", transport.collisional, "r² Ω", unit, "nu_coll")
             if (transport.gravitational.mean != 0.0) add("viscosity, gravitational", transport.gravitational, "r² Ω", unit)
-            exact("viscosity, total", transport.viscosity, units.viscosity)
-            exact("(9/4) Ω² ν over dissipation", transport.energyBalance, "", "1 in a steady state")
+            add("viscosity, total", transport.viscosity, units.viscosity, 1.0)
+            add("(9/4) Ω² ν over dissipation", transport.energyBalance, "", 1.0, note = "1 in a steady state")
         }
         val gravity = input.scenario?.forces?.filterIsInstance<daphnis.core.scenario.ForceSpec.SelfGravity>()?.firstOrNull()
         val constant = gravity?.constant ?: input.scenario?.units?.gravitationalConstant
         if (gravity != null && constant != null) {
-            val dispersion = root(moment("xx"))
+            val dispersion = moment("xx").root()
             add("Toomre's Q", dispersion, "", 3.36 * constant * surfaceDensity / omega, note = "σ_x Ω / (3.36 G Σ)")
             exact("critical wavelength 4π² G Σ/Ω²", 4 * PI * PI * constant * surfaceDensity / (omega * omega), units.length)
         }
@@ -76,40 +85,38 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
     private fun box(): List<NumberRow> {
         val rows = ArrayList<NumberRow>()
         val scenario = input.scenario
-        val n = indices().size
-        val density = n / state.boundary.box.volume
+        val density = indices().size / state.boundary.box.volume
         val temperature = transport?.temperature ?: states.average(TEMPERATURE)
         rows += NumberRow("filling factor φ", fillingFactor, Double.NaN, "")
         rows += NumberRow("mean radius", meanRadius, Double.NaN, units.length)
-        val flow = state.boundary.meanFlow
         val gas = scenario?.let { References.ofElastic(it, fillingFactor, temperature.mean, density) } ?: emptyMap()
-        val note = if (flow != null && transport?.isPeculiar == false) OLD_TRANSPORT else ""
-        val unit = "(${units.speed})^2"
-        rows += NumberRow("granular temperature ⟨c²⟩/3", temperature.mean, temperature.error, unit, note = note)
+        val isOld = state.boundary.meanFlow != null && transport?.isPeculiar == false
+        val note = if (isOld) OLD_TRANSPORT else ""
+        rows += NumberRow.of("granular temperature ⟨c²⟩/3", temperature, "(${units.speed})^2", note = note)
         if (transport == null) return rows
-        val mass = population.mass.sum()
-        val rate = transport.collisionRate
-        rows += NumberRow("collisions of a particle", rate.mean, rate.error, "${units.time}^-1", gas["rate"])
-        val pressure = listOf("xx", "yy", "zz").map { transport.pressure(it) }
-        val p = BlockAverage(pressure.sumOf { it.mean } / 3, sqrt(pressure.sumOf { it.error * it.error }) / 3, pressure[0].count)
-        rows += NumberRow("compressibility p V / (M T)", p.mean / temperature.mean, p.error / temperature.mean, "", gas["Z"])
-        if (flow == null || flow.rate == 0.0) return rows
-        val shear = scenario?.let { References.ofShear(it, fillingFactor) } ?: emptyMap()
-        // T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume.
-        val diameter = 2 * meanRadius
-        val gamma2 = flow.rate * flow.rate * diameter * diameter
-        val stress = mass / state.boundary.box.volume / (population.mass.average() / (PI / 6 * diameter * diameter * diameter) * gamma2)
-        rows += NumberRow("temperature T* = T/(γσ)²", temperature.mean / gamma2, temperature.error / gamma2, "", shear["T*"])
-        rows += NumberRow("pressure p* = p/(ρ_p σ²γ²)", p.mean * stress, p.error * stress, "", shear["p*"])
-        val xy = transport.pressure("xy")
-        rows += NumberRow("shear stress τ* = −P_xy/(ρ_p σ²γ²)", -xy.mean * stress * Math.signum(flow.rate), xy.error * stress, "", shear["tau*"])
-        rows += NumberRow("viscosity, translational", transport.translational.mean, transport.translational.error, units.viscosity)
-        rows += NumberRow("viscosity, collisional", transport.collisional.mean, transport.collisional.error, units.viscosity)
-        rows += NumberRow("γ² ν over dissipation", transport.energyBalance, Double.NaN, "", note = "1 in a steady state")
-        return rows
+        rows += NumberRow.of("collisions of a particle", transport.collisionRate, "${units.time}^-1", gas["rate"])
+        rows += NumberRow.of("compressibility p V / (M T)", transport.compressibility, "", gas["Z"])
+        val flow = state.boundary.meanFlow
+        return if (flow == null || flow.rate == 0.0) rows else rows + sheared(transport, flow.rate)
     }
 
-    private fun root(a: BlockAverage) = BlockAverage(sqrt(a.mean), a.error / (2 * sqrt(a.mean)), a.count)
+    /** T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume. */
+    private fun sheared(transport: Transport, rate: Double): List<NumberRow> {
+        val rows = ArrayList<NumberRow>()
+        val shear = input.scenario?.let { References.ofShear(it, fillingFactor) } ?: emptyMap()
+        val mass = population.mass.sum()
+        val diameter = 2 * meanRadius
+        val gamma2 = rate * rate * diameter * diameter
+        val stress = mass / state.boundary.box.volume / (population.mass.average() / (PI / 6 * diameter * diameter * diameter) * gamma2)
+        rows += NumberRow.of("temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "", shear["T*"])
+        rows += NumberRow.of("pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "", shear["p*"])
+        rows += NumberRow.of("shear stress τ* = −P_xy/(ρ_p σ²γ²)", transport.pressure("xy") * (-stress * Math.signum(rate)), "", shear["tau*"])
+        rows += NumberRow.of("viscosity, translational", transport.translational, units.viscosity)
+        rows += NumberRow.of("viscosity, collisional", transport.collisional, units.viscosity)
+        rows += NumberRow.of("viscosity, total", transport.viscosity, units.viscosity)
+        rows += NumberRow.of("γ² ν over dissipation", transport.energyBalance, "", note = "1 in a steady state")
+        return rows
+    }
 
     companion object {
         private const val DISPERSION = 6

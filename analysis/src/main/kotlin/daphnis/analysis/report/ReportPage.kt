@@ -1,10 +1,25 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.statistics.BlockAverage
 import java.util.Base64
 import java.util.Locale
 
-/** A row of the table of numbers; [error] NaN for none. */
-internal class NumberRow(val what: String, val value: Double, val error: Double, val unit: String, val reference: Reference? = null, val note: String = "")
+/** A row of the table of numbers; [error] NaN for none, either because there is none or, [isUncertain], because too few independent states tell it. */
+internal class NumberRow(
+    val what: String,
+    val value: Double,
+    val error: Double,
+    val unit: String,
+    val reference: Reference? = null,
+    val note: String = "",
+    val isUncertain: Boolean = false,
+) {
+    companion object {
+        /** The average [a] in [unit]. */
+        fun of(what: String, a: BlockAverage, unit: String, reference: Reference? = null, note: String = "") =
+            NumberRow(what, a.mean, a.error, unit, reference, note, !a.isLevelled && !a.mean.isNaN())
+    }
+}
 
 /** One HTML page with everything inside: pictures as data, style in the head, no script. */
 internal class ReportPage(private val title: String) {
@@ -43,7 +58,7 @@ internal class ReportPage(private val title: String) {
         body.append("</tr></thead><tbody>\n")
         for (row in rows) {
             body.append("<tr><td>${escape(row.what)}${if (row.note.isEmpty()) "" else " <small>${escape(row.note)}</small>"}</td>")
-            body.append("<td class=\"n\">${withError(row.value, row.error)}</td><td>${unit(row.unit)}</td>")
+            body.append("<td class=\"n\">${withError(row.value, row.error)}${if (row.isUncertain) "<sup>?</sup>" else ""}</td><td>${unit(row.unit)}</td>")
             if (compared) {
                 val reference = row.reference
                 if (reference == null) {
@@ -60,6 +75,7 @@ internal class ReportPage(private val title: String) {
             body.append("</tr>\n")
         }
         body.append("</tbody></table></div>\n")
+        if (rows.any { it.isUncertain }) body.append("<p><small><sup>?</sup> ${escape(UNCERTAIN)}</small></p>\n")
     }
 
     fun commands(lines: List<String>) {
@@ -137,6 +153,7 @@ $body</main></body></html>
 
         private fun minus(text: String) = text.replace("-", "−")
 
+        private const val UNCERTAIN = "No error can be given: the states that are averaged are worth fewer than eight independent ones."
         private const val SMALL = 1e-3
         private const val LARGE = 1e5
     }

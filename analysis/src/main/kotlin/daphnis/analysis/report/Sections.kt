@@ -59,11 +59,15 @@ internal class Sections(
         } else {
             "$states snapshots"
         }
-        page.paragraph("Averages over $origin. ± is one standard error from block averaging; numbers without it follow from the particles themselves or from averages.")
+        page.paragraph("Averages over $origin. ± is one standard error from block averaging; numbers without it follow from the particles themselves.")
+        for (line in numbers.steadiness()) page.paragraph(line)
         page.numbers(rows)
         Files.createDirectories(tables)
-        val lines = rows.map { "${it.what.replace(',', ';')},${it.value},${if (it.error.isNaN()) "" else it.error},${it.unit},${it.reference?.value ?: ""}" }
-        Files.write(tables.resolve("numbers.csv"), listOf("quantity,value,standard_error,unit,reference") + lines)
+        val lines = rows.map {
+            "${it.what.replace(',', ';')},${it.value},${if (it.error.isNaN()) "" else it.error},${it.unit},${it.reference?.value ?: ""}," +
+                if (it.isUncertain) "too few independent states" else ""
+        }
+        Files.write(tables.resolve("numbers.csv"), listOf("quantity,value,standard_error,unit,reference,remark") + lines)
     }
 
     private fun snapshots(n: Int) = if (n == 1) "one snapshot" else "$n snapshots"

@@ -153,6 +153,15 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
                 Column("dispersion", units.speed, s.dispersion),
                 Column("q", "", s.q),
                 Column("spacing", units.length, s.spacing),
+                Column("mean_x_error", units.length, s.meanXError),
+                Column("optical_depth_error", "", s.opticalDepthError),
+                Column("mean_e_error", units.length, s.meanEError),
+                Column("mean_i_error", units.length, s.meanIError),
+                Column("phase_error", "rad", s.phaseError),
+                Column("forced_e_error", units.length, s.forcedEError),
+                Column("forced_e_unbiased", units.length, s.forcedEUnbiased),
+                Column("dispersion_error", units.speed, s.dispersionError),
+                Column("q_error", "", s.qError),
             ),
         ).write(tables)
     }

@@ -3,6 +3,7 @@ package daphnis.analysis.streamline
 import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
+import daphnis.core.boundary.ContactFaces
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.hypot
@@ -11,6 +12,8 @@ import kotlin.math.sqrt
 /**
  * Streamlines as ring dynamicists read them (Lewis & Stewart 2000, AJ 120, 3295; Lewis's SwiftVis): the patch is cut into slabs of azimuth; in each the particles,
  * sorted by radial distance, are cut into groups of equal count. Streamline k goes through the mean place of group k from slab to slab.
+ *
+ * Errors are one standard error, from the scatter of the particles of a group (its number less one), as if they were independent; NaN for fewer than two.
  *
  * Arrays are by group and slab: entry `slab · groups + group`, groups from the inside out, slabs from low y to high. A group of an empty slab, and one that gets no
  * particle, has count 0 and NaN elsewhere.
@@ -34,24 +37,48 @@ public class Streamlines private constructor(public val slabs: Int, public val g
     /** Mean X of the guiding centres; x without Hill's frame. */
     public val guidingX: DoubleArray = nan()
 
-    /** Optical depth Σ π r² / (Δx Δy), Δx from least to greatest x. */
+    /**
+     * Error of [meanX] for a given [guidingX], of groups sorted by guiding centre. NaN for groups sorted by x, whose places the sort sets.
+     */
+    public val meanXError: DoubleArray = nan()
+
+    /**
+     * Optical depth Σ π r² / (Δs Δy). s is what was sorted by: x, or the guiding centre X, when it is the depth that the ring would have on circular orbits. Δs is
+     * between the middles of neighbouring groups, which are at the mean s; at the ends of a periodic patch the neighbour is the image of the group at the other
+     * end, and where there is none the group goes as far out from its middle as in. Of n independent particles a group, Δs² scatters by 5/(12 n) of itself, by 2/(3 n) at
+     * an end; by these less 1/(n · groups), since a slab's length is fixed, the mean of 1/Δs would be too large, which is taken out.
+     */
     public val opticalDepth: DoubleArray = nan()
+    public val opticalDepthError: DoubleArray = nan()
+
+    /** Residual velocity dispersion, around the group's mean velocity with the shear −(3/2)Ωx taken out; each particle counts alike. */
+    public val dispersion: DoubleArray = nan()
+    public val dispersionError: DoubleArray = nan()
 
     /** Mean amplitude e of the epicycles, and i of the vertical motion, in units of length. NaN without Hill's frame, as all that follows. */
     public val meanE: DoubleArray = nan()
+    public val meanEError: DoubleArray = nan()
     public val meanI: DoubleArray = nan()
+    public val meanIError: DoubleArray = nan()
 
-    /** Mean phase φ: direction of Σ e·exp(iφ), unwrapped from slab to slab. */
+    /** Mean phase φ: direction of Σ e·exp(iφ), unwrapped from slab to slab; its error in radians, for errors well below 1. */
     public val phase: DoubleArray = nan()
+    public val phaseError: DoubleArray = nan()
 
-    /** Forced eccentricity |⟨e·exp(iφ)⟩|, in units of length: what the particles of a group have in common. */
+    /**
+     * Forced eccentricity |⟨e·exp(iφ)⟩|, in units of length: what the particles of a group have in common. Random epicycles alone make it √(π/4) ⟨e²⟩^½/√n of n
+     * particles; [forcedEUnbiased] is √(|⟨e·exp(iφ)⟩|² − its expected noise), 0 where the noise is larger.
+     */
     public val forcedE: DoubleArray = nan()
+    public val forcedEError: DoubleArray = nan()
+    public val forcedEUnbiased: DoubleArray = nan()
 
-    /** Residual velocity dispersion, around the group's mean velocity with the shear −(3/2)Ωx taken out. */
-    public val dispersion: DoubleArray = nan()
-
-    /** q = |d(e·exp(iφ))/dX| between neighbouring streamlines: where it reaches 1 they cross (Borderies, Goldreich & Tremaine 1982, Nature 299, 209). */
+    /**
+     * q = |d(e·exp(iφ))/dX| between neighbouring streamlines: where it reaches 1 they cross (Borderies, Goldreich & Tremaine 1982, Nature 299, 209). Noise raises it;
+     * it means nothing below some two of its errors.
+     */
     public val q: DoubleArray = nan()
+    public val qError: DoubleArray = nan()
 
     /** Distance in x from this streamline to the next one out; negative where they have crossed. */
     public val spacing: DoubleArray = nan()
@@ -59,71 +86,96 @@ public class Streamlines private constructor(public val slabs: Int, public val g
     private val forcedCos = nan()
     private val forcedSin = nan()
 
+    /** Squared error of the mean of e·exp(iφ), of both directions together. */
+    private val noise = nan()
+
+    /** Σ π r², and the square of its error. */
+    private val area = nan()
+    private val areaScatter = nan()
+
     /** Entry of [group] in [slab]. */
     public fun at(slab: Int, group: Int): Int = slab * groups + group
 
     private fun nan() = DoubleArray(n) { Double.NaN }
 
-    private fun measure(state: PatchState, members: IntArray, first: Int, end: Int, entry: Int) {
-        val size = end - first
-        count[entry] = size
-        if (size == 0) return
+    private fun measure(state: PatchState, group: StreamlineGroup, entry: Int) {
+        val n = group.size
+        count[entry] = n
+        if (n == 0) return
         val p = state.population
-        val omega = state.omega
-        var x = 0.0
-        var y = 0.0
-        var least = Double.POSITIVE_INFINITY
-        var most = Double.NEGATIVE_INFINITY
-        var area = 0.0
-        var gx = 0.0
-        var e = 0.0
-        var i = 0.0
-        var c = 0.0
-        var s = 0.0
-        val mean = DoubleArray(3)
-        val square = DoubleArray(3)
-        val vertical = if (omega == null) 1.0 else omega * maxOf(state.verticalFactor, 1e-300)
-        for (m in first until end) {
-            val k = members[m]
-            x += p.x[k]
-            y += p.y[k]
-            least = Math.min(least, p.x[k])
-            most = Math.max(most, p.x[k])
-            area += PI * p.radius[k] * p.radius[k]
-            for (axis in 0..2) {
-                val v = state.againstFlow(k, axis)
-                mean[axis] += v
-                square[axis] += v * v
-            }
-            if (omega == null) {
-                gx += p.x[k]
-                continue
-            }
-            val guiding = 4 * p.x[k] + 2 * p.vy[k] / omega
-            val cosine = guiding - p.x[k]
-            val sine = p.vx[k] / omega
-            gx += guiding
-            c += cosine
-            s += sine
-            e += hypot(cosine, sine)
-            i += hypot(p.z[k], p.vz[k] / vertical)
+        meanX[entry] = group.mean { p.x[it] }
+        meanY[entry] = group.mean { p.y[it] }
+        minX[entry] = group.least { p.x[it] }
+        maxX[entry] = -group.least { -p.x[it] }
+        area[entry] = group.sum { PI * p.radius[it] * p.radius[it] }
+        areaScatter[entry] = group.variance { PI * p.radius[it] * p.radius[it] } * n
+        val mean = DoubleArray(3) { axis -> group.mean { state.againstFlow(it, axis) } }
+        val square = group.variance { state.againstFlow(it, 0) } + group.variance { state.againstFlow(it, 1) } + group.variance { state.againstFlow(it, 2) }
+        dispersion[entry] = sqrt(square)
+        val spread = group.variance { k ->
+            val u = state.againstFlow(k, 0) - mean[0]
+            val v = state.againstFlow(k, 1) - mean[1]
+            val w = state.againstFlow(k, 2) - mean[2]
+            u * u + v * v + w * w
         }
-        meanX[entry] = x / size
-        meanY[entry] = y / size
-        minX[entry] = least
-        maxX[entry] = most
-        guidingX[entry] = gx / size
-        if (most > least) opticalDepth[entry] = area / ((most - least) * slabWidth)
-        var variance = 0.0
-        for (axis in 0..2) variance += Math.max(0.0, square[axis] / size - (mean[axis] / size) * (mean[axis] / size))
-        dispersion[entry] = sqrt(variance)
-        if (omega == null) return
-        meanE[entry] = e / size
-        meanI[entry] = i / size
-        forcedCos[entry] = c / size
-        forcedSin[entry] = s / size
-        forcedE[entry] = hypot(c, s) / size
+        if (square > 0) dispersionError[entry] = sqrt(spread / n) * n / (n - 1) / (2 * sqrt(square))
+        val omega = state.omega
+        if (omega == null) guidingX[entry] = meanX[entry] else epicycles(state, omega, group, entry)
+    }
+
+    private fun epicycles(state: PatchState, omega: Double, group: StreamlineGroup, entry: Int) {
+        val p = state.population
+        val n = group.size
+        val vertical = omega * Math.max(state.verticalFactor, 1e-300)
+        fun cosine(k: Int) = 3 * p.x[k] + 2 * p.vy[k] / omega
+        fun sine(k: Int) = p.vx[k] / omega
+        guidingX[entry] = group.mean { p.x[it] + cosine(it) }
+        if (key == RadialKey.GUIDING_CENTRE) meanXError[entry] = sqrt(group.variance { cosine(it) } / n)
+        meanE[entry] = group.mean { hypot(cosine(it), sine(it)) }
+        meanEError[entry] = sqrt(group.variance { hypot(cosine(it), sine(it)) } / n)
+        meanI[entry] = group.mean { hypot(p.z[it], p.vz[it] / vertical) }
+        meanIError[entry] = sqrt(group.variance { hypot(p.z[it], p.vz[it] / vertical) } / n)
+        val c = group.mean { cosine(it) }
+        val s = group.mean { sine(it) }
+        val forced = hypot(c, s)
+        forcedCos[entry] = c
+        forcedSin[entry] = s
+        forcedE[entry] = forced
         phase[entry] = atan2(s, c)
+        noise[entry] = (group.variance { cosine(it) } + group.variance { sine(it) }) / n
+        forcedEUnbiased[entry] = sqrt(Math.max(0.0, forced * forced - noise[entry]).let { if (noise[entry].isNaN()) Double.NaN else it })
+        if (forced == 0.0) return
+        // Along the mean, and across it.
+        forcedEError[entry] = sqrt(group.variance { (cosine(it) * c + sine(it) * s) / forced } / n)
+        phaseError[entry] = sqrt(group.variance { (sine(it) * c - cosine(it) * s) / forced } / n) / forced
+    }
+
+    /** Optical depths of [slab] from the middles of its groups, with images [period] apart; infinite for none. */
+    private fun depths(slab: Int, period: Double) {
+        val filled = (0 until groups).map { at(slab, it) }.filter { count[it] > 0 }
+        if (filled.isEmpty()) return
+        val middle = if (key == RadialKey.GUIDING_CENTRE) guidingX else meanX
+        for ((place, entry) in filled.withIndex()) {
+            val inner = if (place > 0) middle[filled[place - 1]] else middle[filled.last()] - period
+            val outer = if (place < filled.size - 1) middle[filled[place + 1]] else middle[filled.first()] + period
+            val atEnd = inner.isInfinite() || outer.isInfinite()
+            val width = if (filled.size == 1 && atEnd) {
+                (maxX[entry] - minX[entry]) * (count[entry] + 1) / (count[entry] - 1)
+            } else if (filled.size == 1) {
+                period
+            } else if (inner.isInfinite()) {
+                outer - middle[entry]
+            } else if (outer.isInfinite()) {
+                middle[entry] - inner
+            } else {
+                (outer - inner) / 2
+            }
+            if (!(width > 0)) continue
+            val scatter = if (atEnd) END_SCATTER else SCATTER
+            val excess = Math.max(0.0, scatter - 1.0 / filled.size) / count[entry]
+            opticalDepth[entry] = area[entry] / (width * slabWidth) * (1 - excess)
+            opticalDepthError[entry] = opticalDepth[entry] * sqrt(scatter / count[entry] + areaScatter[entry] / (area[entry] * area[entry]))
+        }
     }
 
     private fun compareNeighbours() {
@@ -134,7 +186,10 @@ public class Streamlines private constructor(public val slabs: Int, public val g
                 val inner = if (group > 0) k - 1 else k
                 val outer = if (group + 1 < groups) k + 1 else k
                 val distance = guidingX[outer] - guidingX[inner]
-                if (outer > inner && distance != 0.0) q[k] = hypot(forcedCos[outer] - forcedCos[inner], forcedSin[outer] - forcedSin[inner]) / Math.abs(distance)
+                if (outer == inner || distance == 0.0) continue
+                q[k] = hypot(forcedCos[outer] - forcedCos[inner], forcedSin[outer] - forcedSin[inner]) / Math.abs(distance)
+                // Noise of one direction is half of that of both.
+                qError[k] = sqrt((noise[outer] + noise[inner]) / 2) / Math.abs(distance)
             }
         }
         for (group in 0 until groups) {
@@ -149,6 +204,12 @@ public class Streamlines private constructor(public val slabs: Int, public val g
     }
 
     public companion object {
+        /** Variance of the width between the middles of a group's neighbours, times n, of its square: n independent particles in each. */
+        private const val SCATTER = 5.0 / 12
+
+        /** The same at an end without an image, from the group's middle to that of its neighbour. */
+        private const val END_SCATTER = 2.0 / 3
+
         /**
          * Cuts the particles of [state] into [slabs] of azimuth and [groups] in each. Linear in N beside the sort.
          *
@@ -159,22 +220,10 @@ public class Streamlines private constructor(public val slabs: Int, public val g
             require(slabs >= 1) { "$slabs slabs; there must be at least one" }
             require(groups >= 1) { "$groups groups; there must be at least one" }
             order.sort(state, key)
+            val strip = strip(state)
+            val low = strip[0]
+            val width = (strip[1] - strip[0]) / slabs
             val p = state.population
-            val low: Double
-            val width: Double
-            if (state.boundary.box.length(1).isFinite()) {
-                low = state.boundary.box.lower(1)
-                width = state.boundary.box.length(1) / slabs
-            } else {
-                var least = Double.POSITIVE_INFINITY
-                var most = Double.NEGATIVE_INFINITY
-                for (k in 0 until p.size) {
-                    least = minOf(least, p.y[k])
-                    most = maxOf(most, p.y[k])
-                }
-                low = if (p.size == 0) 0.0 else least
-                width = if (p.size == 0 || most == least) 1.0 else (most - least) / slabs
-            }
             fun slab(k: Int) = ((p.y[k] - low) / width).toInt().coerceIn(0, slabs - 1)
             // Members of a slab in radial order: a counting sort of the ranks.
             val start = IntArray(slabs + 2)
@@ -185,15 +234,39 @@ public class Streamlines private constructor(public val slabs: Int, public val g
                 val k = order.order[rank]
                 if (state.isParticle(k)) members[start[slab(k) + 1]++] = k
             }
+            val period = if (state.boundary.contactFaces(0) == ContactFaces.PERIODIC) state.boundary.box.length(0) else Double.POSITIVE_INFINITY
             val lines = Streamlines(slabs, groups, width, key)
+            val group = StreamlineGroup(members)
             for (s in 0 until slabs) {
                 val size = (start[s + 1] - start[s]).toLong()
                 for (g in 0 until groups) {
-                    lines.measure(state, members, start[s] + (size * g / groups).toInt(), start[s] + (size * (g + 1) / groups).toInt(), lines.at(s, g))
+                    group.span(start[s] + (size * g / groups).toInt(), start[s] + (size * (g + 1) / groups).toInt())
+                    lines.measure(state, group, lines.at(s, g))
                 }
+                lines.depths(s, period)
             }
             lines.compareNeighbours()
             return lines
+        }
+
+        /** From where to where along y the slabs go: the box where it is finite, else the particles. */
+        private fun strip(state: PatchState): DoubleArray {
+            val p = state.population
+            val box = state.boundary.box
+            if (box.length(1).isFinite()) return doubleArrayOf(box.lower(1), box.lower(1) + box.length(1))
+            var least = Double.POSITIVE_INFINITY
+            var most = Double.NEGATIVE_INFINITY
+            for (k in 0 until p.size) {
+                least = minOf(least, p.y[k])
+                most = maxOf(most, p.y[k])
+            }
+            return if (most > least) {
+                doubleArrayOf(least, most)
+            } else if (p.size == 0) {
+                doubleArrayOf(0.0, 1.0)
+            } else {
+                doubleArrayOf(least, least + 1)
+            }
         }
     }
 }

@@ -4,11 +4,17 @@ import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.atan2
 import kotlin.math.sqrt
 
 /**
  * Averages of a steady shear flow from a run's [TransportTable]: Hill's frame with γ = dv_y/dx = −(3/2)Ω, or
- * Lees–Edwards boxes. Errors are standard errors from block averaging. Units are the run's.
+ * Lees–Edwards boxes. Units are the run's.
+ *
+ * Rows cut the time into intervals. An interval has the state of the row at its end and what collisions added since the row
+ * before. Every quantity is a function of the means of these over all intervals, by length of time, and its error is that of
+ * the function ([BlockAverage]): parts that fluctuate together, such as the three pressures, or what particles carry and what
+ * collisions carry, are not taken as independent.
  *
  * Two kinds of velocity: c is peculiar, without the mean flow as it is measured, and temperature and dispersion are of
  * it; w is without the straight flow of the boundary's rate, and stresses are of it, since the energy balance holds for
@@ -33,6 +39,11 @@ public class Transport(private val table: TransportTable, private val shearRate:
     }
 
     private val time = table["time"]
+    private val intervals = table.size - 1
+    private val length = DoubleArray(intervals) { time[it + 1] - time[it] }
+
+    /** −1 for a shear that carries momentum to lower velocities along +, as Hill's does; the viscosity is positive either way. NaN without shear. */
+    private val toViscosity = if (shearRate == 0.0) Double.NaN else -(if (shearRate < 0) -1.0 else 1.0) / abs(shearRate)
 
     /** Length of time that is averaged. */
     public val duration: Double get() = time.last() - time.first()
@@ -44,68 +55,97 @@ public class Transport(private val table: TransportTable, private val shearRate:
     public val isPeculiar: Boolean get() = "kinetic_xx" in table
 
     /** ⟨c_a c_b⟩ by component name, such as `xx`. */
-    public fun moment(component: String): BlockAverage = BlockAverage.of(table["c_$component"])
+    public fun moment(component: String): BlockAverage = average(during("c_$component")) { it[0] }
 
     /** ⟨w_a w_b⟩ by component name: the kinetic part of the pressure tensor, times volume over mass. */
-    public fun kinetic(component: String): BlockAverage = BlockAverage.of(table[if (isPeculiar) "kinetic_$component" else "c_$component"])
+    public fun kinetic(component: String): BlockAverage = average(during(carried + component)) { it[0] }
 
     /** √(⟨c_x²⟩ + ⟨c_y²⟩ + ⟨c_z²⟩). */
-    public val dispersion: BlockAverage
-        get() = BlockAverage.of(DoubleArray(table.size) { sqrt(table["c_xx"][it] + table["c_yy"][it] + table["c_zz"][it]) })
+    public val dispersion: BlockAverage get() = average(*diagonal("c_")) { sqrt(it[0] + it[1] + it[2]) }
 
     /** Granular temperature ⟨c²⟩/3. */
-    public val temperature: BlockAverage
-        get() = BlockAverage.of(DoubleArray(table.size) { (table["c_xx"][it] + table["c_yy"][it] + table["c_zz"][it]) / 3 })
+    public val temperature: BlockAverage get() = average(*diagonal("c_")) { (it[0] + it[1] + it[2]) / 3 }
 
     /** Of the averaged tensor. */
     public val ellipsoid: VelocityEllipsoid
         get() = VelocityEllipsoid.of(moment("xx").mean, moment("yy").mean, moment("zz").mean, moment("xy").mean)
 
-    public val scaleHeight: BlockAverage get() = BlockAverage.of(table["scale_height"])
+    /** Angle from x to the long axis of the averaged tensor in the plane, toward y, in radians, in (−π/2, π/2]. */
+    public val orientation: BlockAverage
+        get() {
+            val columns = arrayOf(during("c_xx"), during("c_yy"), during("c_xy"))
+            val whole = ellipsoid.orientation
+            // The same axis half a turn on is the same axis: the nearer one is meant.
+            return average(*columns) { angle(it).let { a -> a - PI * Math.rint((a - whole) / PI) } }
+        }
+
+    public val scaleHeight: BlockAverage get() = average(during("scale_height")) { it[0] }
 
     /** Collisions of a particle in a unit of time. */
-    public val collisionRate: BlockAverage get() = rate("collisions") { 2.0 / table["particles"][it] }
+    public val collisionRate: BlockAverage get() = average(added("collisions", "particles")) { 2 * it[0] }
 
     /** Mean impact speed. */
-    public val impactSpeed: Double
-        get() = (table["sum_impact_speed"].last() - table["sum_impact_speed"].first()) / (table["collisions"].last() - table["collisions"].first())
+    public val impactSpeed: BlockAverage get() = average(added("sum_impact_speed", null), added("collisions", null)) { it[0] / it[1] }
 
-    public val translational: BlockAverage get() = scaled(kinetic("xy"), -sign() / rateOrNaN())
-    public val collisional: BlockAverage get() = rate("virial_xy") { -sign() / table["mass"][it] / rateOrNaN() }
-    public val gravitational: BlockAverage
-        get() = BlockAverage.of(DoubleArray(table.size) { -sign() * table["gravity_xy"][it] / table["mass"][it] / rateOrNaN() })
+    public val translational: BlockAverage get() = kinetic("xy") * toViscosity
+    public val collisional: BlockAverage get() = average(added("virial_xy", "mass")) { it[0] } * toViscosity
+    public val gravitational: BlockAverage get() = average(gravity()) { it[0] } * toViscosity
 
-    /** Sum of the three viscosities; the error of the sum of series, since they are correlated. */
-    public val viscosity: Double get() = translational.mean + collisional.mean + gravitational.mean
+    /** Sum of the three viscosities. */
+    public val viscosity: BlockAverage get() = average(*stresses()) { it[0] + it[1] + it[2] } * toViscosity
 
     /** Energy dissipated in a unit of time and mass. */
-    public val dissipation: BlockAverage get() = rate("dissipated") { 1 / table["mass"][it] }
+    public val dissipation: BlockAverage get() = average(added("dissipated", "mass")) { it[0] }
 
     /** γ² ν over the dissipation: 1 in a steady state. NaN without dissipation. */
-    public val energyBalance: Double get() = shearRate * shearRate * viscosity / dissipation.mean
+    public val energyBalance: BlockAverage
+        get() = average(*stresses(), added("dissipated", "mass")) { if (it[3] == 0.0) Double.NaN else (it[0] + it[1] + it[2]) / it[3] } *
+            (toViscosity * shearRate * shearRate)
 
     /** Pressure tensor times volume over mass, by component: ⟨w_a w_b⟩ + Σ Δp_a δ_b / (M T). */
-    public fun pressure(component: String): BlockAverage {
-        val collisions = rate("virial_$component") { 1 / table["mass"][it] }
-        val kinetic = kinetic(component)
-        val error = sqrt(kinetic.error * kinetic.error + collisions.error * collisions.error)
-        return BlockAverage(kinetic.mean + collisions.mean, error, kinetic.count)
-    }
+    public fun pressure(component: String): BlockAverage =
+        average(during(carried + component), added("virial_$component", "mass")) { it[0] + it[1] }
+
+    /** Pressure times volume over mass: a third of the trace of the tensor. */
+    public val pressure: BlockAverage get() = average(*diagonal(carried), *virials()) { it.sum() / 3 }
+
+    /** Compressibility: [pressure] over [temperature]. */
+    public val compressibility: BlockAverage
+        get() = average(*diagonal("c_"), *diagonal(carried), *virials()) {
+            (it[3] + it[4] + it[5] + it[6] + it[7] + it[8]) / (it[0] + it[1] + it[2])
+        }
 
     /** Orbits averaged, for an angular speed. */
     public fun orbits(omega: Double): Double = duration * omega / (2 * PI)
 
-    /** −1 for a shear that carries momentum to lower velocities along +, as Hill's does; the viscosity is positive either way. */
-    private fun sign() = if (shearRate < 0) -1.0 else 1.0
+    /** Columns of ⟨w_a w_b⟩. */
+    private val carried get() = if (isPeculiar) "kinetic_" else "c_"
 
-    private fun rateOrNaN() = if (shearRate == 0.0) Double.NaN else abs(shearRate)
+    private fun angle(m: DoubleArray) = 0.5 * atan2(2 * m[2], m[0] - m[1])
 
-    private fun scaled(a: BlockAverage, factor: Double) = BlockAverage(a.mean * factor, a.error * abs(factor), a.count)
+    private fun diagonal(prefix: String) = arrayOf(during("${prefix}xx"), during("${prefix}yy"), during("${prefix}zz"))
 
-    /** Average rate of the running sum [column]: from the ends, its error from what was added between rows. */
-    private inline fun rate(column: String, factor: (Int) -> Double): BlockAverage {
+    private fun virials() = arrayOf(added("virial_xx", "mass"), added("virial_yy", "mass"), added("virial_zz", "mass"))
+
+    private fun stresses() = arrayOf(during("${carried}xy"), added("virial_xy", "mass"), gravity())
+
+    private fun gravity() = table["gravity_xy"].let { g -> DoubleArray(intervals) { g[it + 1] / table["mass"][it + 1] * length[it] } }
+
+    /** The state's [column] times the length of each interval. */
+    private fun during(column: String) = table[column].let { c -> DoubleArray(intervals) { c[it + 1] * length[it] } }
+
+    /** What the running sum [column] gained in each interval, for each of [per]. */
+    private fun added(column: String, per: String?): DoubleArray {
         val sum = table[column]
-        val rates = DoubleArray(table.size - 1) { (sum[it + 1] - sum[it]) / (time[it + 1] - time[it]) * factor(it) }
-        return BlockAverage.of(rates)
+        return DoubleArray(intervals) { (sum[it + 1] - sum[it]) / if (per == null) 1.0 else table[per][it] }
+    }
+
+    /** [function] of the sums of [columns] over the sum of lengths. */
+    private fun average(vararg columns: DoubleArray, function: (DoubleArray) -> Double): BlockAverage {
+        val rates = DoubleArray(columns.size)
+        return BlockAverage.of(arrayOf(*columns, length)) { means ->
+            for (k in rates.indices) rates[k] = means[k] / means[rates.size]
+            function(rates)
+        }
     }
 }

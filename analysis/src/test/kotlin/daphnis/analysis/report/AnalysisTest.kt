@@ -71,6 +71,17 @@ class AnalysisTest {
     }
 
     @Test
+    fun `a gas that cools is said not to be steady, and two snapshots to have no error`() {
+        val cooling = run("cooling-gas", "until=20", "output.snapshotEvery=1000", "particles.count=300")
+        Analysis(AnalysisInput.ofRun(cooling)).write(cooling)
+        val html = Files.readString(cooling.resolve("report.html"))
+        assertTrue("Not steady: granular temperature fell by" in html) { Regex("(?s)<h2 id=\"numbers.{0,1500}").find(html)?.value.orEmpty() }
+        assertTrue("fewer than eight independent ones" in html)
+        val row = Files.readAllLines(cooling.resolve("tables/numbers.csv")).first { it.startsWith("granular temperature") }
+        assertTrue(row.endsWith(",too few independent states")) { row }
+    }
+
+    @Test
     fun `foreign files give the states they hold`() {
         val path = run("elastic-gas", "until=0.2", "particles.count=300", "output.snapshotEvery=1")
         val original = AnalysisInput.ofRun(path).state(0).population

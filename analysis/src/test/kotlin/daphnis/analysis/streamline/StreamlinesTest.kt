@@ -65,7 +65,11 @@ class StreamlinesTest {
                 assertEquals(mine.map { p.y[it] }.average(), lines.meanY[k], 1e-11)
                 assertEquals(p.x[mine.first()], lines.minX[k])
                 assertEquals(p.x[mine.last()], lines.maxX[k])
-                assertEquals(mine.size * PI * 0.01 / ((lines.maxX[k] - lines.minX[k]) * 40), lines.opticalDepth[k], 1e-12)
+                val inner = lines.meanX[lines.at(slab, maxOf(group - 1, 0))]
+                val outer = lines.meanX[lines.at(slab, minOf(group + 1, 6))]
+                val width = if (group == 0 || group == 6) outer - inner else (outer - inner) / 2
+                val excess = (if (group == 0 || group == 6) 2.0 / 3 else 5.0 / 12) - 1.0 / 7
+                assertEquals(mine.size * PI * 0.01 / (width * 40) * (1 - excess / mine.size), lines.opticalDepth[k], 1e-12)
                 assertEquals(mine.map { 4 * p.x[it] + 2 * p.vy[it] / omega }.average(), lines.guidingX[k], 1e-11)
             }
         }

@@ -1,6 +1,8 @@
 package daphnis.analysis.transport
 
+import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.format.FormatException
+import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -9,6 +11,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.math.PI
 
 class TransportTest {
     @TempDir
@@ -28,14 +31,91 @@ class TransportTest {
         assertEquals(1.0, transport.dispersion.mean, 1e-12)
         assertEquals(1.0 / 3, transport.temperature.mean, 1e-12)
         assertEquals(1.0, transport.collisionRate.mean, 1e-12)
-        assertEquals(0.5, transport.impactSpeed, 1e-12)
+        assertEquals(0.5, transport.impactSpeed.mean, 1e-12)
         assertEquals(0.2, transport.translational.mean, 1e-12)
         assertEquals(0.2, transport.collisional.mean, 1e-12)
         assertEquals(0.1, transport.gravitational.mean, 1e-12)
         assertEquals(4.05, transport.dissipation.mean, 1e-12)
-        assertEquals(9 * 0.5 / 4.05, transport.energyBalance, 1e-12)
+        assertEquals(9 * 0.5 / 4.05, transport.energyBalance.mean, 1e-12)
         assertEquals(0.5 + 0.8, transport.pressure("xx").mean, 1e-12)
         assertEquals(1.5, transport.scaleHeight.mean, 1e-12)
+        assertEquals(0.5, transport.viscosity.mean, 1e-12)
+        assertEquals((1.0 + 2.4) / 3, transport.pressure.mean, 1e-12)
+        assertEquals(3.4, transport.compressibility.mean, 1e-12)
+        assertEquals(0.5 * Math.atan2(1.2, 0.2), transport.orientation.mean, 1e-12)
+    }
+
+    /**
+     * Rows of a sheared gas whose temperature 1 + 0.1 [wobble] drives everything, pressures and stresses of both parts together; γ = 2 in a box of
+     * Lees and Edwards. Intervals are of lengths 1 and 3 by turns.
+     */
+    private fun sheared(rows: Int, random: SeededRandom, memory: Double): TransportTable {
+        val keep = Math.exp(-1 / memory)
+        var wobble = random.nextGaussian()
+        val sums = DoubleArray(7)
+        var t = 0.0
+        val lines = List(rows) { row ->
+            val dt = if (row % 2 == 0) 1.0 else 3.0
+            t += dt
+            wobble = keep * wobble + Math.sqrt(1 - keep * keep) * random.nextGaussian()
+            val f = 1 + 0.1 * wobble
+            val gains = doubleArrayOf(50.0, 25.0, 48.0, 80.0, 80.0, 80.0, -60.0)
+            for (k in sums.indices) sums[k] += gains[k] * dt * (f + 0.02 * random.nextGaussian())
+            "$row,$t,10,10,${0.5 * f},${0.3 * f},${0.2 * f},${-1.2 * f},0,0,0,0,0,0,${1.5 * f},0,${sums.joinToString(",")},0,0,${-20 * f}"
+        }
+        return TransportTable.read(file(*lines.toTypedArray()))
+    }
+
+    @Test
+    fun `quantities whose parts move together cover the truth in 60 to 75 percent`() {
+        val truth = listOf<Triple<String, Double, (Transport) -> BlockAverage>>(
+            Triple("temperature", 1.0 / 3) { it.temperature },
+            Triple("dispersion", 1.0) { it.dispersion },
+            Triple("scale height", 1.5) { it.scaleHeight },
+            Triple("collision rate", 10.0) { it.collisionRate },
+            Triple("impact speed", 0.5) { it.impactSpeed },
+            Triple("pressure", (1.0 + 24.0) / 3) { it.pressure },
+            Triple("compressibility", 25.0) { it.compressibility },
+            Triple("pressure xx", 8.5) { it.pressure("xx") },
+            Triple("stress", -7.2) { it.pressure("xy") },
+            Triple("viscosity, total", (1.2 + 6.0 + 2.0) / 2) { it.viscosity },
+            Triple("energy balance", 4 * 4.6 / 4.8) { it.energyBalance },
+        )
+        val random = SeededRandom(21)
+        val covered = IntArray(truth.size)
+        val given = IntArray(truth.size)
+        repeat(REALISATIONS) {
+            val transport = Transport(sheared(120, random, 1.5), 2.0)
+            for ((k, quantity) in truth.withIndex()) {
+                val a = quantity.third(transport)
+                if (a.isLevelled) given[k]++
+                if (Math.abs(a.mean - quantity.second) <= a.error) covered[k]++
+            }
+        }
+        for ((k, quantity) in truth.withIndex()) {
+            assertTrue(given[k] > 0.95 * REALISATIONS && covered[k].toDouble() / given[k] in 0.60..0.75) { "${quantity.first}: ${covered[k]} of ${given[k]}" }
+        }
+    }
+
+    @Test
+    fun `a gas that cools has no error, and neither has one of a few rows`() {
+        val rows = (0..99).map { t ->
+            "$t,$t,10,10,${Math.exp(-t / 30.0)},0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
+        }
+        val cooling = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0)
+        assertFalse(cooling.temperature.isLevelled || cooling.pressure.isLevelled || cooling.compressibility.isLevelled)
+        assertTrue(cooling.collisional.isLevelled)
+        assertFalse(Transport(TransportTable.read(file(rows[0], rows[1], rows[2])), -3.0).collisional.isLevelled)
+        assertTrue(Transport(TransportTable.read(file(*rows.toTypedArray())), 0.0).viscosity.mean.isNaN())
+    }
+
+    @Test
+    fun `the orientation of an axis near a right angle has the error of a small angle`() {
+        val random = SeededRandom(3)
+        val rows = (0..60).map { t -> "$t,$t,10,10,0.2,0.5,0.2,${0.02 * random.nextGaussian()},0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,0,0,0,0" }
+        val orientation = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0).orientation
+        assertEquals(PI / 2, Math.abs(orientation.mean), 0.05)
+        assertEquals(0.02 / 0.3 / Math.sqrt(60.0), orientation.error, 0.004)
     }
 
     @Test
@@ -64,5 +144,9 @@ class TransportTest {
         assertTrue(assertThrows(FormatException::class.java) { TransportTable.read(file(good.replace("0.5", "half"))) }.message!!.contains("c_xx is 'half'"))
         assertThrows(FormatException::class.java) { TransportTable.read(directory.resolve("nowhere.csv")) }
         assertThrows(IllegalArgumentException::class.java) { Transport(TransportTable.read(file(good)), -1.0) }
+    }
+
+    private companion object {
+        const val REALISATIONS = 200
     }
 }

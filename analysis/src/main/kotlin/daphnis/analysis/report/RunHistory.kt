@@ -1,0 +1,50 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.transport.TransportTable
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.math.sqrt
+
+/** A quantity over the whole of a run; [times] ascending. */
+internal class History(val name: String, val times: DoubleArray, val values: DoubleArray)
+
+/** What a run wrote that tells whether it is steady: rows of transport.csv, else of series.csv. */
+internal object RunHistory {
+    /** The main quantities of [input]; none for a foreign file, or a run that wrote neither. */
+    fun of(input: AnalysisInput): List<History> {
+        input.transport?.let { if (it.size >= 2) return ofTransport(it, input.omega != null) }
+        return input.directory?.series?.takeIf { Files.exists(it) }?.let { ofSeries(it) }.orEmpty()
+    }
+
+    private fun ofTransport(t: TransportTable, ring: Boolean): List<History> {
+        val trace = DoubleArray(t.size) { t["c_xx"][it] + t["c_yy"][it] + t["c_zz"][it] }
+        val time = t["time"]
+        val speeds = if (ring) {
+            listOf(
+                History("velocity dispersion", time, DoubleArray(t.size) { sqrt(trace[it]) }),
+                History("scale height", time, t["scale_height"]),
+            )
+        } else {
+            listOf(History("granular temperature", time, DoubleArray(t.size) { trace[it] / 3 }))
+        }
+        return speeds + rate(time, t["collisions"], t["particles"])
+    }
+
+    private fun ofSeries(file: Path): List<History> {
+        val lines = Files.readAllLines(file)
+        val names = lines.firstOrNull()?.split(',').orEmpty()
+        val wanted = listOf("time", "granular_temperature", "collisions", "particles").map { names.indexOf(it) }
+        if (wanted.any { it < 0 }) return emptyList()
+        // A last line may be cut short, of a run that goes on.
+        val rows = lines.drop(1).map { it.split(',') }.filter { it.size == names.size }
+        val (time, temperature, collisions, particles) = wanted.map { column -> DoubleArray(rows.size) { rows[it][column].toDoubleOrNull() ?: Double.NaN } }
+        return if (rows.size < 2) emptyList() else listOf(History("granular temperature", time, temperature), rate(time, collisions, particles))
+    }
+
+    /** Collisions of a particle between rows, at the time of the later one. */
+    private fun rate(time: DoubleArray, collisions: DoubleArray, particles: DoubleArray): History {
+        val rates = DoubleArray(time.size - 1) { 2 * (collisions[it + 1] - collisions[it]) / particles[it] / (time[it + 1] - time[it]) }
+        return History("collisions of a particle", time.copyOfRange(1, time.size), rates)
+    }
+}
