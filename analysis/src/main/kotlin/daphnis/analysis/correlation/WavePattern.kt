@@ -43,19 +43,16 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
             val spacing = 2 * PI / peak[0]
             val n = maps.size
             if (n < 2) return WavePattern(BlockAverage(pitch, Double.NaN, n), BlockAverage(spacing, Double.NaN, n), contrast)
-            // Pseudo-values n θ − (n − 1) θ₋ₖ, of which the average and its error are taken as of any series.
+            // k_x > 0 throughout, so that no angle jumps by π. Pseudo-values n θ − (n − 1) θ₋ₖ, of which the average and its error are taken as of any series.
             val pitches = DoubleArray(n)
             val spacings = DoubleArray(n)
             for ((k, map) in maps.withIndex()) {
                 val without = spectrum(DoubleArray(total.size) { (total[it] - map[it]) / (n - 1) }).climb(peak) ?: peak
-                pitches[k] = pitch + (n - 1) * axial(pitch - atan2(without[1], without[0]))
+                pitches[k] = pitch + (n - 1) * (pitch - atan2(without[1], without[0]))
                 spacings[k] = spacing + (n - 1) * (spacing - 2 * PI / without[0])
             }
             return WavePattern(BlockAverage(pitch, BlockAverage.of(pitches).error, n), BlockAverage(spacing, BlockAverage.of(spacings).error, n), contrast)
         }
-
-        /** An angle between lines: reduced to [−π/2, π/2]. */
-        private fun axial(angle: Double) = angle - PI * Math.rint(angle / PI)
 
         /** The wave vector of largest power on a grid half as fine as the spectrum is sharp; null when it is at the border of what is looked at. */
         private fun highest(spectrum: LagSpectrum): DoubleArray? {

@@ -13,7 +13,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
 
 /** Everything that is averaged over states, with bins chosen from one of them. */
-internal class Measures(sample: PatchState, private val input: AnalysisInput, options: AnalysisOptions) {
+internal class Measures(sample: PatchState, private val input: AnalysisInput, val options: AnalysisOptions) {
     private val box = sample.boundary.box
     private val radius = sample.population.radius
     val largest: Double = (0 until sample.population.size).filter { sample.isParticle(it) }.maxOfOrNull { radius[it] } ?: 1.0

@@ -99,7 +99,7 @@ internal class StructureSections(
         page.section("Occultation")
         val light = measures.ofLight
         val transmission = light.average(0)
-        val rays = "${ReportText.short(Math.toDegrees(measures.rays.elevation))}° elevation and ${ReportText.short(Math.toDegrees(measures.rays.azimuth))}° azimuth"
+        val rays = "${ReportText.short(measures.options.elevation)}° elevation and ${ReportText.short(measures.options.azimuth)}° azimuth"
         page.numbers(
             listOf(
                 NumberRow("rays that come through at $rays", transmission.mean, transmission.error, ""),

@@ -1,0 +1,158 @@
+package daphnis.analysis.correlation
+
+import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.uniform
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.HillSheet
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.population.Population
+import daphnis.core.setup.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.math.PI
+import kotlin.math.atan
+import kotlin.math.cos
+import kotlin.math.sqrt
+
+class WavePatternTest {
+    private val box = Box.centred(60.0, 72.0, 2.0)
+    private val sheet = HillSheet(box, 1.0)
+
+    /** When images of [sheet] have slid by 0.37 of the patch. */
+    private val time = (1 - 0.37) * 72 / 90
+
+    /** 4 waves across, 2 along, leaning with the images. */
+    private val ky = 2 * PI / 72 * 2
+    private val kx = (2 * PI * 4 - ky * 0.37 * 72) / 60
+
+    private fun state(x: DoubleArray, y: DoubleArray, boundary: BoundaryConditions = sheet, at: Double = time): PatchState {
+        val n = x.size
+        val zero = DoubleArray(n)
+        return PatchState(Population(x, y, zero, zero, zero, zero, DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 }), boundary, at)
+    }
+
+    /** Autocorrelations of [states] independent states of [count] particles of density 1 + [depth] cos(k·r + some phase). */
+    private fun waves(count: Int, depth: Double, states: Int, random: SeededRandom, mirror: Int = 1): Pair<List<DoubleArray>, SurfaceMap> {
+        lateinit var map: SurfaceMap
+        val maps = List(states) {
+            val phase = random.nextDouble(0.0, 2 * PI)
+            val x = DoubleArray(count)
+            val y = DoubleArray(count)
+            for (k in 0 until count) {
+                do {
+                    x[k] = random.nextDouble(-30.0, 30.0)
+                    y[k] = random.nextDouble(-36.0, 36.0)
+                } while (random.nextDouble() * (1 + depth) > 1 + depth * cos(kx * x[k] + ky * y[k] + phase))
+                y[k] *= mirror
+            }
+            // Mirrored, images slide the other way.
+            map = SurfaceMap.of(state(x, y, at = time * mirror), 2.5)
+            map.autocorrelation(map.nx / 2, map.ny / 2)
+        }
+        return maps to map
+    }
+
+    private fun pattern(maps: Pair<List<DoubleArray>, SurfaceMap>) =
+        WavePattern.of(maps.first, maps.second.nx / 2, maps.second.ny / 2, maps.second.dx, maps.second.dy)
+
+    @Test
+    fun `a leaning wave comes back with its pitch and spacing, and its mirror with the other sign`() {
+        val found = pattern(waves(8000, 0.5, 6, SeededRandom(3)))!!
+        assertEquals(atan(ky / kx), found.pitch.mean, 0.01)
+        assertEquals(2 * PI / kx, found.spacing.mean, 0.1)
+        assertTrue(found.pitch.error > 0 && found.spacing.error > 0 && found.contrast > 20)
+        val mirrored = pattern(waves(8000, 0.5, 6, SeededRandom(3), mirror = -1))!!
+        assertEquals(-atan(ky / kx), mirrored.pitch.mean, 0.01)
+        assertEquals(2 * PI / kx, mirrored.spacing.mean, 0.1)
+    }
+
+    @Test
+    fun `errors cover the truth in two of three realisations, and few particles do not shift it`() {
+        for ((count, depth) in listOf(400 to 0.7, 1500 to 0.4)) {
+            val random = SeededRandom(11)
+            val truth = doubleArrayOf(atan(ky / kx), 2 * PI / kx)
+            val covered = IntArray(2)
+            val sum = DoubleArray(2)
+            val squares = DoubleArray(2)
+            repeat(REALISATIONS) {
+                val found = pattern(waves(count, depth, 12, random))
+                assertNotNull(found)
+                for ((q, a) in listOf(found!!.pitch, found.spacing).withIndex()) {
+                    val off = a.mean - truth[q]
+                    if (Math.abs(off) <= a.error) covered[q]++
+                    sum[q] += off
+                    squares[q] += off * off
+                }
+            }
+            for (q in 0..1) {
+                assertTrue(covered[q] in REALISATIONS * 60 / 100..REALISATIONS * 76 / 100) { "$count particles: covered ${covered.toList()} of $REALISATIONS" }
+                val scatter = sqrt(squares[q] / REALISATIONS)
+                assertTrue(Math.abs(sum[q] / REALISATIONS) < 3.5 * scatter / sqrt(REALISATIONS.toDouble())) { "$count particles: ${sum[q] / REALISATIONS} of $scatter" }
+            }
+        }
+    }
+
+    @Test
+    fun `waves along the orbit alone have no radial spacing`() {
+        val box = LeesEdwards(Box.centred(60.0, 72.0, 2.0), 0.5)
+        val random = SeededRandom(2)
+        val maps = List(4) {
+            val x = DoubleArray(3000) { random.nextDouble(-30.0, 30.0) }
+            val y = DoubleArray(3000)
+            for (k in 0 until 3000) {
+                do y[k] = random.nextDouble(-36.0, 36.0) while (random.nextDouble() * 2 > 1 + cos(2 * PI / 72 * 5 * y[k]))
+            }
+            SurfaceMap.of(state(x, y, box, 0.0), 2.5).autocorrelation(12, 14)
+        }
+        assertNull(WavePattern.of(maps, 12, 14, 2.5, 72.0 / 29))
+    }
+
+    @Test
+    fun `a uniform patch has no pattern, and one of round clumps hardly ever`() {
+        var uniform = 0
+        var clumps = 0
+        repeat(100) { seed ->
+            val even = uniform(2000, sheet, seed.toLong()).let { PatchState(it.population, sheet, time) }
+            val map = SurfaceMap.of(even, 2.0)
+            if (WavePattern.of(listOf(map.autocorrelation(15, 18)), 15, 18, map.dx, map.dy) != null) uniform++
+            val random = SeededRandom(1000L + seed)
+            val x = DoubleArray(2000)
+            val y = DoubleArray(2000)
+            for (k in 0 until 2000) {
+                if (k % 20 == 0) {
+                    x[k] = random.nextDouble(-30.0, 30.0)
+                    y[k] = random.nextDouble(-36.0, 36.0)
+                } else {
+                    x[k] = within(x[k - k % 20] + 1.5 * random.nextGaussian(), 60.0)
+                    y[k] = within(y[k - k % 20] + 1.5 * random.nextGaussian(), 72.0)
+                }
+            }
+            val clumped = SurfaceMap.of(state(x, y, at = 0.0), 2.0)
+            if (WavePattern.of(listOf(clumped.autocorrelation(15, 18)), 15, 18, clumped.dx, clumped.dy) != null) clumps++
+        }
+        assertTrue(uniform <= 1) { "$uniform of 100 uniform patches have wakes" }
+        assertTrue(clumps <= 3) { "$clumps of 100 clumped patches have wakes" }
+    }
+
+    private fun within(v: Double, length: Double) = v - length * Math.floor((v + length / 2) / length)
+
+    @Test
+    fun `none, one and empty states`() {
+        assertNull(WavePattern.of(emptyList(), 10, 10, 1.0, 1.0))
+        assertNull(WavePattern.of(listOf(DoubleArray(21 * 21)), 10, 10, 1.0, 1.0))
+        assertNull(WavePattern.of(listOf(DoubleArray(5 * 5) { 1.0 }), 2, 2, 1.0, 1.0))
+        assertThrows(IllegalArgumentException::class.java) { WavePattern.of(listOf(DoubleArray(10)), 10, 10, 1.0, 1.0) }
+        val one = pattern(waves(4000, 0.5, 1, SeededRandom(3)))!!
+        assertEquals(atan(ky / kx), one.pitch.mean, 0.03)
+        assertTrue(one.pitch.error.isNaN() && one.spacing.error.isNaN())
+    }
+
+    private companion object {
+        const val REALISATIONS = 200
+    }
+}
