@@ -5,8 +5,8 @@ import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.atan2
 import kotlin.math.cos
+import kotlin.math.hypot
 import kotlin.math.sin
-import kotlin.math.sqrt
 
 /**
  * The wave that stands out of the surface density of a patch, such as its wakes: the wave vector k at which the power spectrum of the mean autocorrelation is largest.
@@ -21,8 +21,9 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
         /**
          * The pattern in autocorrelations of [SurfaceMap], one of each state in order of time, of lags up to [lagX] and [lagY] cells of [dx] × [dy]; null when no wave
          * stands out. Looked for are waves that fit at least 1.5 times into twice the largest lag along x and are at least four cells long, for shorter ones are the
-         * packing of spheres. A wave stands out when its power is [LEAST_CONTRAST] times the median of its ring |k| = const, which counting noise, and clumps without
-         * a direction, exceed in fewer than 1 of 100 patches even with a single state; states are not taken as independent, so that more do not lower it.
+         * packing of spheres; when the highest power is in a wave that does not, along the orbit say, there is no pattern. A wave stands out when its [contrast] is at least [LEAST_CONTRAST], and above 1 by [LEAST_SIGNIFICANCE] times the scatter of the mean
+         * spectrum itself. Counting noise, and round clumps, come that far in fewer than 1 of 100 patches even with a single state. More states lower the bound as far as
+         * they differ: states of the same noise leave its scatter as it is.
          */
         public fun of(maps: List<DoubleArray>, lagX: Int, lagY: Int, dx: Double, dy: Double): WavePattern? {
             if (maps.isEmpty() || lagX < FEWEST_LAGS || lagY < FEWEST_LAGS) return null
@@ -31,11 +32,13 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
             val total = DoubleArray(size)
             for (map in maps) for (k in 0 until size) total[k] += map[k]
             val all = LagSpectrum(DoubleArray(size) { total[it] / maps.size }, lagX, lagY, dx, dy)
-            val peak = all.climb(highest(all) ?: return null) ?: return null
-            val contrast = all.power(peak[0], peak[1]) / median(all, sqrt(peak[0] * peak[0] + peak[1] * peak[1]))
-            // A median of 0 or below: all of the power is in the wave.
-            if (contrast >= 0 && contrast < LEAST_CONTRAST || contrast.isNaN()) return null
-            return withErrors(maps, total, peak, if (contrast < 0) Double.POSITIVE_INFINITY else contrast) { LagSpectrum(it, lagX, lagY, dx, dy) }
+            val samples = all.samples()
+            val highest = samples.maxByOrNull { it.power } ?: return null
+            if (highest.kx < FEWEST_WAVES / 2 * all.resolutionX) return null
+            val peak = all.climb(doubleArrayOf(highest.kx, highest.ky)) ?: return null
+            val contrast = all.power(peak[0], peak[1]) / ringMedian(all, hypot(peak[0], peak[1]))
+            if (!(contrast >= maxOf(LEAST_CONTRAST, 1 + LEAST_SIGNIFICANCE * scatter(samples, maxOf(all.resolutionX, all.resolutionY))))) return null
+            return withErrors(maps, total, peak, contrast) { LagSpectrum(it, lagX, lagY, dx, dy) }
         }
 
         private fun withErrors(maps: List<DoubleArray>, total: DoubleArray, peak: DoubleArray, contrast: Double, spectrum: (DoubleArray) -> LagSpectrum): WavePattern {
@@ -54,47 +57,47 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
             return WavePattern(BlockAverage(pitch, BlockAverage.of(pitches).error, n), BlockAverage(spacing, BlockAverage.of(spacings).error, n), contrast)
         }
 
-        /** The wave vector of largest power on a grid half as fine as the spectrum is sharp; null when it is at the border of what is looked at. */
-        private fun highest(spectrum: LagSpectrum): DoubleArray? {
-            val stepX = spectrum.resolutionX / 2
-            val stepY = spectrum.resolutionY / 2
-            val largest = spectrum.largest
-            var best = Double.NEGATIVE_INFINITY
-            var result: DoubleArray? = null
-            val mostY = (largest / stepY).toInt()
-            var i = 0
-            while (FEWEST_WAVES * spectrum.resolutionX / 2 + i * stepX <= largest) {
-                val kx = FEWEST_WAVES * spectrum.resolutionX / 2 + i * stepX
-                for (j in -mostY..mostY) {
-                    val ky = j * stepY
-                    if (kx * kx + ky * ky > largest * largest) continue
-                    val power = spectrum.power(kx, ky)
-                    if (power > best) {
-                        best = power
-                        result = doubleArrayOf(kx, ky)
-                    }
-                }
-                i++
-            }
-            return result
-        }
-
-        private fun median(spectrum: LagSpectrum, k: Double): Double {
-            val ring = DoubleArray(DIRECTIONS) {
+        /** Median over all directions at the wave number [k]; not below 0. */
+        private fun ringMedian(spectrum: LagSpectrum, k: Double): Double = median(
+            DoubleArray(DIRECTIONS) {
                 val angle = PI * (it + 0.5) / DIRECTIONS
                 spectrum.power(k * cos(angle), k * sin(angle))
+            },
+        ).coerceAtLeast(0.0)
+
+        /**
+         * One standard deviation of the noise of a spectrum over its level: how far the lower sixth of the [samples] is below the median of its ring, of the given
+         * [width]. The lower side, for waves raise the upper one.
+         */
+        private fun scatter(samples: List<Sample>, width: Double): Double {
+            val relative = ArrayList<Double>()
+            for (ring in samples.groupBy { (hypot(it.kx, it.ky) / width).toInt() }.values) {
+                val level = median(DoubleArray(ring.size) { ring[it].power })
+                if (ring.size >= FEWEST_OF_RING && level > 0) ring.mapTo(relative) { it.power / level }
             }
-            ring.sort()
-            return (ring[DIRECTIONS / 2 - 1] + ring[DIRECTIONS / 2]) / 2
+            relative.sort()
+            return if (relative.isEmpty()) 1.0 else 1 - relative[relative.size / 6]
+        }
+
+        private fun median(values: DoubleArray): Double {
+            values.sort()
+            return (values[(values.size - 1) / 2] + values[values.size / 2]) / 2
         }
 
         /** See [of]. */
-        public const val LEAST_CONTRAST: Double = 5.0
+        public const val LEAST_CONTRAST: Double = 2.0
+
+        /** See [of]. */
+        public const val LEAST_SIGNIFICANCE: Double = 12.0
+        private const val FEWEST_OF_RING = 8
         private const val FEWEST_LAGS = 6
         private const val FEWEST_WAVES = 1.5
         private const val DIRECTIONS = 72
     }
 }
+
+/** The [power] at a wave vector. */
+private class Sample(val kx: Double, val ky: Double, val power: Double)
 
 /**
  * The power spectrum of an autocorrelation at any wave vector, Σ w(l) A(l) cos(k·l), with triangular weights w along both axes, which leave it positive.
@@ -143,6 +146,23 @@ private class LagSpectrum(a: DoubleArray, private val lagX: Int, private val lag
         var power = 0.0
         for (i in 0..lagX) for (j in -lagY..lagY) power += weighted[i * width + j + lagY] * cos(kx * i * dx + ky * j * dy)
         return power
+    }
+
+    /** The upper half of the wave vectors, k_x ≥ 0, on a grid half as fine as the spectrum is sharp, without the middle. */
+    fun samples(): List<Sample> {
+        val stepX = resolutionX / 2
+        val stepY = resolutionY / 2
+        val result = ArrayList<Sample>()
+        for (i in 0..(largest / stepX).toInt()) {
+            for (j in -(largest / stepY).toInt()..(largest / stepY).toInt()) {
+                val kx = i * stepX
+                val ky = j * stepY
+                val k = hypot(kx, ky)
+                if (k > largest || k < resolutionX / 2 || i == 0 && j <= 0) continue
+                result += Sample(kx, ky, power(kx, ky))
+            }
+        }
+        return result
     }
 
     /** The maximum that Newton's steps lead to from [start]; null when they lead to none near, or out of the range. */

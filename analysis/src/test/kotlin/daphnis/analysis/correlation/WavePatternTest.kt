@@ -112,31 +112,49 @@ class WavePatternTest {
         assertNull(WavePattern.of(maps, 12, 14, 2.5, 72.0 / 29))
     }
 
+    /** Of [patches] patches of [states] states by [draw], those in which a pattern is found. */
+    private fun found(patches: Int, states: Int, draw: (Long) -> PatchState): Int = (0 until patches).count { patch ->
+        lateinit var map: SurfaceMap
+        val maps = List(states) {
+            map = SurfaceMap.of(draw(1L + patch * states + it), 2.5)
+            map.autocorrelation(12, 14)
+        }
+        WavePattern.of(maps, 12, 14, map.dx, map.dy) != null
+    }
+
     @Test
-    fun `a uniform patch has no pattern, and one of round clumps hardly ever`() {
-        var uniform = 0
-        var clumps = 0
-        repeat(100) { seed ->
-            val even = uniform(2000, sheet, seed.toLong()).let { PatchState(it.population, sheet, time) }
-            val map = SurfaceMap.of(even, 2.0)
-            if (WavePattern.of(listOf(map.autocorrelation(15, 18)), 15, 18, map.dx, map.dy) != null) uniform++
-            val random = SeededRandom(1000L + seed)
+    fun `a uniform patch has no pattern, be its states one or many, different or the same`() {
+        fun even(seed: Long) = uniform(2000, sheet, seed).let { PatchState(it.population, sheet, time) }
+        assertTrue(found(200, 1) { even(it) } <= 2)
+        assertTrue(found(50, 8) { even(it) } <= 1)
+        // States a step apart hold the same noise; as many as there may be, they are no better than one.
+        assertTrue(found(100, 5) { even((it - 1) / 5) } <= 2)
+    }
+
+    @Test
+    fun `round clumps are no wakes`() {
+        fun clumps(seed: Long): PatchState {
+            val random = SeededRandom(1000 + seed)
             val x = DoubleArray(2000)
             val y = DoubleArray(2000)
             for (k in 0 until 2000) {
-                if (k % 20 == 0) {
-                    x[k] = random.nextDouble(-30.0, 30.0)
-                    y[k] = random.nextDouble(-36.0, 36.0)
-                } else {
-                    x[k] = within(x[k - k % 20] + 1.5 * random.nextGaussian(), 60.0)
-                    y[k] = within(y[k - k % 20] + 1.5 * random.nextGaussian(), 72.0)
-                }
+                val centre = k - k % 20
+                x[k] = if (k == centre) random.nextDouble(-30.0, 30.0) else within(x[centre] + 1.5 * random.nextGaussian(), 60.0)
+                y[k] = if (k == centre) random.nextDouble(-36.0, 36.0) else within(y[centre] + 1.5 * random.nextGaussian(), 72.0)
             }
-            val clumped = SurfaceMap.of(state(x, y, at = 0.0), 2.0)
-            if (WavePattern.of(listOf(clumped.autocorrelation(15, 18)), 15, 18, clumped.dx, clumped.dy) != null) clumps++
+            return state(x, y, at = 0.0)
         }
-        assertTrue(uniform <= 1) { "$uniform of 100 uniform patches have wakes" }
-        assertTrue(clumps <= 3) { "$clumps of 100 clumped patches have wakes" }
+        assertTrue(found(100, 1) { clumps(it) } <= 2)
+        assertTrue(found(50, 6) { clumps(it) } <= 1)
+    }
+
+    @Test
+    fun `more states show a weaker wave`() {
+        // Power of the wave about once that of counting.
+        val random = SeededRandom(21)
+        assertNull(pattern(waves(400, 0.3, 1, random)))
+        val found = pattern(waves(400, 0.3, 60, random))!!
+        assertEquals(atan(ky / kx), found.pitch.mean, 4 * found.pitch.error)
     }
 
     private fun within(v: Double, length: Double) = v - length * Math.floor((v + length / 2) / length)
