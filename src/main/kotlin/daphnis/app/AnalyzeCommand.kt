@@ -45,7 +45,8 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         }
         val directory = out?.let { Path.of(it) } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         Files.createDirectories(directory)
-        Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth)).write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+        val options = AnalysisOptions(from, slabs, groups, elevation, frames, azimuth)
+        Analysis(input, options).write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
         println("report: ${directory.resolve("report.html")}")
     }
 

@@ -11,13 +11,16 @@ import kotlin.math.PI
 import kotlin.math.sqrt
 
 /**
- * Pair correlation: pairs at a distance over those that particles without correlation would have, by bin of distance from [nearest] to [farthest]. In a box periodic
- * along z it is the radial distribution function g(r) in space; otherwise the distance is counted in the x-y plane, and g is not 0 below contact. NaN for
- * fewer than two particles. At faces without images the pairs are held against those that the box has room for.
+ * Pair correlation: pairs at a distance over those that particles without correlation would have, by bin of distance
+ * from [nearest] to [farthest]. In a box periodic along z it is the radial distribution function g(r) in space;
+ * otherwise the distance is counted in the x-y plane, and g is not 0 below contact. NaN for fewer than two particles.
+ * At faces without images the pairs are held against those that the box has room for.
  *
- * Hard spheres have no pair below contact and most of them at it: in space, let [nearest] be the distance of contact, so that no bin holds some of both.
+ * Hard spheres have no pair below contact and most of them at it: in space, let [nearest] be the distance of contact,
+ * so that no bin holds some of both.
  *
- * @param farthest largest distance; at most half the shortest edge of the box along the axes in which distances are counted
+ * @param farthest largest distance; at most half the shortest edge of the box along the axes in which distances are
+ * counted
  */
 public class PairCorrelation(public val farthest: Double, public val bins: Int, public val nearest: Double = 0.0) : Measure {
     init {
@@ -87,12 +90,19 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
         /** Whether distances are counted in the x-y plane: where [boundary] has no images along z. */
         public fun isInPlane(boundary: BoundaryConditions): Boolean = boundary.contactFaces(2) != ContactFaces.PERIODIC
 
-        /** The largest distance that [boundary] has room for: half the shortest edge along the axes in which distances are counted. */
+        /**
+         * The largest distance that [boundary] has room for: half the shortest edge along the axes in which distances
+         * are counted.
+         */
         public fun farthest(boundary: BoundaryConditions): Double = (0..if (isInPlane(boundary)) 1 else 2).minOf { boundary.box.length(it) } / 2
 
-        /** Share of the displacements of length [distance], over all directions and places in the box, that end in the box or an image. */
+        /**
+         * Share of the displacements of length [distance], over all directions and places in the box, that end in the
+         * box or an image.
+         */
         private fun room(boundary: BoundaryConditions, inPlane: Boolean, distance: Double): Double {
-            // A pair d apart along an open edge L has the share 1 − |d|/L of it; averages of |cos| and |cos sin| over directions.
+            // A pair d apart along an open edge L has the share 1 − |d|/L of it; averages of |cos| and |cos sin| over
+            // directions.
             val x = if (boundary.contactFaces(0) == ContactFaces.PERIODIC) 0.0 else distance / boundary.box.length(0)
             val y = if (boundary.contactFaces(1) == ContactFaces.PERIODIC) 0.0 else distance / boundary.box.length(1)
             return if (inPlane) 1 - 2 / PI * (x + y) + x * y / PI else 1 - (x + y) / 2 + 2 / (3 * PI) * x * y

@@ -9,8 +9,9 @@ import kotlin.math.sin
 import kotlin.math.sqrt
 
 /**
- * Static structure factor S(k) = |Σ exp(i k·r)|² / N for the wave vectors in the x-y plane that fit the periodic patch, averaged over directions in bins of |k|, by bin
- * from 0 to [largest]. Where images slide, wave vectors lean with them. NaN in a bin without a wave vector.
+ * Static structure factor S(k) = |Σ exp(i k·r)|² / N for the wave vectors in the x-y plane that fit the periodic patch,
+ * averaged over directions in bins of |k|, by bin from 0 to [largest]. Where images slide, wave vectors lean with them.
+ * NaN in a bin without a wave vector.
  *
  * @param largest largest |k|, in 1/length
  */

@@ -9,21 +9,26 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * The wave that stands out of the surface density of a patch, such as its wakes: the wave vector k at which the power spectrum of the mean autocorrelation is largest.
- * Crests lie across k. Errors are one standard error over the states, from the jackknife: the pattern is found again without each of the states.
+ * The wave that stands out of the surface density of a patch, such as its wakes: the wave vector k at which the power
+ * spectrum of the mean autocorrelation is largest. Crests lie across k. Errors are one standard error over the states,
+ * from the jackknife: the pattern is found again without each of the states.
  *
- * @property pitch angle in radians between the orbit (y) and the crests, atan(k_y/k_x), in (−π/2, π/2); trailing crests, which lean backward outward, positive
+ * @property pitch angle in radians between the orbit (y) and the crests, atan(k_y/k_x), in (−π/2, π/2); trailing
+ * crests, which lean backward outward, positive
  * @property spacing of the crests along x, 2π/k_x
  * @property contrast power at k over the median of all directions at the same |k|
  */
 public class WavePattern private constructor(public val pitch: BlockAverage, public val spacing: BlockAverage, public val contrast: Double) {
     public companion object {
         /**
-         * The pattern in autocorrelations of [SurfaceMap], one of each state in order of time, of lags up to [lagX] and [lagY] cells of [dx] × [dy]; null when no wave
-         * stands out. Looked for are waves that fit at least 1.5 times into twice the largest lag along x and are at least four cells long, for shorter ones are the
-         * packing of spheres; when the highest power is in a wave that does not, along the orbit say, there is no pattern. A wave stands out when its [contrast] is at least [LEAST_CONTRAST], and above 1 by [LEAST_SIGNIFICANCE] times the scatter of the mean
-         * spectrum itself. Counting noise, and round clumps, come that far in fewer than 1 of 100 patches even with a single state. More states lower the bound as far as
-         * they differ: states of the same noise leave its scatter as it is.
+         * The pattern in autocorrelations of [SurfaceMap], one of each state in order of time, of lags up to [lagX] and
+         * [lagY] cells of [dx] × [dy]; null when no wave stands out. Looked for are waves that fit at least 1.5 times
+         * into twice the largest lag along x and are at least four cells long, for shorter ones are the packing of
+         * spheres; when the highest power is in a wave that does not, along the orbit say, there is no pattern. A wave
+         * stands out when its [contrast] is at least [LEAST_CONTRAST], and above 1 by [LEAST_SIGNIFICANCE] times the
+         * scatter of the mean spectrum itself. Counting noise, and round clumps, come that far in fewer than 1 of 100
+         * patches even with a single state. More states lower the bound as far as they differ: states of the same noise
+         * leave its scatter as it is.
          */
         public fun of(maps: List<DoubleArray>, lagX: Int, lagY: Int, dx: Double, dy: Double): WavePattern? {
             if (maps.isEmpty() || lagX < FEWEST_LAGS || lagY < FEWEST_LAGS) return null
@@ -46,7 +51,8 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
             val spacing = 2 * PI / peak[0]
             val n = maps.size
             if (n < 2) return WavePattern(BlockAverage(pitch, Double.NaN, n), BlockAverage(spacing, Double.NaN, n), contrast)
-            // k_x > 0 throughout, so that no angle jumps by π. Pseudo-values n θ − (n − 1) θ₋ₖ, of which the average and its error are taken as of any series.
+            // k_x > 0 throughout, so that no angle jumps by π. Pseudo-values n θ − (n − 1) θ₋ₖ, of which the average
+            // and its error are taken as of any series.
             val pitches = DoubleArray(n)
             val spacings = DoubleArray(n)
             for ((k, map) in maps.withIndex()) {
@@ -66,8 +72,8 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
         ).coerceAtLeast(0.0)
 
         /**
-         * One standard deviation of the noise of a spectrum over its level: how far the lower sixth of the [samples] is below the median of its ring, of the given
-         * [width]. The lower side, for waves raise the upper one.
+         * One standard deviation of the noise of a spectrum over its level: how far the lower sixth of the [samples] is
+         * below the median of its ring, of the given [width]. The lower side, for waves raise the upper one.
          */
         private fun scatter(samples: List<Sample>, width: Double): Double {
             val relative = ArrayList<Double>()
@@ -100,8 +106,8 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
 private class Sample(val kx: Double, val ky: Double, val power: Double)
 
 /**
- * The power spectrum of an autocorrelation at any wave vector, Σ w(l) A(l) cos(k·l), with triangular weights w along both axes, which leave it positive.
- * Lags at negative x are the mirror of the others.
+ * The power spectrum of an autocorrelation at any wave vector, Σ w(l) A(l) cos(k·l), with triangular weights w along
+ * both axes, which leave it positive. Lags at negative x are the mirror of the others.
  */
 private class LagSpectrum(a: DoubleArray, private val lagX: Int, private val lagY: Int, private val dx: Double, private val dy: Double) {
     /** Distance in k that the largest lags tell apart. */
@@ -148,7 +154,9 @@ private class LagSpectrum(a: DoubleArray, private val lagX: Int, private val lag
         return power
     }
 
-    /** The upper half of the wave vectors, k_x ≥ 0, on a grid half as fine as the spectrum is sharp, without the middle. */
+    /**
+     * The upper half of the wave vectors, k_x ≥ 0, on a grid half as fine as the spectrum is sharp, without the middle.
+     */
     fun samples(): List<Sample> {
         val stepX = resolutionX / 2
         val stepY = resolutionY / 2

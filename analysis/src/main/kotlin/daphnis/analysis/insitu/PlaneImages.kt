@@ -4,8 +4,9 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 
 /**
- * Where the images of a patch stand, seen along z. Boxes of images lie in rows; a row goes on along the axis [along], the rows follow one another along the axis
- * [across], and the row at +m is displaced by m · [offset] along itself. Without shear in the plane rows are columns of constant x and stand still.
+ * Where the images of a patch stand, seen along z. Boxes of images lie in rows; a row goes on along the axis [along],
+ * the rows follow one another along the axis [across], and the row at +m is displaced by m · [offset] along itself.
+ * Without shear in the plane rows are columns of constant x and stand still.
  *
  * ```
  *   across ▲      ┌─────┐┌─────┐   row +1, displaced by the offset

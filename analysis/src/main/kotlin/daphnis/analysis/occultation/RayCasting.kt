@@ -13,9 +13,10 @@ import kotlin.math.sin
 import kotlin.math.tan
 
 /**
- * Light through a patch: parallel rays at an elevation above the ring plane, on a regular grid of points of the plane, each blocked by the spheres it meets, images
- * included. What is blocked along a ray is found by the shadows: a sphere at height z shadows the ellipse around (x, y) − z/tan B · (cos A, sin A), with semi-axes r and
- * r / sin B, of the plane.
+ * Light through a patch: parallel rays at an elevation above the ring plane, on a regular grid of points of the plane,
+ * each blocked by the spheres it meets, images included. What is blocked along a ray is found by the shadows: a sphere
+ * at height z shadows the ellipse around (x, y) − z/tan B · (cos A, sin A), with semi-axes r and r / sin B, of the
+ * plane.
  *
  * @param elevation B, angle between the rays and the ring plane in radians, in (0, π/2]
  * @param azimuth A, direction in the plane in which the rays climb, from x toward y, in radians
@@ -61,8 +62,9 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
     public fun transmission(): Measure = Measure { state -> doubleArrayOf(cast(state).transmission) }
 
     /**
-     * Normal optical depth −sin B · ln T of a [transmission], which is averaged before: the logarithm of an average is finite where one of the states lets nothing
-     * through, the average of logarithms is not. The error is sin B · ΔT / T; +∞ and NaN when nothing comes through.
+     * Normal optical depth −sin B · ln T of a [transmission], which is averaged before: the logarithm of an average is
+     * finite where one of the states lets nothing through, the average of logarithms is not. The error is sin B · ΔT /
+     * T; +∞ and NaN when nothing comes through.
      */
     public fun depth(transmission: BlockAverage): BlockAverage {
         val t = transmission.mean
@@ -102,7 +104,10 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
             }
         }
 
-        /** Blocks the rays at index [i] along a, which pass the centre of the shadow at the distance [pa]; [centreB] is the centre along b. */
+        /**
+         * Blocks the rays at index [i] along a, which pass the centre of the shadow at the distance [pa]; [centreB] is
+         * the centre along b.
+         */
         private fun dropLine(i: Int, pa: Double, centreB: Double, long: Double, r: Double) {
             for (j in first(centreB - long, lowB, stepB)..last(centreB + long, lowB, stepB)) {
                 if (!wrapsB && (j < 0 || j >= countB)) continue

@@ -75,8 +75,7 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
     }
 
     /** Seen from the side an image beyond a face in y may have slid along x, out of the box: there the next one stands inside. */
-    private fun withinBox(x: Double, images: PlaneImages): Double =
-        if (images.repeats(0)) x - Math.floor((x - box.lowerX) / box.length(0)) * box.length(0) else x
+    private fun withinBox(x: Double, images: PlaneImages): Double = if (images.repeats(0)) x - Math.floor((x - box.lowerX) / box.length(0)) * box.length(0) else x
 
     private fun png(discs: List<Disc>, window: Window): ByteArray {
         val scale = PIXELS / (window.right - window.left)

@@ -9,7 +9,10 @@ import daphnis.core.scenario.Scenario
 
 /** The passage of a scenario's moon by its patch: the [Encounter] it makes, and its rows in the report. */
 internal object MoonEncounter {
-    /** For the middle of [box], in a frame of angular speed [omega]; null without a moon, and where the unit of length is not known or the moon is in the middle. */
+    /**
+     * For the middle of [box], in a frame of angular speed [omega]; null without a moon, and where the unit of length
+     * is not known or the moon is in the middle.
+     */
     fun of(scenario: Scenario?, omega: Double, box: Box): Encounter? {
         val moon = scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull() ?: return null
         val frame = scenario.frame as? FrameSpec.Hill ?: return null

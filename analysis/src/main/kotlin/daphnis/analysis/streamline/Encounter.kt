@@ -7,8 +7,8 @@ import kotlin.math.sin
 import kotlin.math.sqrt
 
 /**
- * What a moon does to a ring it passes at the distance [distance], in lengths of the patch (Julian & Toomre 1966, ApJ 146, 810; Showalter, Cuzzi, Marouf & Esposito
- * 1986, Icarus 66, 297): marks for streamline pictures.
+ * What a moon does to a ring it passes at the distance [distance], in lengths of the patch (Julian & Toomre 1966, ApJ
+ * 146, 810; Showalter, Cuzzi, Marouf & Esposito 1986, Icarus 66, 297): marks for streamline pictures.
  *
  * @param massRatio μ, mass of the moon over that of the planet
  * @param distance from the moon's guiding centre to the ring, radially outward
@@ -26,7 +26,9 @@ public class Encounter(public val distance: Double, public val massRatio: Double
 
     private val unit get() = massRatio * semiMajorAxis * semiMajorAxis * semiMajorAxis / (distance * distance)
 
-    /** Amplitude a·e that one passage leaves on a circular ring when the moon's orbit is a circle too, 2.2396 μ a³/Δa². */
+    /**
+     * Amplitude a·e that one passage leaves on a circular ring when the moon's orbit is a circle too, 2.2396 μ a³/Δa².
+     */
     public val amplitude: Double get() = IMPULSE * unit
 
     /** The least of [amplitudeAt] over the moon's places on its epicycle; NaN when that reaches the ring. */
@@ -38,14 +40,16 @@ public class Encounter(public val distance: Double, public val massRatio: Double
     private fun places() = List(PLACES) { 2 * PI * it / PLACES }
 
     /**
-     * Amplitude a·e that one passage leaves on a circular ring when the moon passes with the phase [phase] of its epicycle, 0 at pericentre, at the time at which
-     * its guiding centre passes. It is the impulse to first order in the mass: the force along the undisturbed paths,
+     * Amplitude a·e that one passage leaves on a circular ring when the moon passes with the phase [phase] of its
+     * epicycle, 0 at pericentre, at the time at which its guiding centre passes. It is the impulse to first order in
+     * the mass: the force along the undisturbed paths,
      *
      * ```
      *   ∫ (2 f_y + i f_x) exp(−iΩt) dt / Ω,     ring − moon = (Δa + e cos φ, −(3/2) Δa Ωt − 2e sin φ),     φ = phase + Ωt
      * ```
      *
-     * which is [amplitude] for e = 0, to 3 parts in 10⁴. NaN when the epicycle reaches the ring, where no impulse is small.
+     * which is [amplitude] for e = 0, to 3 parts in 10⁴. NaN when the epicycle reaches the ring, where no impulse is
+     * small.
      */
     public fun amplitudeAt(phase: Double): Double {
         // In units of Δa and 1/Ω.
@@ -67,13 +71,19 @@ public class Encounter(public val distance: Double, public val massRatio: Double
         return unit * sqrt(real * real + imaginary * imaginary)
     }
 
-    /** Distance along the orbit after which streamlines of the given [amplitude] a·e cross if nothing damps them: 3Δa²/(2 a e). */
+    /**
+     * Distance along the orbit after which streamlines of the given [amplitude] a·e cross if nothing damps them:
+     * 3Δa²/(2 a e).
+     */
     public fun crossing(amplitude: Double): Double = 1.5 * distance * distance / amplitude
 
     /** Time between two passages, in orbits: the circumference over the way drifted in one. */
     public val synodicOrbits: Double get() = 2 * PI * semiMajorAxis / wavelength
 
-    /** Distances from the moon, between [from] and [to], of the resonances (m+1):m, near the ring edge spaced by (2/3) a/m². */
+    /**
+     * Distances from the moon, between [from] and [to], of the resonances (m+1):m, near the ring edge spaced by (2/3)
+     * a/m².
+     */
     public fun resonances(from: Double, to: Double): List<Resonance> {
         val result = ArrayList<Resonance>()
         val nearest = minOf(abs(from), abs(to))

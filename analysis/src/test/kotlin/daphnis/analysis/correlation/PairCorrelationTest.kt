@@ -52,7 +52,8 @@ class PairCorrelationTest {
     @Test
     fun `few particles have g = 1 on average, in each bin, within its error, in whatever box`() {
         val box = Box.centred(10.0, 12.0, 8.0)
-        val boundaries = listOf<BoundaryConditions>(Periodic(box), LeesEdwards(box, 0.5), HillSheet(box, 1.0), HillSheet(box, 1.0, true), Periodic(box, false, true, true))
+        val boundaries =
+            listOf<BoundaryConditions>(Periodic(box), LeesEdwards(box, 0.5), HillSheet(box, 1.0), HillSheet(box, 1.0, true), Periodic(box, false, true, true))
         for (boundary in boundaries + listOf(Periodic(box, false, false, true), Periodic(box, false, false, false))) {
             val averages = Averages(PairCorrelation(4.0, 4))
             for (seed in 1L..1500L) averages.add(uniform(5, boundary, seed))

@@ -57,8 +57,7 @@ class WavePatternTest {
         return maps to map
     }
 
-    private fun pattern(maps: Pair<List<DoubleArray>, SurfaceMap>) =
-        WavePattern.of(maps.first, maps.second.nx / 2, maps.second.ny / 2, maps.second.dx, maps.second.dy)
+    private fun pattern(maps: Pair<List<DoubleArray>, SurfaceMap>) = WavePattern.of(maps.first, maps.second.nx / 2, maps.second.ny / 2, maps.second.dx, maps.second.dy)
 
     @Test
     fun `a leaning wave comes back with its pitch and spacing, and its mirror with the other sign`() {
