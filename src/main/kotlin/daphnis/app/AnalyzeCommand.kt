@@ -27,7 +27,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     private val from by option("--from", help = "averages begin at this time (default: after 3/8 of the run)").double()
     private val slabs by option("--slabs", help = "slabs of azimuth for streamlines (default: by the number of particles)").int().default(0)
     private val groups by option("--groups", help = "groups of equal count in a slab (default: by the number of particles)").int().default(0)
-    private val elevation by option("--elevation", help = "elevation of the rays of the occultation, degrees (default 28)").double().default(28.0)
+    private val elevation by option("--elevation", help = "elevation of the rays of the occultation above the x-y plane, degrees in (0, 90] (default 28)")
+        .double().default(28.0)
+    private val azimuth by option("--azimuth", help = "direction in which these rays climb, from x toward y, degrees (default 0)").double().default(0.0)
     private val frames by option("--frames", help = "states that are averaged at most (default 40)").int().default(40)
     private val out by option("--out", metavar = "dir", help = "where to write (default: into the run directory; FILE-analysis for a file)")
     private val quiet by option("--quiet", help = "no progress").flag()
@@ -45,7 +47,8 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         }
         val directory = out?.let { Path.of(it) } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         Files.createDirectories(directory)
-        Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames)).write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+        val options = AnalysisOptions(from, slabs, groups, elevation, frames, azimuth)
+        Analysis(input, options).write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
         println("report: ${directory.resolve("report.html")}")
     }
 
@@ -54,6 +57,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         if (slabs < 0 || slabs > MOST) wrong("--slabs", slabs, "in 1..$MOST")
         if (groups < 0 || groups > MOST) wrong("--groups", groups, "in 1..$MOST")
         if (!(elevation > 0 && elevation <= 90)) wrong("--elevation", elevation, "in (0, 90] degrees")
+        if (!(azimuth >= -360 && azimuth <= 360)) wrong("--azimuth", azimuth, "in -360..360 degrees")
         if (frames < 1) wrong("--frames", frames, ">= 1")
         from?.let { if (!it.isFinite()) wrong("--from", it, "a finite number") }
     }

@@ -2,6 +2,7 @@ package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.PatchState
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
@@ -10,27 +11,53 @@ import kotlin.math.PI
 import kotlin.math.sqrt
 
 /**
- * Pair correlation: pairs at a distance over those that particles without correlation would have, by bin of distance from 0 to [farthest]. In a box periodic
- * along all axes it is the radial distribution function g(r) in space; where the patch is open vertically the distance is counted in the x-y plane.
+ * Pair correlation: pairs at a distance over those that particles without correlation would have, by bin of distance
+ * from [nearest] to [farthest]. In a box periodic along z it is the radial distribution function g(r) in space;
+ * otherwise the distance is counted in the x-y plane, and g is not 0 below contact. NaN for fewer than two particles.
+ * At faces without images the pairs are held against those that the box has room for.
  *
- * @param farthest largest distance; at most half the shortest periodic edge
+ * Hard spheres have no pair below contact and most of them at it: in space, let [nearest] be the distance of contact,
+ * so that no bin holds some of both.
+ *
+ * @param farthest largest distance; at most half the shortest edge of the box along the axes in which distances are
+ * counted
  */
-public class PairCorrelation(public val farthest: Double, public val bins: Int) : Measure {
+public class PairCorrelation(public val farthest: Double, public val bins: Int, public val nearest: Double = 0.0) : Measure {
     init {
-        require(farthest > 0 && bins >= 1) { "$bins bins up to $farthest; both must be positive" }
+        require(nearest >= 0 && farthest > nearest && farthest.isFinite() && bins >= 1) {
+            "$bins bins from $nearest to $farthest; there must be one at least, of a width > 0, from a distance >= 0 on"
+        }
     }
 
-    /** Middle of [bin]. */
-    public fun centre(bin: Int): Double = (bin + 0.5) * farthest / bins
+    private val width = (farthest - nearest) / bins
 
+    /** Middle of [bin]. */
+    public fun centre(bin: Int): Double = nearest + (bin + 0.5) * width
+
+    /** @throws IllegalArgumentException when the box is too small for [farthest] */
     override fun of(state: PatchState): DoubleArray {
-        val p = state.population
         val boundary = state.boundary
-        val inPlane = boundary.contactFaces(2) != ContactFaces.PERIODIC
-        val grid = Grid()
-        grid.build(p, boundary, state.time, 0.0, DoubleArray(3), structure = SearchStructure.GRID)
-        val near = CellRuns(grid)
+        val inPlane = isInPlane(boundary)
+        val reach = farthest(boundary)
+        require(farthest <= reach * (1 + ROUNDING)) { "pairs up to $farthest; the box, by half its shortest edge, has room for $reach" }
         val counts = DoubleArray(bins)
+        val n = count(state, inPlane, counts)
+        val size = if (inPlane) state.area else boundary.box.volume
+        for (bin in 0 until bins) {
+            val a = nearest + bin * width
+            val b = nearest + (bin + 1) * width
+            val shell = if (inPlane) PI * (b * b - a * a) else 4.0 / 3 * PI * (b * b * b - a * a * a)
+            counts[bin] = if (n < 2) Double.NaN else counts[bin] * 2 / (n * (n - 1.0) / size * shell * room(boundary, inPlane, centre(bin)))
+        }
+        return counts
+    }
+
+    /** Counts pairs by bin; the number of particles. */
+    private fun count(state: PatchState, inPlane: Boolean, counts: DoubleArray): Int {
+        val p = state.population
+        val grid = Grid()
+        grid.build(p, state.boundary, state.time, 0.0, DoubleArray(3), structure = SearchStructure.GRID)
+        val near = CellRuns(grid)
         // In the plane everybody above and below is near.
         var height = 0.0
         if (inPlane && p.size > 0) height = p.z.max() - p.z.min()
@@ -49,18 +76,38 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int) 
                     val dx = p.x[j] - p.x[k] + grid.images.shift(image, 0)
                     val dy = p.y[j] - p.y[k] + grid.images.shift(image, 1)
                     val dz = if (inPlane) 0.0 else p.z[j] - p.z[k] + grid.images.shift(image, 2)
-                    val bin = (sqrt(dx * dx + dy * dy + dz * dz) / farthest * bins).toInt()
+                    val distance = sqrt(dx * dx + dy * dy + dz * dz)
+                    if (distance < nearest) continue
+                    val bin = ((distance - nearest) / width).toInt()
                     if (bin < bins) counts[bin]++
                 }
             }
         }
-        val size = if (inPlane) state.area else boundary.box.volume
-        for (bin in 0 until bins) {
-            val a = bin * farthest / bins
-            val b = (bin + 1) * farthest / bins
-            val shell = if (inPlane) PI * (b * b - a * a) else 4.0 / 3 * PI * (b * b * b - a * a * a)
-            counts[bin] = if (n < 2) Double.NaN else counts[bin] * 2 / (n * (n - 1.0) / size * shell)
+        return n
+    }
+
+    public companion object {
+        /** Whether distances are counted in the x-y plane: where [boundary] has no images along z. */
+        public fun isInPlane(boundary: BoundaryConditions): Boolean = boundary.contactFaces(2) != ContactFaces.PERIODIC
+
+        /**
+         * The largest distance that [boundary] has room for: half the shortest edge along the axes in which distances
+         * are counted.
+         */
+        public fun farthest(boundary: BoundaryConditions): Double = (0..if (isInPlane(boundary)) 1 else 2).minOf { boundary.box.length(it) } / 2
+
+        /**
+         * Share of the displacements of length [distance], over all directions and places in the box, that end in the
+         * box or an image.
+         */
+        private fun room(boundary: BoundaryConditions, inPlane: Boolean, distance: Double): Double {
+            // A pair d apart along an open edge L has the share 1 − |d|/L of it; averages of |cos| and |cos sin| over
+            // directions.
+            val x = if (boundary.contactFaces(0) == ContactFaces.PERIODIC) 0.0 else distance / boundary.box.length(0)
+            val y = if (boundary.contactFaces(1) == ContactFaces.PERIODIC) 0.0 else distance / boundary.box.length(1)
+            return if (inPlane) 1 - 2 / PI * (x + y) + x * y / PI else 1 - (x + y) / 2 + 2 / (3 * PI) * x * y
         }
-        return counts
+
+        private const val ROUNDING = 1e-9
     }
 }

@@ -2,14 +2,16 @@ package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.PlaneImages
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.sin
 import kotlin.math.sqrt
 
 /**
- * Static structure factor S(k) = |Σ exp(i k·r)|² / N for the wave vectors in the x-y plane that fit the periodic patch, averaged over directions in bins of |k|, by bin
- * from 0 to [largest]. Where images slide, wave vectors lean with them. NaN in a bin without a wave vector.
+ * Static structure factor S(k) = |Σ exp(i k·r)|² / N for the wave vectors in the x-y plane that fit the periodic patch,
+ * averaged over directions in bins of |k|, by bin from 0 to [largest]. Where images slide, wave vectors lean with them.
+ * NaN in a bin without a wave vector.
  *
  * @param largest largest |k|, in 1/length
  */
@@ -22,32 +24,29 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
     public fun centre(bin: Int): Double = (bin + 0.5) * largest / bins
 
     override fun of(state: PatchState): DoubleArray {
-        val p = state.population
-        val box = state.boundary.box
-        val shear = state.boundary.shear
-        val unitX = 2 * PI / box.length(0)
-        val unitY = 2 * PI / box.length(1)
-        val offset = shear?.offset(state.time) ?: 0.0
+        val images = PlaneImages(state.boundary, state.time)
+        val lengthAcross = state.boundary.box.length(images.across)
+        val unitAcross = 2 * PI / lengthAcross
+        val unitAlong = 2 * PI / state.boundary.box.length(images.along)
         val sum = DoubleArray(bins)
         val count = IntArray(bins)
-        val mostX = (largest / unitX).toInt() + 1
-        val mostY = (largest / unitY).toInt() + 1
+        val mostAcross = (largest / unitAcross).toInt() + 1
+        val mostAlong = (largest / unitAlong).toInt() + 1
         // So many that a frame takes a second or so; beyond, every so many-th.
-        val stride = maxOf(1L, (2L * mostX + 1) * (mostY + 1) * p.size / MOST_WORK)
+        val stride = maxOf(1L, (2L * mostAcross + 1) * (mostAlong + 1) * state.population.size / MOST_WORK)
         var number = 0L
-        for (m in 0..mostY) {
-            for (l in -mostX..mostX) {
+        for (m in 0..mostAlong) {
+            // exp(i k·r) must be the same at an image: k·(L across, offset along) is a multiple of 2π.
+            val lean = m * unitAlong * images.offset / lengthAcross
+            val middle = Math.rint(lean / unitAcross).toInt()
+            for (l in middle - mostAcross..middle + mostAcross) {
                 if (m == 0 && l <= 0) continue
                 if (number++ % stride != 0L) continue
-                var kx = l * unitX
-                var ky = m * unitY
-                // exp(i k·r) must be the same at an image: k·(L along the normal axis, offset along the slide) is a multiple of 2π.
-                if (shear != null && shear.normalAxis == 0) kx -= ky * offset / box.length(0)
-                if (shear != null && shear.normalAxis == 1) ky -= kx * offset / box.length(1)
-                val k = sqrt(kx * kx + ky * ky)
-                val bin = (k / largest * bins).toInt()
-                if (bin >= bins || k == 0.0) continue
-                sum[bin] += power(state, kx, ky)
+                val across = l * unitAcross - lean
+                val along = m * unitAlong
+                val bin = (sqrt(across * across + along * along) / largest * bins).toInt()
+                if (bin >= bins) continue
+                sum[bin] += if (images.across == 0) power(state, across, along) else power(state, along, across)
                 count[bin]++
             }
         }

@@ -1,54 +1,102 @@
 package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.PatchState
-import kotlin.math.atan2
+import daphnis.analysis.insitu.PlaneImages
 
 /**
- * Surface density of a patch on a grid of cells: entry `i · ny + j` for the cell i along x, j along y. Particles count where their centre is.
+ * Surface density of a patch on a grid of cells: entry `i · ny + j` for the cell i along x, j along y. Particles count
+ * where their centre is.
  *
  * @property nx cells along x; [ny] along y
  */
-public class SurfaceMap private constructor(public val nx: Int, public val ny: Int, private val state: PatchState) {
+public class SurfaceMap private constructor(public val nx: Int, public val ny: Int, state: PatchState) {
+    private val box = state.boundary.box
+    private val images = PlaneImages(state.boundary, state.time)
+
     public val density: DoubleArray = DoubleArray(nx * ny)
 
-    /** Width of a cell. */
-    public val dx: Double = state.boundary.box.length(0) / nx
-    public val dy: Double = state.boundary.box.length(1) / ny
+    /**
+     * The row of images beyond the upper face, in cells that go on from those of [density]: counted anew, since a slide
+     * is no whole number of cells.
+     */
+    private val beyond: DoubleArray = if (images.offset == 0.0) density else DoubleArray(nx * ny)
 
-    private val slide: Int = state.boundary.shear.let { shear ->
-        if (shear != null && shear.normalAxis == 0) Math.rint(shear.offset(state.time) / dy).toInt() else 0
-    }
+    /** Width of a cell. */
+    public val dx: Double = box.length(0) / nx
+    public val dy: Double = box.length(1) / ny
 
     /** Mean of [density]. */
     public val mean: Double get() = density.sum() / density.size
 
+    private fun add(x: Double, y: Double, mass: Double) {
+        if (!(x >= box.lowerX && y >= box.lowerY)) return
+        val i = ((x - box.lowerX) / dx).toInt()
+        val j = ((y - box.lowerY) / dy).toInt()
+        if (i >= nx || j >= ny) return
+        density[i * ny + j] += mass / (dx * dy)
+        if (beyond === density) return
+        if (images.across == 0) {
+            beyond[i * ny + slid(y - box.lowerY, dy, ny)] += mass / (dx * dy)
+        } else {
+            beyond[slid(x - box.lowerX, dx, nx) * ny + j] += mass / (dx * dy)
+        }
+    }
+
+    private fun slid(place: Double, width: Double, cells: Int) = ((place + images.offset) / width).toInt() % cells
+
     /**
-     * Autocorrelation of the surface density at lags of whole cells, ⟨δΣ(r) δΣ(r + l)⟩ / ⟨Σ⟩², through periodic faces, images where they are at the time.
+     * Autocorrelation of the surface density at lags of whole cells, ⟨δΣ(r) δΣ(r + l)⟩ / ⟨Σ⟩². Goes on through periodic
+     * faces, with images where they are at the time; at faces without images the average is over the cells that have a
+     * partner. 0 throughout for an empty patch.
      *
-     * @param lagX largest lag along x in cells; likewise [lagY]
+     * @param lagX largest lag along x in cells, below [nx]; likewise [lagY]
      * @return entry `(i + lagX) · (2 lagY + 1) + j + lagY`
      */
     public fun autocorrelation(lagX: Int, lagY: Int): DoubleArray {
-        val mean = mean
+        require(lagX in 0 until nx && lagY in 0 until ny) { "lags are $lagX and $lagY; they must be in 0 until $nx and $ny" }
         val result = DoubleArray((2 * lagX + 1) * (2 * lagY + 1))
+        val mean = mean
         if (mean == 0.0) return result
         val width = 2 * lagY + 1
-        for (a in 0..lagX) {
-            for (b in -lagY..lagY) {
-                var sum = 0.0
-                for (i in 0 until nx) {
-                    val over = if (i + a >= nx) 1 else 0
-                    val column = (i + a - over * nx) * ny
-                    // Beyond the outer face stands the image, displaced by the slide.
-                    val shift = b - over * slide
-                    for (j in 0 until ny) sum += (density[i * ny + j] - mean) * (density[column + Math.floorMod(j + shift, ny)] - mean)
-                }
-                val value = sum / (nx * ny) / (mean * mean)
-                result[(a + lagX) * width + b + lagY] = value
+        val radial = images.across == 0
+        for (across in 0..if (radial) lagX else lagY) {
+            val most = if (radial) lagY else lagX
+            for (along in -most..most) {
+                val value = covariance(across, along, mean) / (mean * mean)
+                val a = if (radial) across else along
+                val b = if (radial) along else across
+                result[(lagX + a) * width + lagY + b] = value
                 result[(lagX - a) * width + lagY - b] = value
             }
         }
         return result
+    }
+
+    /** ⟨δΣ(r) δΣ(r + l)⟩ for the lag of [across] ≥ 0 cells from row to row and [along] cells within. */
+    private fun covariance(across: Int, along: Int, mean: Double): Double {
+        val radial = images.across == 0
+        val rows = if (radial) nx else ny
+        val places = if (radial) ny else nx
+        val row = if (radial) ny else 1
+        val place = if (radial) 1 else ny
+        val isRing = images.repeats(images.along)
+        var sum = 0.0
+        var count = 0
+        for (i in 0 until if (images.repeats(images.across)) rows else rows - across) {
+            val isOver = i + across >= rows
+            val other = if (isOver) beyond else density
+            val base = (if (isOver) i + across - rows else i + across) * row
+            for (j in 0 until places) {
+                var k = j + along
+                if (k < 0 || k >= places) {
+                    if (!isRing) continue
+                    k = Math.floorMod(k, places)
+                }
+                sum += (density[i * row + j * place] - mean) * (other[base + k * place] - mean)
+                count++
+            }
+        }
+        return sum / count
     }
 
     public companion object {
@@ -60,40 +108,8 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
             val ny = Math.rint(box.length(1) / cell).toInt().coerceIn(1, MOST_CELLS)
             val map = SurfaceMap(nx, ny, state)
             val p = state.population
-            for (k in 0 until p.size) {
-                if (!state.isParticle(k)) continue
-                val i = ((p.x[k] - box.lowerX) / map.dx).toInt()
-                val j = ((p.y[k] - box.lowerY) / map.dy).toInt()
-                if (p.x[k] >= box.lowerX && p.y[k] >= box.lowerY && i < nx && j < ny) map.density[i * ny + j] += p.mass[k] / (map.dx * map.dy)
-            }
+            for (k in 0 until p.size) if (state.isParticle(k)) map.add(p.x[k], p.y[k], p.mass[k])
             return map
-        }
-
-        /**
-         * Angle in radians between the orbit (y) and the long axis of the central ridge of an autocorrelation, positive for a trailing one, which leans
-         * backward outward; from the second moments of what exceeds half the mean of the lags next to the centre. NaN when nothing does.
-         */
-        public fun pitchAngle(autocorrelation: DoubleArray, lagX: Int, lagY: Int, dx: Double, dy: Double): Double {
-            val width = 2 * lagY + 1
-            // The centre itself holds the noise of counting.
-            val peak = listOf(1 to 0, 0 to 1, 1 to 1, 1 to -1).filter { it.first <= lagX && Math.abs(it.second) <= lagY }
-                .map { (a, b) -> autocorrelation[(a + lagX) * width + b + lagY] }.ifEmpty { return Double.NaN }.average()
-            if (!(peak > 0)) return Double.NaN
-            var xx = 0.0
-            var yy = 0.0
-            var xy = 0.0
-            for (a in -lagX..lagX) {
-                for (b in -lagY..lagY) {
-                    val excess = autocorrelation[(a + lagX) * width + b + lagY] - peak / 2
-                    if (excess <= 0 || a == 0 && b == 0) continue
-                    xx += excess * a * a * dx * dx
-                    yy += excess * b * b * dy * dy
-                    xy += excess * a * b * dx * dy
-                }
-            }
-            if (xx == 0.0 && yy == 0.0) return Double.NaN
-            // Long axis at the angle t from y toward x: tan 2t = 2 xy / (yy − xx); outward and backward is x > 0, y < 0.
-            return -0.5 * atan2(2 * xy, yy - xx)
         }
 
         private const val MOST_CELLS = 128

@@ -2,27 +2,30 @@ package daphnis.analysis.occultation
 
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.PatchState
-import daphnis.analysis.insitu.PooledMeasure
-import daphnis.core.boundary.ContactFaces
+import daphnis.analysis.insitu.PlaneImages
+import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.PI
 import kotlin.math.ceil
 import kotlin.math.cos
 import kotlin.math.floor
 import kotlin.math.ln
 import kotlin.math.sin
+import kotlin.math.tan
 
 /**
- * Light through a patch: parallel rays at an elevation above the ring plane, on a regular grid of points of the plane, each blocked by the spheres it meets, images
- * included. What is blocked along a ray is found by the shadows: a sphere at height z shadows the ellipse around (x, y) − z/tan B · (cos A, sin A), with semi-axes r and
- * r / sin B, of the plane.
+ * Light through a patch: parallel rays at an elevation above the ring plane, on a regular grid of points of the plane,
+ * each blocked by the spheres it meets, images included. What is blocked along a ray is found by the shadows: a sphere
+ * at height z shadows the ellipse around (x, y) − z/tan B · (cos A, sin A), with semi-axes r and r / sin B, of the
+ * plane.
  *
  * @param elevation B, angle between the rays and the ring plane in radians, in (0, π/2]
- * @param azimuth A, direction of the rays' projection, from x toward y, in radians
+ * @param azimuth A, direction in the plane in which the rays climb, from x toward y, in radians
  * @param rays rays along the longer edge of the patch, at most; rays along x and y are as far apart
  */
 public class RayCasting(public val elevation: Double, public val azimuth: Double = 0.0, private val rays: Int = 1024) {
     init {
         require(elevation > 0 && elevation <= PI / 2) { "elevation is $elevation; it must be in (0, π/2]" }
+        require(azimuth.isFinite()) { "azimuth is $azimuth; it must be finite" }
         require(rays >= 1) { "$rays rays; there must be one at least" }
     }
 
@@ -50,53 +53,73 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
             maxOf(1, Math.rint(rays * box.length(1) / longest).toInt()),
         )
         val p = state.population
-        for (k in 0 until p.size) drop(state, shadow, p.x[k], p.y[k], p.z[k], p.radius[k])
+        val caster = Caster(state, shadow)
+        for (k in 0 until p.size) caster.drop(p.x[k], p.y[k], p.z[k], p.radius[k])
         return shadow
     }
 
-    private fun drop(state: PatchState, shadow: Shadow, x: Double, y: Double, z: Double, r: Double) {
-        val box = state.boundary.box
-        val c = cos(azimuth)
-        val s = sin(azimuth)
-        val slope = if (elevation == PI / 2) 0.0 else z / Math.tan(elevation)
-        val cx = x - slope * c
-        val cy = y - slope * s
-        val long = r / sin(elevation)
-        val reach = maxOf(long, r)
-        val dx = box.length(0) / shadow.nx
-        val dy = box.length(1) / shadow.ny
-        val shear = state.boundary.shear
-        val offset = if (shear != null && shear.normalAxis == 0) shear.offset(state.time) else 0.0
-        val wrapsX = state.boundary.contactFaces(0) == ContactFaces.PERIODIC
-        val wrapsY = state.boundary.contactFaces(1) == ContactFaces.PERIODIC
-        // Rays go through the middles of cells.
-        for (i in ceil((cx - reach - box.lowerX) / dx - 0.5).toInt()..floor((cx + reach - box.lowerX) / dx - 0.5).toInt()) {
-            val boxes = Math.floorDiv(i, shadow.nx)
-            if (boxes != 0 && !wrapsX) continue
-            val column = (i - boxes * shadow.nx) * shadow.ny
-            // What falls beyond a radial face falls on the image there, which stands displaced by the slide.
-            val shift = boxes * offset
-            val px = box.lowerX + (i + 0.5) * dx - cx
-            for (j in ceil((cy - shift - reach - box.lowerY) / dy - 0.5).toInt()..floor((cy - shift + reach - box.lowerY) / dy - 0.5).toInt()) {
-                if (!wrapsY && (j < 0 || j >= shadow.ny)) continue
-                val py = box.lowerY + (j + 0.5) * dy - (cy - shift)
-                val along = (px * c + py * s) / long
-                val across = (py * c - px * s) / r
-                if (along * along + across * across <= 1) shadow.blocked[column + Math.floorMod(j, shadow.ny)] = true
-            }
-        }
-    }
+    /** Share of the rays that come through, one number, as a [Measure]. */
+    public fun transmission(): Measure = Measure { state -> doubleArrayOf(cast(state).transmission) }
 
     /**
-     * Transmission and normal optical depth −sin B · ln T as a [PooledMeasure]: the depth is that of the mean transmission of all states, for the mean of depths
-     * would be too large in small patches. It is +∞ when nothing comes through.
+     * Normal optical depth −sin B · ln T of a [transmission], which is averaged before: the logarithm of an average is
+     * finite where one of the states lets nothing through, the average of logarithms is not. The error is sin B · ΔT /
+     * T; +∞ and NaN when nothing comes through.
      */
-    public fun depth(): Measure = object : PooledMeasure {
-        override fun sums(state: PatchState): DoubleArray = doubleArrayOf(cast(state).transmission)
+    public fun depth(transmission: BlockAverage): BlockAverage {
+        val t = transmission.mean
+        val error = if (t > 0) sin(elevation) * transmission.error / t else Double.NaN
+        return BlockAverage(-sin(elevation) * ln(t), error, transmission.count)
+    }
 
-        override fun finish(sums: DoubleArray, states: Int): DoubleArray {
-            val t = sums[0] / states
-            return doubleArrayOf(t, -sin(elevation) * ln(t))
+    /** Drops shadows. Axes are those of [PlaneImages]: a from row to row of images, b along a row. */
+    private inner class Caster(state: PatchState, private val shadow: Shadow) {
+        private val images = PlaneImages(state.boundary, state.time)
+        private val isRadial = images.across == 0
+        private val lowA = state.boundary.box.lower(images.across)
+        private val lowB = state.boundary.box.lower(images.along)
+        private val countA = if (isRadial) shadow.nx else shadow.ny
+        private val countB = if (isRadial) shadow.ny else shadow.nx
+        private val strideA = if (isRadial) shadow.ny else 1
+        private val strideB = if (isRadial) 1 else shadow.ny
+        private val stepA = state.boundary.box.length(images.across) / countA
+        private val stepB = state.boundary.box.length(images.along) / countB
+        private val wrapsA = images.repeats(images.across)
+        private val wrapsB = images.repeats(images.along)
+        private val towardA = if (isRadial) cos(azimuth) else sin(azimuth)
+        private val towardB = if (isRadial) sin(azimuth) else cos(azimuth)
+        private val sine = sin(elevation)
+        private val cotangent = if (elevation == PI / 2) 0.0 else 1 / tan(elevation)
+
+        fun drop(x: Double, y: Double, z: Double, r: Double) {
+            val centreA = (if (isRadial) x else y) - z * cotangent * towardA
+            val centreB = (if (isRadial) y else x) - z * cotangent * towardB
+            val long = r / sine
+            // Rays go through the middles of cells.
+            for (i in first(centreA - long, lowA, stepA)..last(centreA + long, lowA, stepA)) {
+                val row = Math.floorDiv(i, countA)
+                if (row != 0 && !wrapsA) continue
+                // What falls on row m falls, in the box, beside the image at −m.
+                dropLine(i - row * countA, lowA + (i + 0.5) * stepA - centreA, centreB - row * images.offset, long, r)
+            }
         }
+
+        /**
+         * Blocks the rays at index [i] along a, which pass the centre of the shadow at the distance [pa]; [centreB] is
+         * the centre along b.
+         */
+        private fun dropLine(i: Int, pa: Double, centreB: Double, long: Double, r: Double) {
+            for (j in first(centreB - long, lowB, stepB)..last(centreB + long, lowB, stepB)) {
+                if (!wrapsB && (j < 0 || j >= countB)) continue
+                val pb = lowB + (j + 0.5) * stepB - centreB
+                val along = (pa * towardA + pb * towardB) / long
+                val beside = (pb * towardA - pa * towardB) / r
+                if (along * along + beside * beside <= 1) shadow.blocked[i * strideA + Math.floorMod(j, countB) * strideB] = true
+            }
+        }
+
+        private fun first(from: Double, low: Double, step: Double) = ceil((from - low) / step - 0.5).toInt()
+
+        private fun last(to: Double, low: Double, step: Double) = floor((to - low) / step - 0.5).toInt()
     }
 }

@@ -126,11 +126,13 @@ internal object Chart {
                 v += values[i * horizontal.size + j]
             }
         }
+        // Zero in the middle of the scale: as much colour above as below.
+        val most = v.maxOfOrNull { Math.abs(it) }?.takeIf { it > 0 } ?: 1.0
         return letsPlot(mapOf("x" to x, "y" to y, "v" to v)) + geomTile(tooltips = tooltipsNone) {
             this.x = "x"
             this.y = "y"
             fill = "v"
-        } + scaleFillGradient2(low = Figures.INK, mid = "#ffffff", high = Figures.ACCENT, midpoint = 0.0, name = name) + coordFixed() +
+        } + scaleFillGradient2(low = Figures.INK, mid = "#ffffff", high = Figures.ACCENT, midpoint = 0.0, name = name, limits = -most to most) + coordFixed() +
             labs(x = xLabel, y = yLabel) + themeMinimal() + theme(panelGrid = elementBlank()) + ggsize(WIDTH, 560)
     }
 

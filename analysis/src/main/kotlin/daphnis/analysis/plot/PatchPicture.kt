@@ -1,7 +1,7 @@
 package daphnis.analysis.plot
 
 import daphnis.analysis.insitu.PatchState
-import daphnis.core.boundary.ContactFaces
+import daphnis.analysis.insitu.PlaneImages
 import java.awt.Color
 import java.awt.Graphics2D
 import java.awt.RenderingHints
@@ -54,23 +54,28 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
     /** All discs that touch the window, images included. For the side view spheres of the front half hide those behind. */
     private fun discs(window: Window): List<Disc> {
         val result = ArrayList<Disc>()
-        val shear = state.boundary.shear
-        val offset = if (shear != null && shear.normalAxis == 0) shear.offset(state.time) else 0.0
-        val wrapsX = state.boundary.contactFaces(0) == ContactFaces.PERIODIC
-        val wrapsY = state.boundary.contactFaces(1) == ContactFaces.PERIODIC
+        val images = PlaneImages(state.boundary, state.time)
+        val fromAbove = window.axis == 0
+        // Two boxes away along the slide, since images are displaced by up to one.
+        val alongX = if (fromAbove && images.repeats(0)) -2..2 else 0..0
+        val alongY = if (images.repeats(1)) -2..2 else 0..0
         for (k in 0 until p.size) {
-            for (ix in if (wrapsX && window.axis == 0) -1..1 else 0..0) {
-                for (iy in if (wrapsY) -2..2 else 0..0) {
-                    val y = p.y[k] + iy * box.length(1) + ix * offset
-                    val v = if (window.axis == 0) p.x[k] + ix * box.length(0) else p.z[k]
-                    val r = p.radius[k]
+            val r = p.radius[k]
+            for (iy in alongY) {
+                for (ix in alongX) {
+                    val y = p.y[k] + images.shift(ix, iy, 1)
+                    val x = p.x[k] + images.shift(ix, iy, 0)
+                    val v = if (fromAbove) x else p.z[k]
                     if (y + r < window.left || y - r > window.right || v + r < window.bottom || v - r > window.top) continue
-                    result += Disc(y, v, r, if (window.axis == 0) p.z[k] else -p.x[k])
+                    result += Disc(y, v, r, if (fromAbove) p.z[k] else -withinBox(x, images))
                 }
             }
         }
         return result
     }
+
+    /** Seen from the side an image beyond a face in y may have slid along x, out of the box: there the next one stands inside. */
+    private fun withinBox(x: Double, images: PlaneImages): Double = if (images.repeats(0)) x - Math.floor((x - box.lowerX) / box.length(0)) * box.length(0) else x
 
     private fun png(discs: List<Disc>, window: Window): ByteArray {
         val scale = PIXELS / (window.right - window.left)

@@ -10,8 +10,9 @@ import java.nio.file.Path
  *
  * @property from averages begin at this time; null for three eighths of the run, when it is hoped to be steady
  * @property slabs of azimuth for streamlines; [groups] in each; 0 to choose by the number of particles
- * @property elevation of the rays in degrees
+ * @property elevation of the rays above the x-y plane in degrees, in (0, 90]
  * @property frames states that are averaged at most, evenly spread
+ * @property azimuth direction in which the rays climb, from x toward y, in degrees
  */
 public class AnalysisOptions(
     public val from: Double? = null,
@@ -19,6 +20,7 @@ public class AnalysisOptions(
     public val groups: Int = 0,
     public val elevation: Double = 28.0,
     public val frames: Int = 40,
+    public val azimuth: Double = 0.0,
 )
 
 /** Told how far a long analysis has come. */
@@ -44,7 +46,7 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         val from = options.from ?: (begin + (end - begin) * UNSTEADY)
         val chosen = chosenFrames(from)
         val last = input.state(input.size - 1)
-        val measures = Measures(last, input, options.elevation)
+        val measures = Measures(last, input, options)
         val all = chosen.size + PARTS
         for ((done, k) in chosen.withIndex()) {
             progress.next(done, all, "state at time ${input.times[k]}")

@@ -10,9 +10,11 @@ import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.occultation.RayCasting
 import daphnis.analysis.profile.DispersionBySize
 import daphnis.analysis.profile.Profile
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.ShearedPeriodic
 
 /** Everything that is averaged over states, with bins chosen from one of them. */
-internal class Measures(sample: PatchState, private val input: AnalysisInput, elevation: Double) {
+internal class Measures(sample: PatchState, private val input: AnalysisInput, val options: AnalysisOptions) {
     private val box = sample.boundary.box
     private val radius = sample.population.radius
     val largest: Double = (0 until sample.population.size).filter { sample.isParticle(it) }.maxOfOrNull { radius[it] } ?: 1.0
@@ -26,10 +28,12 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
         Profile(2, box.lowerZ, box.upperZ, bins(box.length(2)))
     }
     private val shortest = minOf(box.length(0), box.length(1))
-    val pairs = PairCorrelation(minOf(shortest / 2, PAIR_RADII * 2 * meanRadius(sample)), PAIR_BINS)
+    val pairs = pairCorrelation(sample)
     val structure = StructureFactor(minOf(2 * Math.PI / (2 * meanRadius(sample)) * 2, 2 * Math.PI / shortest * 60), STRUCTURE_BINS)
-    val rays = RayCasting(Math.toRadians(elevation))
-    val elevation: Double = elevation
+    val rays = RayCasting(Math.toRadians(options.elevation), Math.toRadians(options.azimuth))
+
+    /** Whether light through the patch means something: not through a box that is one of many all around. */
+    val isSlab: Boolean = sample.boundary.contactFaces(2) != ContactFaces.PERIODIC && sample.boundary !is ShearedPeriodic
     val cell: Double = maxOf(2 * meanRadius(sample), maxOf(box.length(0), box.length(1)) / MAP_CELLS)
 
     val ofState = Averages(Numbers.OF_STATE)
@@ -38,15 +42,17 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
     val ofVertical = Averages(vertical)
     val ofPairs = Averages(pairs)
     val ofStructure = Averages(structure)
-    val ofDepth = Averages(rays.depth())
     val sizes = DispersionBySize.of(sample)
     val ofSizes = sizes?.let { Averages(it) }
-    val ofScan = Averages({ rays.cast(it).scan() })
+
+    /** Share of the rays that come through, then by place along x. */
+    val ofLight = Averages({ state -> rays.cast(state).let { doubleArrayOf(it.transmission) + it.scan() } })
     val flow = FlowField(FLOW_CELLS, FLOW_CELLS)
     var flowSums = DoubleArray(0)
         private set
-    var autocorrelation = DoubleArray(0)
-        private set
+
+    /** Autocorrelations of the surface density by state, of lags up to half the patch. */
+    val autocorrelations = ArrayList<DoubleArray>()
     var lagX = 0
         private set
     var lagY = 0
@@ -55,7 +61,6 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
         private set
     var dy = 0.0
         private set
-    private var maps = 0
 
     /** Whether pairs and maps are worth looking at: not for patches a thousand times as long as wide. */
     val isCompact: Boolean = maxOf(box.length(0), box.length(1)) <= 20 * shortest
@@ -65,9 +70,8 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
         ofRadial.add(state)
         ofAzimuthal.add(state)
         ofVertical.add(state)
-        ofDepth.add(state)
-        ofScan.add(state)
         ofSizes?.add(state)
+        if (isSlab) ofLight.add(state)
         if (!isCompact) return
         ofPairs.add(state)
         ofStructure.add(state)
@@ -76,12 +80,20 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, el
         lagY = map.ny / 2
         dx = map.dx
         dy = map.dy
-        val a = map.autocorrelation(lagX, lagY)
-        if (autocorrelation.size != a.size) autocorrelation = DoubleArray(a.size)
-        for (k in a.indices) autocorrelation[k] = (autocorrelation[k] * maps + a[k]) / (maps + 1)
-        maps++
+        autocorrelations += map.autocorrelation(lagX, lagY)
         val sums = flow.of(state)
         if (flowSums.isEmpty()) flowSums = sums else for (k in sums.indices) flowSums[k] += sums[k]
+    }
+
+    /** The mean of [autocorrelations]; empty when there are none. */
+    fun meanAutocorrelation(): DoubleArray =
+        if (autocorrelations.isEmpty()) DoubleArray(0) else DoubleArray(autocorrelations[0].size) { k -> autocorrelations.sumOf { it[k] } / autocorrelations.size }
+
+    private fun pairCorrelation(sample: PatchState): PairCorrelation {
+        val contact = (0 until sample.population.size).filter { sample.isParticle(it) }.minOfOrNull { 2 * radius[it] } ?: 0.0
+        val farthest = minOf(PairCorrelation.farthest(sample.boundary), PAIR_RADII * 2 * meanRadius(sample))
+        val fromContact = !PairCorrelation.isInPlane(sample.boundary) && contact < farthest
+        return PairCorrelation(farthest, PAIR_BINS, if (fromContact) contact else 0.0)
     }
 
     private fun meanRadius(sample: PatchState) = (0 until sample.population.size).filter {

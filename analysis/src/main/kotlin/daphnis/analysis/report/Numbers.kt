@@ -9,6 +9,7 @@ import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.transport.Transport
 import daphnis.core.population.VelocityMoments
+import daphnis.core.scenario.ForceSpec
 import kotlin.math.PI
 
 /** The table of numbers of a run: from its transport file where there is one, else from its snapshots; beside known values where there are any. */
@@ -22,6 +23,13 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
     val opticalDepth: Double = indices().sumOf { PI * population.radius[it] * population.radius[it] } / state.area
     val surfaceDensity: Double = indices().sumOf { population.mass[it] } / state.area
     private val fillingFactor = indices().sumOf { 4.0 / 3 * PI * population.radius[it] * population.radius[it] * population.radius[it] } / state.boundary.box.volume
+
+    /** G of the run's self-gravity; null without. */
+    private val selfGravity: Double? = input.scenario?.forces?.filterIsInstance<ForceSpec.SelfGravity>()?.firstOrNull()
+        ?.let { it.constant ?: input.scenario.units.gravitationalConstant }
+
+    /** Toomre's 4π² G Σ/Ω²; NaN without self-gravity. */
+    val criticalWavelength: Double = input.omega?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) } ?: Double.NaN
 
     private fun indices() = (0 until population.size).filter { state.isParticle(it) }
 
@@ -72,12 +80,11 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
             add("viscosity, total", transport.viscosity, units.viscosity, 1.0)
             add("(9/4) Ω² ν over dissipation", transport.energyBalance, "", 1.0, note = "1 in a steady state")
         }
-        val gravity = input.scenario?.forces?.filterIsInstance<daphnis.core.scenario.ForceSpec.SelfGravity>()?.firstOrNull()
-        val constant = gravity?.constant ?: input.scenario?.units?.gravitationalConstant
-        if (gravity != null && constant != null) {
+        val constant = selfGravity
+        if (constant != null) {
             val dispersion = moment("xx").root()
             add("Toomre's Q", dispersion, "", 3.36 * constant * surfaceDensity / omega, note = "σ_x Ω / (3.36 G Σ)")
-            exact("critical wavelength 4π² G Σ/Ω²", 4 * PI * PI * constant * surfaceDensity / (omega * omega), units.length)
+            exact("critical wavelength 4π² G Σ/Ω²", criticalWavelength, units.length)
         }
         return rows
     }

@@ -44,7 +44,7 @@ internal class Sections(
             if (input.omega == null && last.boundary.meanFlow != null) flow(page)
             structure.correlations(page)
         }
-        structure.occultation(page)
+        if (measures.isSlab) structure.occultation(page)
         structure.impacts(page)
         reproduce(page, last)
     }

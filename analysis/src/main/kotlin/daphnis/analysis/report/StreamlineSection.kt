@@ -12,7 +12,6 @@ import daphnis.analysis.streamline.Streamlines
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.core.scenario.ForceSpec
-import daphnis.core.scenario.FrameSpec
 import java.nio.file.Path
 
 /** Streamlines of the last state, in both orders; relative to the moon where there is one. */
@@ -63,7 +62,7 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
             )
         }
         val marks = encounterOf(last)?.let { e ->
-            (0..(last.boundary.box.length(1) / e.wavelength).toInt()).map { -it * e.wavelength * if (moonIsInside()) 1 else -1 }
+            (0..(last.boundary.box.length(1) / e.wavelength).toInt()).map { -it * e.wavelength * Math.signum(e.distance) }
         }.orEmpty()
         val caption = if (moon != null) {
             "Streamlines by guiding centre; dashed: the moon and multiples of the wavelength 3π|Δa| behind it."
@@ -80,18 +79,7 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
         )
     }
 
-    /** Whether the moon is inside the patch's orbit, so that it runs ahead along +y and the wake lies behind. */
-    private fun moonIsInside() = moon!!.x < 0
-
-    private fun encounterOf(last: PatchState): Encounter? {
-        val m = moon ?: return null
-        val frame = input.scenario?.frame as? FrameSpec.Hill ?: return null
-        val kilometres = frame.distanceInKm ?: return null
-        val a = kilometres * 1000 / (input.scenario.units.lengthInMetres ?: return null) + m.x
-        val ratio = m.massRatio ?: return null
-        val centre = (last.boundary.box.lowerX + last.boundary.box.upperX) / 2
-        return if (centre == m.x) null else Encounter(centre - m.x, ratio, a)
-    }
+    private fun encounterOf(last: PatchState): Encounter? = MoonEncounter.of(input.scenario, last.omega!!, last.boundary.box)
 
     private fun encounter(page: ReportPage, lines: Streamlines, label: String, moonY: Double, last: PatchState) {
         val e = encounterOf(last) ?: return
@@ -113,23 +101,9 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
                 Chart.HEIGHT,
             ),
             "forced eccentricity along the ring",
-            "Forced eccentricity |⟨e·exp(iφ)⟩| along the ring; dashed: the impulse of one passage, 2.2396 μ a³/Δa², for the middle of the patch.",
+            "Forced eccentricity |⟨e·exp(iφ)⟩| along the ring; dashed: the impulse of one passage of a moon on a circle, 2.2396 μ a³/Δa², for the middle of the patch.",
         )
-        page.numbers(
-            listOf(
-                NumberRow("distance from the moon's orbit, middle of the patch", e.distance, Double.NaN, units.length),
-                NumberRow("wavelength 3π|Δa|", e.wavelength, Double.NaN, units.length),
-                NumberRow("amplitude a·e of one passage", e.amplitude, Double.NaN, units.length),
-                NumberRow("streamlines cross without damping after", e.crossing, Double.NaN, units.length),
-                NumberRow("time between passages", e.synodicOrbits, Double.NaN, "orbits"),
-                NumberRow(
-                    "resonances (m+1):m in the patch",
-                    e.resonances(last.boundary.box.lowerX - moon!!.x, last.boundary.box.upperX - moon.x).size.toDouble(),
-                    Double.NaN,
-                    "",
-                ),
-            ),
-        )
+        page.numbers(MoonEncounter.rows(e, last.boundary.box, units))
     }
 
     private fun table(name: String, s: Streamlines) {

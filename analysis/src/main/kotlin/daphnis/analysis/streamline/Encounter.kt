@@ -2,32 +2,88 @@ package daphnis.analysis.streamline
 
 import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.cos
+import kotlin.math.sin
+import kotlin.math.sqrt
 
 /**
- * What a moon does to a ring it passes at the distance [distance], in lengths of the patch (Julian & Toomre 1966, ApJ 146, 810; Showalter, Cuzzi, Marouf & Esposito
- * 1986, Icarus 66, 297): marks for streamline pictures.
+ * What a moon does to a ring it passes at the distance [distance], in lengths of the patch (Julian & Toomre 1966, ApJ
+ * 146, 810; Showalter, Cuzzi, Marouf & Esposito 1986, Icarus 66, 297): marks for streamline pictures.
  *
  * @param massRatio μ, mass of the moon over that of the planet
+ * @param distance from the moon's guiding centre to the ring, radially outward
  * @param semiMajorAxis of the moon, same unit of length
+ * @param moonE amplitude of the moon's epicycle, a length: its eccentricity times its semi-major axis
  */
-public class Encounter(public val distance: Double, public val massRatio: Double, public val semiMajorAxis: Double) {
+public class Encounter(public val distance: Double, public val massRatio: Double, public val semiMajorAxis: Double, public val moonE: Double = 0.0) {
     init {
         require(distance != 0.0 && distance.isFinite()) { "distance from the moon is $distance; it must not be 0" }
+        require(moonE >= 0 && moonE.isFinite()) { "the moon's epicycle is $moonE; it must be >= 0" }
     }
 
     /** Wavelength of the wake along the orbit, 3π|Δa|: the way that the ring drifts from the moon in one orbit. */
     public val wavelength: Double get() = 3 * PI * abs(distance)
 
-    /** Amplitude a·e that one passage leaves, 2.2396 μ a³/Δa². */
-    public val amplitude: Double get() = IMPULSE * massRatio * semiMajorAxis * semiMajorAxis * semiMajorAxis / (distance * distance)
+    private val unit get() = massRatio * semiMajorAxis * semiMajorAxis * semiMajorAxis / (distance * distance)
 
-    /** Distance along the orbit after which streamlines cross if nothing damps them: 3Δa²/(2 a e). */
-    public val crossing: Double get() = 1.5 * distance * distance / amplitude
+    /**
+     * Amplitude a·e that one passage leaves on a circular ring when the moon's orbit is a circle too, 2.2396 μ a³/Δa².
+     */
+    public val amplitude: Double get() = IMPULSE * unit
+
+    /** The least of [amplitudeAt] over the moon's places on its epicycle; NaN when that reaches the ring. */
+    public val leastAmplitude: Double by lazy { places().minOf { amplitudeAt(it) } }
+
+    /** The largest of [amplitudeAt]; NaN when the epicycle reaches the ring. */
+    public val largestAmplitude: Double by lazy { places().maxOf { amplitudeAt(it) } }
+
+    private fun places() = List(PLACES) { 2 * PI * it / PLACES }
+
+    /**
+     * Amplitude a·e that one passage leaves on a circular ring when the moon passes with the phase [phase] of its
+     * epicycle, 0 at pericentre, at the time at which its guiding centre passes. It is the impulse to first order in
+     * the mass: the force along the undisturbed paths,
+     *
+     * ```
+     *   ∫ (2 f_y + i f_x) exp(−iΩt) dt / Ω,     ring − moon = (Δa + e cos φ, −(3/2) Δa Ωt − 2e sin φ),     φ = phase + Ωt
+     * ```
+     *
+     * which is [amplitude] for e = 0, to 3 parts in 10⁴. NaN when the epicycle reaches the ring, where no impulse is
+     * small.
+     */
+    public fun amplitudeAt(phase: Double): Double {
+        // In units of Δa and 1/Ω.
+        val e = moonE / abs(distance)
+        if (e >= 1) return Double.NaN
+        val side = Math.signum(distance)
+        var real = 0.0
+        var imaginary = 0.0
+        for (k in -STEPS..STEPS) {
+            val t = k * STEP
+            val x = side + e * cos(phase + t)
+            val y = -1.5 * side * t - 2 * e * sin(phase + t)
+            val r2 = x * x + y * y
+            val f = -STEP / (r2 * sqrt(r2))
+            // (2 f_y + i f_x) (cos t − i sin t).
+            real += f * (2 * y * cos(t) + x * sin(t))
+            imaginary += f * (x * cos(t) - 2 * y * sin(t))
+        }
+        return unit * sqrt(real * real + imaginary * imaginary)
+    }
+
+    /**
+     * Distance along the orbit after which streamlines of the given [amplitude] a·e cross if nothing damps them:
+     * 3Δa²/(2 a e).
+     */
+    public fun crossing(amplitude: Double): Double = 1.5 * distance * distance / amplitude
 
     /** Time between two passages, in orbits: the circumference over the way drifted in one. */
     public val synodicOrbits: Double get() = 2 * PI * semiMajorAxis / wavelength
 
-    /** Distances from the moon, between [from] and [to], of the resonances (m+1):m, near the ring edge spaced by (2/3) a/m². */
+    /**
+     * Distances from the moon, between [from] and [to], of the resonances (m+1):m, near the ring edge spaced by (2/3)
+     * a/m².
+     */
     public fun resonances(from: Double, to: Double): List<Resonance> {
         val result = ArrayList<Resonance>()
         val nearest = minOf(abs(from), abs(to))
@@ -51,5 +107,10 @@ public class Encounter(public val distance: Double, public val massRatio: Double
         /** (4/9)·(2 K₀(2/3) + K₁(2/3)). */
         const val IMPULSE = 2.2396
         const val MOST_RESONANCES = 1000
+        const val PLACES = 48
+
+        // Far enough for the force to be a thousandth, fine enough for the nearest approach.
+        const val STEPS = 6000
+        const val STEP = 0.01
     }
 }

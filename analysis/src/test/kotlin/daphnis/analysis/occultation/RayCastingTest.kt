@@ -1,13 +1,20 @@
 package daphnis.analysis.occultation
 
+import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.HillSheet
+import daphnis.core.boundary.Images
+import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.population.Population
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.exp
@@ -48,13 +55,91 @@ class RayCastingTest {
     }
 
     @Test
+    fun `rays are blocked by the spheres and images that a plain search along each ray finds, whichever axis slides`() {
+        val box = Box.centred(10.0, 12.0, 8.0)
+        for (boundary in listOf(HillSheet(box, 1.0), LeesEdwards(box, 0.7), LeesEdwards(box, -0.7), HillSheet(box, 1.0, true))) {
+            val time = 0.83
+            val state = uniform(14, boundary, radius = 0.7).let { PatchState(it.population, boundary, time) }
+            val images = Images().also { it.prepare(boundary, time) }
+            for ((elevation, azimuth) in listOf(PI / 2 to 0.0, 0.5 to 0.0, 0.5 to 1.1, 0.35 to 3.9)) {
+                val shadow = RayCasting(elevation, azimuth, rays = 36).cast(state)
+                val expected = BooleanArray(shadow.blocked.size) { at ->
+                    val x = -5 + (at / shadow.ny + 0.5) * 10 / shadow.nx
+                    val y = -6 + (at % shadow.ny + 0.5) * 12 / shadow.ny
+                    isBlocked(state, images, x, y, elevation, azimuth)
+                }
+                assertArrayEquals(expected, shadow.blocked) { "${boundary.javaClass.simpleName}, B $elevation, A $azimuth" }
+            }
+        }
+    }
+
+    /** Whether the ray through (x, y, 0) comes nearer to a sphere or image than its radius. */
+    private fun isBlocked(state: PatchState, images: Images, x: Double, y: Double, elevation: Double, azimuth: Double): Boolean {
+        val p = state.population
+        val ray = doubleArrayOf(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), sin(elevation))
+        val open = state.boundary.contactFaces(0) != ContactFaces.PERIODIC
+        for (k in 0 until p.size) {
+            for (ix in if (open) 0..0 else -6..6) {
+                for (iy in -10..10) {
+                    val code = Images.code(ix, iy, 0)
+                    val d = doubleArrayOf(p.x[k] + images.shift(code, 0) - x, p.y[k] + images.shift(code, 1) - y, p.z[k])
+                    val along = (0..2).sumOf { d[it] * ray[it] }
+                    if ((0..2).sumOf { d[it] * d[it] } - along * along < p.radius[k] * p.radius[k]) return true
+                }
+            }
+        }
+        return false
+    }
+
+    @Test
+    fun `a wake lets most light through along its crests and least across`() {
+        // Walls of spheres along crests that lean by 25 degrees from the orbit, 15 apart along x, as high as they are apart; rays 20 degrees above the plane.
+        val pitch = Math.toRadians(25.0)
+        val ly = 60 / Math.tan(pitch)
+        val spheres = ArrayList<DoubleArray>()
+        for (crest in 0 until 4) {
+            for (k in 0 until 200) {
+                val y = -ly / 2 + (k + 0.5) / 200 * ly
+                val x = -22.5 + 15 * crest - y * Math.tan(pitch)
+                for (h in -4..4) spheres += doubleArrayOf(x - 60 * Math.floor((x + 30) / 60), y, 0.8 * h)
+            }
+        }
+        fun column(c: Int) = DoubleArray(spheres.size) { spheres[it][c] }
+        val zero = DoubleArray(spheres.size)
+        val p = Population(column(0), column(1), column(2), zero, zero, zero, DoubleArray(spheres.size) { 0.7 }, DoubleArray(spheres.size) { 1.0 })
+        val state = PatchState(p, HillSheet(Box.centred(60.0, ly, 10.0), 1.0), 0.0)
+        val t = (0 until 36).associateWith { RayCasting(Math.toRadians(20.0), Math.toRadians(5.0 * it), rays = 256).cast(state).transmission }
+        // Crests run from y backward outward: 90 + 25 degrees from x toward y, and rays climb the other way as well.
+        assertEquals(115, 5 * t.maxByOrNull { it.value }!!.key)
+        val darkest = 5 * t.minByOrNull { it.value }!!.key
+        assertTrue(Math.abs(Math.floorMod(darkest - 25 + 90, 180) - 90) <= 60) { "least light at $darkest degrees: $t" }
+        assertTrue(t[5]!! < 0.5 * t[23]!!) { "$t" }
+    }
+
+    @Test
+    fun `the depth is that of the mean transmission, finite although one state is opaque`() {
+        val rays = RayCasting(PI / 6)
+        val depth = rays.depth(BlockAverage(0.25, 0.05, 8))
+        assertEquals(-0.5 * Math.log(0.25), depth.mean, 1e-12)
+        assertEquals(0.5 * 0.05 / 0.25, depth.error, 1e-12)
+        assertEquals(Double.POSITIVE_INFINITY, rays.depth(BlockAverage(0.0, 0.0, 8)).mean)
+        val opaque = one(0.0, 0.0, 0.0, Periodic(Box.centred(0.5, 0.5, 4.0)))
+        val clear = one(0.0, 0.0, 0.0, Periodic(Box.centred(20.0, 20.0, 4.0)))
+        val averages = Averages(RayCasting(PI / 2).transmission())
+        averages.add(opaque)
+        averages.add(clear)
+        assertEquals((1 - PI / 400) / 2, averages.average(0).mean, 1e-3)
+        assertEquals(-Math.log(averages.average(0).mean), RayCasting(PI / 2).depth(averages.average(0)).mean, 1e-12)
+    }
+
+    @Test
     fun `many spheres without correlation let exp(−τ over sin B) through, and the scan is even`() {
         val state = uniform(3000, Periodic(Box.centred(40.0, 40.0, 10.0)), radius = 0.3)
         val depth = 3000 * PI * 0.09 / 1600
         for (elevation in listOf(PI / 2, 0.5)) {
             val rays = RayCasting(elevation)
             assertEquals(exp(-depth / sin(elevation)), rays.cast(state).transmission, 0.02)
-            assertEquals(depth, rays.depth().of(state)[1], 0.03)
+            assertEquals(depth, rays.depth(BlockAverage.of(rays.transmission().of(state))).mean, 0.03)
             assertEquals(rays.cast(state).transmission, rays.cast(state).scan().average(), 1e-12)
         }
     }
@@ -62,5 +147,6 @@ class RayCastingTest {
     @Test
     fun `elevations below the plane and none are refused`() {
         for (elevation in listOf(0.0, -1.0, 2.0, Double.NaN)) assertThrows(IllegalArgumentException::class.java) { RayCasting(elevation) }
+        assertThrows(IllegalArgumentException::class.java) { RayCasting(1.0, Double.NaN) }
     }
 }

@@ -1,7 +1,9 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.ExtendedXyz
@@ -11,6 +13,7 @@ import daphnis.core.format.H5md
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.SizesSpec
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -36,19 +39,21 @@ class AnalysisTest {
     fun `a ring patch gives tables, plots and one page with everything inside`() {
         val path = run("ring-patch", "untilOrbits=2", "box.lengths=[60,60,20]", "output.snapshotEvery=50")
         val seen = ArrayList<Int>()
-        Analysis(AnalysisInput.ofRun(path)).write(path) { done, all, _ -> seen += 100 * done / all }
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(elevation = 35.0, azimuth = 15.0)).write(path) { done, all, _ -> seen += 100 * done / all }
         assertEquals(100, seen.last())
         assertEquals(seen.sorted(), seen)
         val html = Files.readString(path.resolve("report.html"))
         for (heading in listOf("Numbers", "The patch", "Streamlines", "Evolution", "Profiles", "Velocity ellipsoid", "Structure", "Occultation", "Impacts", "Run")) {
             assertTrue(">$heading</h2>" in html) { heading }
         }
+        assertTrue("35° elevation and 15° azimuth" in html && "Pair correlation in the x-y plane" in html)
+        assertTrue("No wakes" in html)
         // Nothing from outside: every picture is data, no script, no link but those within the page.
         assertFalse(Regex("""(src|href)="(?!data:|#)""").containsMatchIn(html))
         assertFalse("<script" in html)
         val tables = Files.list(path.resolve("tables")).use { files -> files.map { it.name }.toList().toSet() }
         val wanted = "numbers streamlines-x streamlines-guiding-centre profile-radial profile-vertical evolution pair-correlation " +
-            "structure-factor autocorrelation occultation impact-speeds"
+            "structure-factor autocorrelation wakes occultation impact-speeds"
         for (name in wanted.split(' ')) {
             assertTrue("$name.csv" in tables) { name }
         }
@@ -63,7 +68,15 @@ class AnalysisTest {
     fun `a sheared box has its mean flow, an open gas what an open gas has`() {
         val sheared = run("shear-cell", "until=1", "output.snapshotEvery=10", "output.transportEvery=2")
         Analysis(AnalysisInput.ofRun(sheared)).write(sheared)
-        assertTrue(">Mean flow</h2>" in Files.readString(sheared.resolve("report.html")))
+        val html = Files.readString(sheared.resolve("report.html"))
+        assertTrue(">Mean flow</h2>" in html)
+        // Filled all around: no light through it, no wakes, and g(r) in space from contact on.
+        assertFalse(">Occultation</h2>" in html || "Wakes" in html || "wakes" in html)
+        assertTrue("Radial distribution function in space" in html && "2147483647" !in html)
+        val pairs = Files.readAllLines(sheared.resolve("tables/pair-correlation.csv")).drop(1).map { row -> row.split(',').map { it.toDouble() } }
+        val half = (pairs[1][0] - pairs[0][0]) / 2
+        assertEquals(2 * BuiltIn.scenario("shear-cell", emptyList()).particles!!.sizes.let { (it as SizesSpec.Equal).radius }, pairs[0][0] - half, 1e-9)
+        assertTrue(pairs[0][1] > 1.5) { "g at contact is ${pairs[0][1]}" }
         assertTrue("temperature T*" in Files.readString(sheared.resolve("tables/numbers.csv")))
         val open = run("cooling-gas", "until=0.2", "boundary={\"type\":\"open\"}", "particles.count=200")
         Analysis(AnalysisInput.ofRun(open)).write(open)
@@ -79,6 +92,28 @@ class AnalysisTest {
         assertTrue("fewer than eight independent ones" in html)
         val row = Files.readAllLines(cooling.resolve("tables/numbers.csv")).first { it.startsWith("granular temperature") }
         assertTrue(row.endsWith(",too few independent states")) { row }
+    }
+
+    @Test
+    fun `a patch that lets no light through is opaque, one that does in some states has a finite depth`() {
+        fun rows(opaque: Int): String {
+            val boundary = HillSheet(Box.centred(4.0, 4.0, 2.0), 1.0)
+            val frames = List(3) { k ->
+                val p = uniform(60, boundary, radius = 1.0).population
+                // All in one place.
+                if (k >= opaque) for (axis in listOf(p.x, p.y, p.z)) axis.fill(0.0)
+                Frame.of(p, boundary, k.toLong(), k.toDouble())
+            }
+            val file = directory.resolve("light.h5")
+            H5md.write(frames, file, "test")
+            val scenario = BuiltIn.scenario("ring-patch", listOf("box.lengths=[4,4,2]", "forces=[]"))
+            Analysis(AnalysisInput.ofFile(file, scenario, "ring-patch"), AnalysisOptions(from = -1.0)).write(directory)
+            val html = Files.readString(directory.resolve("report.html"))
+            assertFalse("2147483647" in html || "Infinity" in html || "∞" in html)
+            return html
+        }
+        assertTrue("opaque: no ray comes through" in rows(3))
+        assertFalse("opaque: no ray" in rows(2))
     }
 
     @Test

@@ -1,0 +1,101 @@
+package daphnis.analysis.correlation
+
+import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.uniform
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.HillSheet
+import daphnis.core.boundary.Images
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Periodic
+import daphnis.core.population.Population
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
+import kotlin.math.sqrt
+
+class StructureFactorTest {
+    private val box = Box.centred(10.0, 12.0, 3.0)
+    private val boundaries = listOf<BoundaryConditions>(Periodic(box), HillSheet(box, 1.0), LeesEdwards(box, 0.9), LeesEdwards(box, -0.9))
+
+    @Test
+    fun `it is the same when some particles are replaced by their images, along whichever axis these have slid`() {
+        for (boundary in boundaries) {
+            for (time in listOf(0.0, 0.37, 0.8)) {
+                val p = uniform(60, boundary).population
+                val images = Images().also { it.prepare(boundary, time) }
+                val moved = Population(p.x.copyOf(), p.y.copyOf(), p.z.copyOf(), p.vx, p.vy, p.vz, p.radius, p.mass)
+                for (k in 0 until 60 step 3) {
+                    val code = Images.code(k % 2, 1 - k % 2 - k % 5, 0)
+                    moved.x[k] += images.shift(code, 0)
+                    moved.y[k] += images.shift(code, 1)
+                }
+                val factor = StructureFactor(6.0, 40)
+                assertArrayEquals(factor.of(PatchState(p, boundary, time)), factor.of(PatchState(moved, boundary, time)), 1e-9) {
+                    "${boundary.javaClass.simpleName} at $time"
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `a wave across both axes has its peak where it is, leaning with the images`() {
+        for (boundary in boundaries) {
+            val time = 0.37
+            val offset = boundary.shear?.offset(time) ?: 0.0
+            var kx = 2 * PI / 10 * 3
+            var ky = 2 * PI / 12 * 4
+            if (boundary.shear?.normalAxis == 0) kx -= ky * offset / 10
+            if (boundary.shear?.normalAxis == 1) ky -= kx * offset / 12
+            // Rows of particles on the crests k·r = 2πn.
+            val n = 4000
+            val base = uniform(n, boundary).population
+            val x = DoubleArray(n)
+            val y = DoubleArray(n)
+            val k2 = kx * kx + ky * ky
+            for (i in 0 until n) {
+                val phase = kx * base.x[i] + ky * base.y[i]
+                val away = (phase - 2 * PI * Math.rint(phase / (2 * PI))) / k2
+                x[i] = base.x[i] - away * kx
+                y[i] = base.y[i] - away * ky
+            }
+            val state = PatchState(Population(x, y, base.z, base.vx, base.vy, base.vz, base.radius, base.mass), boundary, time)
+            val bins = 500
+            val s = StructureFactor(4.0, bins).of(state)
+            val bin = (sqrt(k2) / 4.0 * bins).toInt()
+            // S is N there; where nothing leans the mirrored wave vector is in the same bin and has nothing.
+            assertTrue(s[bin] > n / 2.0) { "${boundary.javaClass.simpleName}: ${s[bin]}" }
+        }
+    }
+
+    @Test
+    fun `every wave vector that fits counts once, on both sides, when images have slid far`() {
+        for (boundary in boundaries) {
+            val time = boundary.shear?.let { 0.93 * (if (it.normalAxis == 0) 12.0 else 10.0) / Math.abs(it.velocity) } ?: 0.0
+            val state = uniform(40, boundary).let { PatchState(it.population, boundary, time) }
+            val offset = boundary.shear?.offset(time) ?: 0.0
+            val sum = DoubleArray(8)
+            val count = IntArray(8)
+            for (l in -60..60) {
+                for (m in -60..60) {
+                    var kx = l * 2 * PI / 10
+                    var ky = m * 2 * PI / 12
+                    if (boundary.shear?.normalAxis == 0) kx -= ky * offset / 10
+                    if (boundary.shear?.normalAxis == 1) ky -= kx * offset / 12
+                    val bin = (sqrt(kx * kx + ky * ky) / 8.0 * 8).toInt()
+                    if (l == 0 && m == 0 || bin >= 8) continue
+                    val p = state.population
+                    val c = (0 until 40).sumOf { cos(kx * p.x[it] + ky * p.y[it]) }
+                    val s = (0 until 40).sumOf { sin(kx * p.x[it] + ky * p.y[it]) }
+                    sum[bin] += (c * c + s * s) / 40
+                    count[bin]++
+                }
+            }
+            val expected = DoubleArray(8) { if (count[it] == 0) Double.NaN else sum[it] / count[it] }
+            assertArrayEquals(expected, StructureFactor(8.0, 8).of(state), 1e-9) { boundary.javaClass.simpleName }
+        }
+    }
+}

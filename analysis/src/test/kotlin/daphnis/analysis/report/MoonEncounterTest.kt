@@ -1,0 +1,67 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.table.UnitNames
+import daphnis.core.boundary.Box
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.UnitsSpec
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class MoonEncounterTest {
+    private val box = Box.centred(10.0, 12600.0, 0.6)
+    private val omega = 1.259e-4
+
+    private fun wake(vararg settings: String): Scenario = BuiltIn.scenario("satellite-wake", settings.asList())
+
+    @Test
+    fun `a moon given by its mass has the encounter of the same moon given by its ratio`() {
+        val ratio = MoonEncounter.of(wake(), omega, box)!!
+        assertEquals(1.667, ratio.amplitude, 0.01)
+        // GM of Saturn over G, in kilograms.
+        val mass = 8.71e-12 * 3.7931206e16 / UnitsSpec.GRAVITATIONAL_CONSTANT
+        val byMass = MoonEncounter.of(wake("forces=[{\"type\":\"satellite\",\"mass\":$mass,\"x\":-167,\"y\":-7500}]"), omega, box)!!
+        assertEquals(ratio.massRatio, byMass.massRatio, 1e-12 * ratio.massRatio)
+        assertEquals(ratio.amplitude, byMass.amplitude, 1e-9)
+        assertEquals(ratio.distance, byMass.distance)
+    }
+
+    @Test
+    fun `a frame given by its angular speed is where Kepler puts it`() {
+        val given = wake("frame={\"type\":\"hill\",\"planet\":\"saturn\",\"angularSpeed\":$omega}")
+        val kepler = MoonEncounter.of(given, omega, box)!!
+        assertEquals(Math.cbrt(3.7931206e7 / (omega * omega)) - 167, kepler.semiMajorAxis, 1e-6)
+        assertEquals(167.0, kepler.distance)
+    }
+
+    @Test
+    fun `the rows say what is of the circle and what of the epicycle`() {
+        val units = UnitNames(wake().units)
+        fun rows(e: Double) = MoonEncounter.rows(
+            MoonEncounter.of(wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":-167,\"y\":-7500,\"e\":$e}]"), omega, box)!!,
+            box,
+            units,
+        )
+        assertEquals(1, rows(0.0).count { "amplitude" in it.what })
+        val swinging = rows(30.0)
+        val least = swinging.single { "least" in it.what }.value
+        val largest = swinging.single { "largest" in it.what && "amplitude" in it.what }.value
+        val circle = rows(0.0).single { "amplitude" in it.what }.value
+        assertTrue(least < 0.9 * circle && largest > 1.1 * circle) { "$least $circle $largest" }
+        assertTrue(swinging.any { "swings 30" in it.note })
+        assertEquals(1.5 * 167 * 167 / largest, swinging.single { "cross" in it.what }.value, 1e-9)
+        val crossing = rows(200.0)
+        assertTrue(crossing.single { "amplitude" in it.what }.value.isNaN())
+        assertFalse(crossing.any { "cross without" in it.what })
+    }
+
+    @Test
+    fun `no moon, no encounter`() {
+        assertNull(MoonEncounter.of(wake("forces=[]"), omega, box))
+        assertNull(MoonEncounter.of(null, omega, box))
+        assertNull(MoonEncounter.of(wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":0,\"y\":-7500}]"), omega, box))
+    }
+}

@@ -1,0 +1,78 @@
+package daphnis.analysis.streamline
+
+import daphnis.core.force.Epicycle
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.math.PI
+import kotlin.math.sqrt
+
+class EncounterTest {
+    @Test
+    fun `an encounter has the wavelength, amplitude and crossing of Pan at the Encke gap`() {
+        val pan = Encounter(162.0, 8.71e-12, 133_584.0)
+        assertEquals(1527.0, pan.wavelength, 0.5)
+        assertEquals(1.772, pan.amplitude, 0.002)
+        assertEquals(1.5 * 162 * 162 / pan.amplitude, pan.crossing(pan.amplitude), 1e-9)
+        assertEquals(2 * PI * 133_584 / pan.wavelength, pan.synodicOrbits, 1e-12)
+        val resonances = pan.resonances(160.0, 170.0)
+        assertTrue(resonances.size in 25..40)
+        for (r in resonances) assertEquals(Math.pow((r.m + 1.0) / r.m, 2.0 / 3) - 1, r.offset / 133_584, 1e-12)
+    }
+
+    @Test
+    fun `the integrated impulse of a moon on a circle is that of Julian and Toomre, on either side`() {
+        for (distance in listOf(162.0, -30.0)) {
+            val circle = Encounter(distance, 1e-12, 1e5)
+            for (phase in listOf(0.0, 2.0)) assertEquals(circle.amplitude, circle.amplitudeAt(phase), 3e-4 * circle.amplitude)
+            assertEquals(circle.largestAmplitude, circle.leastAmplitude, 1e-9 * circle.amplitude)
+        }
+    }
+
+    @Test
+    fun `a moon on an epicycle leaves what a particle integrated through its passage has`() {
+        for (distance in listOf(1.0, -1.0)) {
+            for (moonE in listOf(0.1, 0.4)) {
+                val encounter = Encounter(distance, 1e-6, 1.0, moonE)
+                for (phase in listOf(0.3, 1.7, 3.3, 5.0)) {
+                    assertEquals(integrated(distance, moonE, phase, 1e-6), encounter.amplitudeAt(phase), 0.004 * encounter.amplitude) { "$distance, $moonE, $phase" }
+                }
+                // Not the circle's by far: what the row of the report would be wrong by.
+                assertTrue(encounter.largestAmplitude > (1 + moonE) * encounter.amplitude && encounter.leastAmplitude < encounter.amplitude)
+            }
+        }
+    }
+
+    /** Amplitude of a particle from a circular orbit at [distance], after a moon of GM = [strength] has passed; Ω = 1. Runge and Kutta. */
+    private fun integrated(distance: Double, moonE: Double, phase: Double, strength: Double): Double {
+        val way = 100.0
+        val dt = 0.005
+        var s = doubleArrayOf(distance, 1.5 * distance * way, 0.0, -1.5 * distance)
+        fun rate(t: Double, q: DoubleArray): DoubleArray {
+            val moon = Epicycle(0.0, 0.0, moonE, phase + t).state(1.0)
+            val dx = q[0] - moon[0]
+            val dy = q[1] - moon[1]
+            val r3 = (dx * dx + dy * dy) * sqrt(dx * dx + dy * dy)
+            return doubleArrayOf(q[2], q[3], 2 * q[3] + 3 * q[0] - strength * dx / r3, -2 * q[2] - strength * dy / r3)
+        }
+        fun plus(a: DoubleArray, b: DoubleArray, f: Double) = DoubleArray(4) { a[it] + f * b[it] }
+        for (k in 0 until (2 * way / dt).toInt()) {
+            val t = -way + k * dt
+            val k1 = rate(t, s)
+            val k2 = rate(t + dt / 2, plus(s, k1, dt / 2))
+            val k3 = rate(t + dt / 2, plus(s, k2, dt / 2))
+            val k4 = rate(t + dt, plus(s, k3, dt))
+            s = DoubleArray(4) { s[it] + dt / 6 * (k1[it] + 2 * k2[it] + 2 * k3[it] + k4[it]) }
+        }
+        return Epicycle.of(s[0], s[1], 0.0, s[2], s[3], 0.0, 1.0).e
+    }
+
+    @Test
+    fun `a moon whose epicycle reaches the ring has no small impulse`() {
+        val deep = Encounter(10.0, 1e-9, 1e5, 10.0)
+        assertTrue(deep.amplitudeAt(0.0).isNaN() && deep.largestAmplitude.isNaN() && deep.leastAmplitude.isNaN())
+        assertThrows(IllegalArgumentException::class.java) { Encounter(10.0, 1e-9, 1e5, -1.0) }
+        assertThrows(IllegalArgumentException::class.java) { Encounter(0.0, 1e-9, 1e5) }
+    }
+}
