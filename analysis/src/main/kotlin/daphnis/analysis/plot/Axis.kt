@@ -22,15 +22,26 @@ internal class Axis(low: Double, high: Double, private val logarithmic: Boolean)
 
     init {
         val equal = !(high > low)
-        from = if (!equal) low else if (logarithmic) low / 2 else low - room(low)
-        to = if (!equal) high else if (logarithmic) high * 2 else high + room(high)
+        from = if (!equal) {
+            low
+        } else if (logarithmic) {
+            low / 2
+        } else {
+            low - room(low)
+        }
+        to = if (!equal) {
+            high
+        } else if (logarithmic) {
+            high * 2
+        } else {
+            high + room(high)
+        }
     }
 
     private fun room(value: Double) = if (value == 0.0) 1.0 else abs(value) / 2
 
     /** 0 at the low end, 1 at the high one. */
-    fun fraction(value: Double): Double =
-        if (logarithmic) log10(value / from) / log10(to / from) else (value - from) / (to - from)
+    fun fraction(value: Double): Double = if (logarithmic) log10(value / from) / log10(to / from) else (value - from) / (to - from)
 
     /** About five marks at round numbers: steps of 1, 2 or 5 times a power of ten, or of a factor when logarithmic. */
     fun ticks(): List<Tick> = if (logarithmic) logarithmicTicks() else linearTicks()

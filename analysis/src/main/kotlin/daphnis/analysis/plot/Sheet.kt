@@ -29,8 +29,9 @@ internal class SvgSheet(width: Int, height: Int) : Sheet {
         """<svg xmlns="http://www.w3.org/2000/svg" width="$width" height="$height" viewBox="0 0 $width $height" font-family="Helvetica, Arial, sans-serif">""",
     ).append("\n<rect width=\"$width\" height=\"$height\" fill=\"#ffffff\"/>\n")
 
-    override fun line(x1: Double, y1: Double, x2: Double, y2: Double, colour: String, width: Double) =
+    override fun line(x1: Double, y1: Double, x2: Double, y2: Double, colour: String, width: Double) {
         path(doubleArrayOf(x1, x2), doubleArrayOf(y1, y2), colour, width)
+    }
 
     override fun path(x: DoubleArray, y: DoubleArray, colour: String, width: Double) {
         out.append("<path fill=\"none\" stroke=\"").append(colour).append("\" stroke-width=\"").append(width).append("\" stroke-linejoin=\"round\" d=\"")

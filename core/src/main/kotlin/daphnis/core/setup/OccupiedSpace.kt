@@ -14,19 +14,12 @@ internal enum class Verdict { FREE, TAKEN, OPEN }
  *
  * @param order sphere by rank
  */
-internal class OccupiedSpace(
-    radii: DoubleArray,
-    order: IntArray,
-    private val box: Box,
-    private val walled: BooleanArray,
-    private val obstacles: List<Obstacle>,
-) {
+internal class OccupiedSpace(radii: DoubleArray, order: IntArray, private val box: Box, private val walled: BooleanArray, private val obstacles: List<Obstacle>) {
     /** A grid for spheres with radii in ([largest] / 2, [largest]]. */
     inner class Octave(val largest: Double, val cells: IntArray) {
         val heads = IntArray(cells[0] * cells[1] * cells[2]) { -1 }
 
-        fun cell(axis: Int, position: Double): Int =
-            floor((position - box.lower(axis)) / box.length(axis) * cells[axis]).toInt().coerceIn(0, cells[axis] - 1)
+        fun cell(axis: Int, position: Double): Int = floor((position - box.lower(axis)) / box.length(axis) * cells[axis]).toInt().coerceIn(0, cells[axis] - 1)
 
         fun cell(x: Double, y: Double, z: Double): Int = (cell(2, z) * cells[1] + cell(1, y)) * cells[0] + cell(0, x)
 
