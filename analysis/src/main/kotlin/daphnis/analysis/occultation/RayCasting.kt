@@ -69,7 +69,7 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
     public fun depth(transmission: BlockAverage): BlockAverage {
         val t = transmission.mean
         val error = if (t > 0) sin(elevation) * transmission.error / t else Double.NaN
-        return BlockAverage(-sin(elevation) * ln(t), error, transmission.count)
+        return BlockAverage(-sin(elevation) * ln(t), error, transmission.count, transmission.independent)
     }
 
     /** Drops shadows. Axes are those of [PlaneImages]: a from row to row of images, b along a row. */
