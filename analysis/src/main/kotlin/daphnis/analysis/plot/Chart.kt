@@ -15,9 +15,12 @@ import org.jetbrains.letsPlot.label.labs
 import org.jetbrains.letsPlot.letsPlot
 import org.jetbrains.letsPlot.scale.scaleColorManual
 import org.jetbrains.letsPlot.scale.scaleFillGradient2
+import org.jetbrains.letsPlot.scale.scaleLinetypeManual
+import org.jetbrains.letsPlot.scale.scaleShapeManual
 import org.jetbrains.letsPlot.scale.scaleXLog10
 import org.jetbrains.letsPlot.scale.scaleYLog10
 import org.jetbrains.letsPlot.themes.elementBlank
+import org.jetbrains.letsPlot.themes.elementText
 import org.jetbrains.letsPlot.themes.theme
 import org.jetbrains.letsPlot.themes.themeMinimal
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
@@ -30,6 +33,13 @@ internal object Chart {
     const val WIDTH = 760
     const val HEIGHT = 340
 
+    /**
+     * Curves over a common axis, told apart by colour and by pattern; curves of few points have them marked. Curves after the [Figures.COLOURS] run out repeat.
+     *
+     * @param logX whether the axis is logarithmic, which its label then says; [logY] likewise, and values that are not positive are left out
+     * @param horizontal a dashed line across at this height
+     * @param vertical a dashed line upright at this place
+     */
     fun lines(
         curves: List<Curve>,
         xLabel: String,
@@ -38,9 +48,58 @@ internal object Chart {
         logX: Boolean = false,
         logY: Boolean = false,
         horizontal: Double? = null,
-        points: Boolean = false,
+        vertical: Double? = null,
         height: Int = HEIGHT,
     ): Plot {
+        var plot = letsPlot(points(curves, logY))
+        if (horizontal != null) plot += geomHLine(yintercept = horizontal, color = Figures.QUIET, linetype = "dashed", size = 0.5)
+        if (vertical != null) plot += geomVLine(xintercept = vertical, color = Figures.QUIET, linetype = "longdash", size = 0.7)
+        if (curves.any { it.error != null }) {
+            plot += geomErrorBar(width = 0.0, size = 0.5, alpha = 0.6, showLegend = false, tooltips = tooltipsNone) {
+                x = "x"
+                ymin = "low"
+                ymax = "high"
+                color = "curve"
+            }
+        }
+        plot += geomLine(size = Figures.LINE) {
+            x = "x"
+            y = "y"
+            color = "curve"
+            linetype = "curve"
+        }
+        if (curves.all { it.x.size <= MOST_MARKED }) {
+            plot += geomPoint(size = 2.0) {
+                x = "x"
+                y = "y"
+                color = "curve"
+                shape = "curve"
+            }
+        }
+        plot = patterned(plot, curves) + labs(x = scaled(xLabel, logX), y = scaled(yLabel, logY)) + themeMinimal() + ggsize(WIDTH, height)
+        plot += if (curves.size > 1) theme().legendPositionTop() else theme().legendPositionNone()
+        if (title.isNotEmpty()) plot += ggtitle(title)
+        if (logX) plot += scaleXLog10()
+        if (logY) plot += scaleYLog10(limits = room(curves))
+        return plot
+    }
+
+    /** Whether [values] are best drawn over a logarithmic axis: all positive, and nine tenths of them spread over more than a factor of five. */
+    fun isWide(values: Iterable<Double>): Boolean {
+        val drawn = values.filter { !it.isNaN() }.sorted()
+        if (drawn.isEmpty() || drawn[0] <= 0) return false
+        val low = (TAIL * drawn.lastIndex).toInt()
+        return drawn[drawn.lastIndex - low] > LOG_FROM * drawn[low]
+    }
+
+    /** Says that an axis is logarithmic; a label that is long has its unit on a second line. */
+    private fun scaled(label: String, log: Boolean): String {
+        val shown = if (log) "$label (log scale)" else label
+        return if (shown.length > LONGEST_LABEL) shown.replace(" [", "\n[") else shown
+    }
+
+    /** The points of [curves] as columns for lets-plot; NaN is left out, and what a logarithmic axis cannot show. */
+    private fun points(curves: List<Curve>, logY: Boolean): Map<String, List<Any>> {
         val x = ArrayList<Double>()
         val y = ArrayList<Double>()
         val low = ArrayList<Double>()
@@ -57,38 +116,21 @@ internal object Chart {
                 name += curve.name
             }
         }
-        val data = mapOf("x" to x, "y" to y, "low" to low, "high" to high, "curve" to name)
-        val several = curves.size > 1
-        var plot = letsPlot(data)
-        if (horizontal != null) plot += geomHLine(yintercept = horizontal, color = Figures.QUIET, linetype = "dashed", size = 0.5)
-        if (curves.any { it.error != null }) {
-            plot += geomErrorBar(width = 0.0, size = 0.5, alpha = 0.6, tooltips = tooltipsNone) {
-                this.x = "x"
-                ymin = "low"
-                ymax = "high"
-                color = "curve"
-            }
-        }
-        plot += if (points) {
-            geomPoint(size = 1.6) {
-                this.x = "x"
-                this.y = "y"
-                color = "curve"
-            }
-        } else {
-            geomLine(size = Figures.LINE) {
-                this.x = "x"
-                this.y = "y"
-                color = "curve"
-            }
-        }
-        plot =
-            plot + scaleColorManual(Figures.COLOURS, name = "", limits = curves.map { it.name }) + labs(x = xLabel, y = yLabel) + themeMinimal() + ggsize(WIDTH, height)
-        plot += if (several) theme().legendPositionTop() else theme().legendPositionNone()
-        if (title.isNotEmpty()) plot += ggtitle(title)
-        if (logX) plot += scaleXLog10()
-        if (logY) plot += scaleYLog10()
-        return plot
+        return mapOf("x" to x, "y" to y, "low" to low, "high" to high, "curve" to name)
+    }
+
+    private fun patterned(plot: Plot, curves: List<Curve>): Plot {
+        val names = curves.map { it.name }
+        return plot + scaleColorManual(Figures.COLOURS, name = "", limits = names) + scaleLinetypeManual(Figures.LINES, name = "", limits = names) +
+            scaleShapeManual(Figures.SHAPES, name = "", limits = names) + theme(legendText = elementText(size = LEGEND_TEXT))
+    }
+
+    /** A little more than what the curves span: at the edge of a logarithmic axis lines are cut. */
+    private fun room(curves: List<Curve>): Pair<Double, Double> {
+        val values = curves.flatMap { it.y.asList() }.filter { it > 0 }
+        if (values.isEmpty()) return 0.1 to 10.0
+        val room = Math.pow(values.max() / values.min(), ROOM)
+        return values.min() / room to values.max() * room
     }
 
     /** Lines through points in the order given, one for each curve, all alike; [vertical] are marks on the x axis. */
@@ -139,11 +181,22 @@ internal object Chart {
         val x = curves.flatMap { it.x.asList() }
         val y = curves.flatMap { it.y.asList() }
         val name = curves.flatMap { c -> List(c.x.size) { c.name } }
-        return letsPlot(mapOf("x" to x, "y" to y, "curve" to name)) + geomPath(size = Figures.LINE, tooltips = tooltipsNone) {
+        val plot = letsPlot(mapOf("x" to x, "y" to y, "curve" to name)) + geomPath(size = Figures.LINE, tooltips = tooltipsNone) {
             this.x = "x"
             this.y = "y"
             color = "curve"
-        } + scaleColorManual(Figures.COLOURS, name = "") + coordFixed() + labs(x = xLabel, y = yLabel) + themeMinimal() +
-            theme().legendPositionTop() + ggsize(WIDTH, 420)
+            linetype = "curve"
+        } + coordFixed() + labs(x = xLabel, y = yLabel) + themeMinimal() +
+            ggsize(WIDTH, 420)
+        return patterned(plot, curves) + theme().legendPositionTop()
     }
+
+    private const val LOG_FROM = 5.0
+    private const val TAIL = 0.05
+    private const val LONGEST_LABEL = 34
+    private const val ROOM = 0.05
+
+    /** Points of a curve up to which each is marked. */
+    private const val MOST_MARKED = 40
+    private const val LEGEND_TEXT = 14
 }

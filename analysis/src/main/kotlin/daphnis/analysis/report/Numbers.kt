@@ -24,6 +24,9 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
     val surfaceDensity: Double = indices().sumOf { population.mass[it] } / state.area
     private val fillingFactor = indices().sumOf { 4.0 / 3 * PI * population.radius[it] * population.radius[it] * population.radius[it] } / state.boundary.box.volume
 
+    /** Whether averages are over the rows of the transport file; else they are over states alone. */
+    val isFromTransport: Boolean get() = transport != null
+
     private fun indices() = (0 until population.size).filter { state.isParticle(it) }
 
     /** ⟨c_a c_b⟩: xx, yy, zz, xy; from the transport file, else from the snapshots. */
@@ -54,7 +57,7 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         add("scale height H", transport?.scaleHeight ?: states.average(HEIGHT), "r", r, "H")
         add("filling factor in the middle plane", states.average(MIDPLANE), "", 1.0, "midplane")
         if (transport != null) {
-            add("collisions of a particle", transport.collisionRate, "orbit^-1", omega / (2 * PI), "collisions")
+            add("collisions of a particle", transport.collisionRate, "1/orbit", omega / (2 * PI), "collisions")
             exact("mean impact speed", transport.impactSpeed * (input.scenario?.units?.speedInCmPerSecond ?: 1.0), "cm/s")
             val unit = r * r * omega
             add("viscosity, translational", transport.translational, "r² Ω", unit, "nu_trans")
@@ -83,11 +86,11 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         rows += NumberRow("mean radius", meanRadius, Double.NaN, units.length)
         val flow = state.boundary.meanFlow
         val gas = scenario?.let { References.ofElastic(it, fillingFactor, temperature.mean, density) } ?: emptyMap()
-        rows += NumberRow("granular temperature ⟨c²⟩/3", temperature.mean, temperature.error, "(${units.speed})^2")
+        rows += NumberRow("granular temperature ⟨c²⟩/3", temperature.mean, temperature.error, units.temperature)
         if (transport == null) return rows
         val mass = population.mass.sum()
         val rate = transport.collisionRate
-        rows += NumberRow("collisions of a particle", rate.mean, rate.error, "${units.time}^-1", gas["rate"])
+        rows += NumberRow("collisions of a particle", rate.mean, rate.error, units.rate, gas["rate"])
         val pressure = listOf("xx", "yy", "zz").map { transport.pressure(it) }
         val p = BlockAverage(pressure.sumOf { it.mean } / 3, sqrt(pressure.sumOf { it.error * it.error }) / 3, pressure[0].count)
         rows += NumberRow("compressibility p V / (M T)", p.mean / temperature.mean, p.error / temperature.mean, "", gas["Z"])

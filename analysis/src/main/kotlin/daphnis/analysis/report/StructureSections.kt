@@ -23,7 +23,6 @@ internal class StructureSections(
     private val units = input.units
 
     fun correlations(page: ReportPage) {
-        page.section("Structure")
         spectrum(
             page,
             "pair-correlation",
@@ -47,7 +46,7 @@ internal class StructureSections(
                 measures.structure.centre(it)
             },
             measures.ofStructure,
-            "1/${units.length}",
+            units.waveNumber,
             "wave number |k|",
             "S",
             "Structure factor S(k) of wave vectors in the plane, averaged over directions; 1 for particles without correlation.",
@@ -91,7 +90,6 @@ internal class StructureSections(
     }
 
     fun occultation(page: ReportPage) {
-        page.section("Occultation")
         val b = measures.elevation
         val transmission = measures.ofDepth.average(0)
         val depth = measures.ofDepth.average(1)
@@ -131,7 +129,6 @@ internal class StructureSections(
         if (!Files.exists(file)) return
         val rows = Files.readAllLines(file).drop(1).map { line -> line.split(',').map { it.toDouble() } }
         if (rows.size < 2) return
-        page.section("Impacts")
         val factor = input.scenario?.units?.speedInCmPerSecond ?: 1.0
         val total = rows.sumOf { it[2] }
         val x = DoubleArray(rows.size) { sqrt(rows[it][0] * rows[it][1]) * factor }

@@ -1,0 +1,72 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.report.ReportText.count
+import daphnis.analysis.report.ReportText.short
+import daphnis.analysis.table.UnitNames
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.run.Summary
+import kotlin.math.PI
+
+/** What was run, in names and values. */
+internal class RunParameters(private val input: AnalysisInput, private val last: PatchState) {
+    private val units = input.units
+
+    fun rows(): List<Pair<String, String>> = state() + scenario() + states() + (input.summary?.let(::summary) ?: unfinished())
+
+    private fun state(): List<Pair<String, String>> {
+        val rows = ArrayList<Pair<String, String>>()
+        val radius = last.population.radius
+        val box = last.boundary.box
+        rows += "spheres" to "${last.population.size}"
+        rows += if (radius.min() == radius.max()) "radius" to length(short(radius.min())) else "radii" to length("${short(radius.min())} to ${short(radius.max())}")
+        rows += "box" to length((0..2).joinToString(" × ") { short(box.length(it)) })
+        rows += "boundary" to boundary()
+        val omega = input.omega ?: return rows
+        rows += "angular speed Ω" to "${ReportText.plain(omega, 6)} ${units.rate}, orbit ${UnitNames.amount(short(2 * PI / omega), units.time)}"
+        return rows
+    }
+
+    private fun length(text: String) = UnitNames.amount(text, units.length)
+
+    /** The scenario's word for it; a file without one has a periodic box or none. */
+    private fun boundary(): String {
+        val given = input.scenario?.boundary
+        return when {
+            given != null -> word(given)
+            (0..2).any { last.boundary.contactFaces(it) == ContactFaces.PERIODIC } -> "periodic"
+            else -> "open; the box is where the spheres are"
+        }
+    }
+
+    private fun scenario(): List<Pair<String, String>> {
+        val scenario = input.scenario ?: return emptyList()
+        val speed = "speed ${short(scenario.units.speedInCmPerSecond)} cm/s"
+        return listOf(
+            "seed" to "${scenario.seed}",
+            "restitution" to word(scenario.restitution),
+            "forces" to scenario.forces.joinToString { word(it) }.ifEmpty { "none" },
+            "units" to speed + (scenario.units.lengthInMetres?.let { ", length ${short(it)} m" } ?: ""),
+        )
+    }
+
+    private fun states(): List<Pair<String, String>> {
+        val span = if (input.size == 1) short(input.times[0]) else "${short(input.times.first())} to ${short(input.times.last())}"
+        return listOf("states" to "${input.size}, time ${UnitNames.amount(span, units.time)}")
+    }
+
+    private fun summary(summary: Summary) = listOf(
+        "steps" to "${summary.steps}",
+        "collisions" to "${summary.collisions}" + if (summary.guardActivations > 0) ", ${summary.guardActivations} made elastic by the guard" else "",
+        "deepest overlap" to "${short(summary.maxOverlap)} of the sum of two radii",
+        "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",
+        "state digest" to summary.stateDigest,
+        "version" to "daphnis ${summary.version}, ${summary.jvm}",
+    )
+
+    private fun unfinished() = if (input.directory == null) emptyList() else listOf("summary" to "none yet: the run goes on or was interrupted")
+
+    /** A part of the scenario in the scenario's spelling: `hill-sheet`. */
+    private fun word(part: Any): String = part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
+}
