@@ -19,12 +19,16 @@ internal object Figures {
     const val LINE = 0.9
 
     /**
-     * Colours of curves, first to last: told apart by the colour-blind (after Okabe & Ito) and, since each of the first four is lighter than the one before, in grey
-     * too; none so light that it is lost on white. Curves differ in [LINES] and [SHAPES] as well.
+     * Colours of curves, first to last: told apart by the colour-blind (after Okabe & Ito) and, since each of the first
+     * four is lighter than the one before, in grey too; none so light that it is lost on white. Curves differ in
+     * [LINES] and [SHAPES] as well.
      */
     val COLOURS = listOf("#00355f", "#9c2f6b", "#c8571b", "#3a96d0", "#000000", "#5f7a00")
 
-    /** Solid, dashed, dots and dashes, long dashes, long and short ones, dotted, which is faint; numbers are lets-plot's. */
+    /**
+     * Solid, dashed, dots and dashes, long dashes, long and short ones, dotted, which is faint; numbers are
+     * lets-plot's.
+     */
     val LINES = listOf(1, 2, 4, 5, 6, 3)
 
     /** Disc, triangle, square, rhombus, ring, cross. */

@@ -136,8 +136,7 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
         g.drawString(text, 28, height - 32)
     }
 
-    private fun barText(length: Double) =
-        UnitNames.amount(if (length == Math.rint(length) && length < 1e6) length.toLong().toString() else length.toString(), lengthName)
+    private fun barText(length: Double) = UnitNames.amount(if (length == Math.rint(length) && length < 1e6) length.toLong().toString() else length.toString(), lengthName)
 
     /** Circles while they are few enough to be read and edited, else the picture in an SVG. */
     private fun svg(discs: List<Disc>, window: Window, png: ByteArray): String {

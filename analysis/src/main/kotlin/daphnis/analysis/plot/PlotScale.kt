@@ -7,7 +7,8 @@ import daphnis.core.scenario.Scenario
 import kotlin.math.PI
 
 /**
- * In what plots over time count: in Hill's frame orbits and r Ω, so that steady states look alike whatever the distance from the planet; else the scenario's units.
+ * In what plots over time count: in Hill's frame orbits and r Ω, so that steady states look alike whatever the distance
+ * from the planet; else the scenario's units.
  *
  * @param omega angular speed of Hill's frame, null without one
  * @param meanRadius r, of the particles without bodies
@@ -27,7 +28,9 @@ public class PlotScale(public val units: UnitNames, omega: Double?, meanRadius: 
     public companion object {
         /** Of a [scenario] as a run resolved it, with the spheres it began with. */
         public fun of(scenario: Scenario, population: Population): PlotScale {
-            val particles = (0 until population.size).filter { population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE) }
+            val particles = (0 until population.size).filter {
+                population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE)
+            }
             val radius = particles.ifEmpty { listOf(0) }.map { population.radius[it] }.average()
             return PlotScale(UnitNames(scenario.units), FrameSetup.angularSpeed(scenario, scenario.name), radius)
         }

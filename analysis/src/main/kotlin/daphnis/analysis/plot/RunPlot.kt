@@ -5,7 +5,10 @@ import org.jetbrains.letsPlot.gggrid
 import org.jetbrains.letsPlot.ggsize
 import java.nio.file.Path
 
-/** The plot at the end of a run: granular temperature, and collisions of a particle in a unit of time, over time. Needs no display. */
+/**
+ * The plot at the end of a run: granular temperature, and collisions of a particle in a unit of time, over time. Needs
+ * no display.
+ */
 public object RunPlot {
     /**
      * Draws the time series in the file [series] into `run.svg` and `run.png` in [directory], which is made.

@@ -10,7 +10,8 @@ import java.nio.file.Path
 /**
  * What an analysis is asked for.
  *
- * @property from averages begin at this time, at most that of the last state; null for three eighths of the run, when it is hoped to be steady
+ * @property from averages begin at this time, at most that of the last state; null for three eighths of the run, when
+ * it is hoped to be steady
  * @property slabs of azimuth for streamlines; [groups] in each; 0 to choose by the number of particles
  * @property elevation of the rays in degrees
  * @property frames states that are averaged at most, evenly spread
@@ -30,8 +31,8 @@ public fun interface AnalysisProgress {
 }
 
 /**
- * Computes everything this module knows for one [input] and writes tables (CSV), plots (SVG and PNG) and `report.html`. One thread; holds one state in memory at a
- * time.
+ * Computes everything this module knows for one [input] and writes tables (CSV), plots (SVG and PNG) and `report.html`.
+ * One thread; holds one state in memory at a time.
  *
  * @throws InputException when averages are to begin after the last state
  */
@@ -45,9 +46,12 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         val from = options.from ?: return
         val last = input.times.last()
         if (from <= last) return
+        val value = ReportText.plain(from, DIGITS)
+        val end = ReportText.plain(last, DIGITS)
         throw InputException(
-            "--from", null,
-            "is ${ReportText.plain(from, DIGITS)}; the last state is at time ${ReportText.plain(last, DIGITS)}, so it must be at most that, in the scenario's unit of time",
+            "--from",
+            null,
+            "is $value; the last state is at time $end, so it must be at most that, in the scenario's unit of time",
         )
     }
 
@@ -80,12 +84,14 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
     /** When a run is hoped to be steady. */
     private fun steady(): Double {
         val begin = input.times.first()
-        val end = maxOf(input.times.last(), input.transport?.let { if (it.size == 0) null else it["time"].last() } ?: Double.NEGATIVE_INFINITY)
+        val lastRow = input.transport?.let { it["time"].lastOrNull() } ?: Double.NEGATIVE_INFINITY
+        val end = maxOf(input.times.last(), lastRow)
         return begin + (end - begin) * UNSTEADY
     }
 
     private fun subtitle(last: PatchState): String {
-        val what = input.scenario?.description?.takeIf { it.isNotEmpty() && input.directory != null } ?: ReportText.count(last.population.size, "sphere")
+        val description = input.scenario?.description?.takeIf { it.isNotEmpty() && input.directory != null }
+        val what = description ?: ReportText.count(last.population.size, "sphere")
         return "$what. Analysed with daphnis ${Version.text}."
     }
 
@@ -93,7 +99,9 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
     private fun chosenFrames(from: Double): List<Int> {
         val late = input.times.indices.filter { input.times[it] >= from }.ifEmpty { listOf(input.size - 1) }
         if (late.size <= options.frames) return late
-        return List(options.frames) { late[late.size - 1 - (it.toLong() * late.size / options.frames).toInt()] }.sorted()
+        return List(options.frames) {
+            late[late.size - 1 - (it.toLong() * late.size / options.frames).toInt()]
+        }.sorted()
     }
 
     private companion object {

@@ -19,13 +19,18 @@ internal class EllipsoidSection(private val study: Study) : Section {
         ?: if (e.dispersion > 0) null else "no particle moves against the mean flow"
 
     override fun write(page: ReportPage) {
-        val curves = listOf(curve("v_x, v_y", e.major, e.minor, e.orientation), curve("v_x, v_z", sqrt(xx(e)), e.vertical, 0.0))
+        val curves =
+            listOf(curve("v_x, v_y", e.major, e.minor, e.orientation), curve("v_x, v_z", sqrt(xx(e)), e.vertical, 0.0))
         val unit = study.scale.speedName
         val turned = ReportText.short(Math.toDegrees(e.orientation))
         study.draw(
-            page, Chart.ellipses(curves, UnitNames.axis("v_x", unit), UnitNames.axis("v_y, v_z", unit)), "velocity-ellipsoid",
+            page,
+            Chart.ellipses(curves, UnitNames.axis("v_x", unit), UnitNames.axis("v_y, v_z", unit)),
+            "velocity-ellipsoid",
             "sections of the velocity ellipsoid",
-            "Sections of the velocity ellipsoid, one standard deviation; in the plane its long axis is turned by $turned° from x toward y.", HEIGHT,
+            "Sections of the velocity ellipsoid, one standard deviation; " +
+                "in the plane its long axis is turned by $turned° from x toward y.",
+            HEIGHT,
         )
     }
 
@@ -39,8 +44,8 @@ internal class EllipsoidSection(private val study: Study) : Section {
         )
     }
 
-    private fun xx(e: VelocityEllipsoid): Double =
-        e.major * e.major * cos(e.orientation) * cos(e.orientation) + e.minor * e.minor * sin(e.orientation) * sin(e.orientation)
+    private fun xx(e: VelocityEllipsoid): Double = e.major * e.major * cos(e.orientation) * cos(e.orientation) +
+        e.minor * e.minor * sin(e.orientation) * sin(e.orientation)
 
     private companion object {
         const val POINTS = 120

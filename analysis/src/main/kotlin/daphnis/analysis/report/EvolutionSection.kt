@@ -8,7 +8,10 @@ import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
 import kotlin.math.sqrt
 
-/** How the run went over time: from `series.csv` temperature, collision rate and energy, from `transport.csv` the velocity dispersions. */
+/**
+ * How the run went over time: from `series.csv` temperature, collision rate and energy, from `transport.csv` the
+ * velocity dispersions.
+ */
 internal class EvolutionSection(private val study: Study) : Section {
     private val input = study.input
     private val series = input.series?.takeIf { it.size >= 2 }
@@ -20,7 +23,10 @@ internal class EvolutionSection(private val study: Study) : Section {
 
     override val heading = "Evolution"
     override val over: String = "The whole run" +
-        (mark?.let { "; the dashed line is where averages begin, time ${study.time(it)}." } ?: "; averages are over all of it.")
+        (
+            mark?.let { "; the dashed line is where averages begin, time ${study.time(it)}." }
+                ?: "; averages are over all of it."
+            )
     override val leftOut: String? = when {
         series != null || transport != null -> null
         input.directory == null -> "a file of states has no time series"
@@ -38,24 +44,46 @@ internal class EvolutionSection(private val study: Study) : Section {
         val energies = plots.energies()
         if (temperature != null) {
             study.draw(
-                page, plots.temperaturePlot(temperature), "temperature", "granular temperature over time",
-                "Granular temperature; steady where it no longer drifts.", HEIGHT,
+                page,
+                plots.temperaturePlot(temperature),
+                "temperature",
+                "granular temperature over time",
+                "Granular temperature; steady where it no longer drifts.",
+                HEIGHT,
             )
         }
-        if (rate != null) study.draw(page, plots.ratePlot(rate), "collision-rate", "collisions of a particle over time", "Collisions of a particle.", HEIGHT)
-        if (energies.isNotEmpty()) {
-            val shear = if (study.isRing) " In Hill's frame the kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits." else ""
-            study.draw(page, plots.energyPlot(energies), "energy", "energy over time", "Energy of all spheres.$shear", HEIGHT)
+        if (rate != null) {
+            study.draw(
+                page,
+                plots.ratePlot(rate),
+                "collision-rate",
+                "collisions of a particle over time",
+                "Collisions of a particle.",
+                HEIGHT,
+            )
         }
-        table("time-series", listOfNotNull(temperature?.let { it to scale.temperatureName }) + energies.map { it to study.units.energy })
-        table("collision-rate", listOfNotNull(rate?.let { it to scale.rateName }))
+        if (energies.isNotEmpty()) {
+            val shear = if (study.isRing) " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits." else ""
+            study.draw(
+                page,
+                plots.energyPlot(energies),
+                "energy",
+                "energy over time",
+                "Energy of all spheres.$shear",
+                HEIGHT,
+            )
+        }
+        val ofTemperature = listOfNotNull(temperature).map { it to scale.temperatureName }
+        table("time-series", ofTemperature + energies.map { it to study.units.energy })
+        table("collision-rate", listOfNotNull(rate).map { it to scale.rateName })
     }
 
     /** Curves over one time, with their units. */
     private fun table(name: String, curves: List<Pair<Curve, String>>) {
         if (curves.isEmpty()) return
         val time = Column("time", scale.timeName, curves[0].first.x)
-        Table(name, listOf(time) + curves.map { (curve, unit) -> Column(curve.name.replace(' ', '_'), unit, curve.y) }).write(study.tables)
+        val columns = curves.map { (curve, unit) -> Column(curve.name.replace(' ', '_'), unit, curve.y) }
+        Table(name, listOf(time) + columns).write(study.tables)
     }
 
     private fun dispersions(page: ReportPage) {
@@ -65,15 +93,26 @@ internal class EvolutionSection(private val study: Study) : Section {
         val sigma = names.map { (component, _) -> DoubleArray(t.size) { sqrt(t["c_$component"][it]) / scale.speed } }
         val curves = names.indices.map { Curve(names[it].second, thinned(time), thinned(sigma[it])) }
         val plot = Chart.lines(
-            curves, UnitNames.axis("time", scale.timeName), UnitNames.axis("velocity dispersion", scale.speedName),
+            curves,
+            UnitNames.axis("time", scale.timeName),
+            UnitNames.axis("velocity dispersion", scale.speedName),
             vertical = mark?.let { it / scale.time },
         )
-        study.draw(page, plot, "dispersion", "velocity dispersions over time", "Velocity dispersions, from transport.csv.")
-        Table("evolution", listOf(Column("time", scale.timeName, time)) + names.indices.map { Column("sigma_${names[it].first}", scale.speedName, sigma[it]) })
-            .write(study.tables)
+        study.draw(
+            page,
+            plot,
+            "dispersion",
+            "velocity dispersions over time",
+            "Velocity dispersions, from transport.csv.",
+        )
+        val columns = names.indices.map { Column("sigma_${names[it].first}", scale.speedName, sigma[it]) }
+        Table("evolution", listOf(Column("time", scale.timeName, time)) + columns).write(study.tables)
     }
 
-    private fun thinned(x: DoubleArray) = x.filterIndexed { k, _ -> k % maxOf(1, x.size / MOST_POINTS) == 0 }.toDoubleArray()
+    private fun thinned(x: DoubleArray): DoubleArray {
+        val stride = maxOf(1, x.size / MOST_POINTS)
+        return x.filterIndexed { k, _ -> k % stride == 0 }.toDoubleArray()
+    }
 
     private companion object {
         const val HEIGHT = 280

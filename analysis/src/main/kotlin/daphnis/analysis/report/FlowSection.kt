@@ -13,7 +13,13 @@ internal class FlowSection(private val study: Study) : Section {
     override val heading = "Mean flow"
     override val over = study.overAverages
     override val leftOut =
-        if (measures.isCompact) study.tooFew(ProfilesSection.LEAST) else "the box is more than twenty times as long as wide"
+        if (measures.isCompact) {
+            study.tooFew(
+                ProfilesSection.LEAST,
+            )
+        } else {
+            "the box is more than twenty times as long as wide"
+        }
 
     override fun write(page: ReportPage) {
         val f = measures.flow
@@ -21,8 +27,13 @@ internal class FlowSection(private val study: Study) : Section {
         val vy = f.mean(measures.flowSums, 1)
         val figure = Chart.paths(lines(vx, vy), study.lengthAxis("x"), study.lengthAxis("y"))
         study.draw(
-            page, figure, "flow-lines", "lines of the mean flow",
-            "Lines of the mean flow through the middle of the box, averaged over z too; where the flow is slow the scatter of few particles turns them.", HEIGHT,
+            page,
+            figure,
+            "flow-lines",
+            "lines of the mean flow",
+            "Lines of the mean flow through the middle of the box, averaged over z too; " +
+                "where the flow is slow the scatter of few particles turns them.",
+            HEIGHT,
         )
         val box = study.last.boundary.box
         val cells = f.nx * f.ny

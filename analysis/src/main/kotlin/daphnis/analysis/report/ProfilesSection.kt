@@ -20,14 +20,38 @@ internal class ProfilesSection(private val study: Study) : Section {
     override val leftOut = study.tooFew(LEAST)
 
     override fun write(page: ReportPage) {
-        profile(page, "radial", measures.radial, measures.ofRadial, radialName, "optical_depth", "Optical depth across the patch.")
+        profile(
+            page,
+            "radial",
+            measures.radial,
+            measures.ofRadial,
+            radialName,
+            "optical_depth",
+            "Optical depth across the patch.",
+        )
         profile(page, "azimuthal", measures.azimuthal, measures.ofAzimuthal, "", "", "")
-        profile(page, "vertical", measures.vertical, measures.ofVertical, "height z", "filling_factor", "Filling factor over height.")
+        profile(
+            page,
+            "vertical",
+            measures.vertical,
+            measures.ofVertical,
+            "height z",
+            "filling_factor",
+            "Filling factor over height.",
+        )
         dispersions(page)
     }
 
     /** Writes the table of a profile and draws the column [drawn] of it, unless that is empty. */
-    private fun profile(page: ReportPage, name: String, profile: Profile, averages: Averages, label: String, drawn: String, caption: String) {
+    private fun profile(
+        page: ReportPage,
+        name: String,
+        profile: Profile,
+        averages: Averages,
+        label: String,
+        drawn: String,
+        caption: String,
+    ) {
         val x = DoubleArray(profile.bins) { profile.centre(it) }
         val columns = ArrayList<Column>()
         columns += Column("centre", units.length, x)
@@ -40,7 +64,11 @@ internal class ProfilesSection(private val study: Study) : Section {
             columns += Column("${column}_error", unit, error)
             if (column != drawn) continue
             val quantity = column.replace('_', ' ')
-            val figure = Chart.lines(listOf(Curve(quantity, x, y, error)), study.lengthAxis(label), UnitNames.axis(quantity, unit))
+            val figure = Chart.lines(
+                listOf(Curve(quantity, x, y, error)),
+                study.lengthAxis(label),
+                UnitNames.axis(quantity, unit),
+            )
             study.draw(page, figure, "$name-${column.replace('_', '-')}", "$quantity over $label", caption)
         }
         Table("profile-$name", columns).write(study.tables)
@@ -50,7 +78,11 @@ internal class ProfilesSection(private val study: Study) : Section {
         val first = Profile.COLUMNS.indexOf("c_xx")
         val scale = study.scale
         val curves = listOf("σ_x", "σ_y", "σ_z").mapIndexed { c, name ->
-            val all = (0 until measures.radial.bins).map { measures.ofRadial.average(it * Profile.COLUMNS.size + first + c) }
+            val all = (0 until measures.radial.bins).map {
+                measures.ofRadial.average(
+                    it * Profile.COLUMNS.size + first + c,
+                )
+            }
             Curve(
                 name,
                 DoubleArray(all.size) { measures.radial.centre(it) },
@@ -58,9 +90,16 @@ internal class ProfilesSection(private val study: Study) : Section {
                 DoubleArray(all.size) { all[it].error / (2 * sqrt(all[it].mean)) / scale.speed },
             )
         }
-        val figure = Chart.lines(curves, study.lengthAxis(radialName), UnitNames.axis("velocity dispersion", scale.speedName))
+        val figure = Chart.lines(
+            curves,
+            study.lengthAxis(radialName),
+            UnitNames.axis("velocity dispersion", scale.speedName),
+        )
         study.draw(
-            page, figure, "radial-dispersion", "velocity dispersions across the patch",
+            page,
+            figure,
+            "radial-dispersion",
+            "velocity dispersions across the patch",
             "Velocity dispersions across the patch, around the mean flow of each bin.",
         )
     }

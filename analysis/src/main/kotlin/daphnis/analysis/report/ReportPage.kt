@@ -5,9 +5,19 @@ import java.util.Base64
 import java.util.Locale
 
 /** A row of the table of numbers; [error] NaN for none. */
-internal class NumberRow(val what: String, val value: Double, val error: Double, val unit: String, val reference: Reference? = null, val note: String = "")
+internal class NumberRow(
+    val what: String,
+    val value: Double,
+    val error: Double,
+    val unit: String,
+    val reference: Reference? = null,
+    val note: String = "",
+)
 
-/** One HTML page with everything inside: pictures as data, style in the head, no script. Sections are numbered in their order and have an anchor each. */
+/**
+ * One HTML page with everything inside: pictures as data, style in the head, no script. Sections are numbered in their
+ * order and have an anchor each.
+ */
 internal class ReportPage(private val title: String) {
     private val body = StringBuilder()
     private val contents = ArrayList<Pair<String, String>>()
@@ -31,7 +41,8 @@ internal class ReportPage(private val title: String) {
     }
 
     /** A chart: on a narrow screen it stays large enough to be read, and scrolls. */
-    fun svg(svg: String, alt: String, caption: String) = image("image/svg+xml", "chart", svg.toByteArray(Charsets.UTF_8), alt, caption)
+    fun svg(svg: String, alt: String, caption: String) =
+        image("image/svg+xml", "chart", svg.toByteArray(Charsets.UTF_8), alt, caption)
 
     /** A picture: as wide as the screen at most. */
     fun png(png: ByteArray, alt: String, caption: String) = image("image/png", "picture", png, alt, caption)
@@ -39,36 +50,45 @@ internal class ReportPage(private val title: String) {
     private fun image(type: String, kind: String, bytes: ByteArray, alt: String, caption: String) {
         val data = Base64.getEncoder().encodeToString(bytes)
         val image = "<img alt=\"${escape(alt)}\" src=\"data:$type;base64,$data\">"
-        body.append("<figure class=\"$kind\">${scrolling(alt, image)}<figcaption>${escape(caption)}</figcaption></figure>\n")
+        val content = "${scrolling(alt, image)}<figcaption>${escape(caption)}</figcaption>"
+        body.append("<figure class=\"$kind\">$content</figure>\n")
     }
 
     /** What may be wider than the screen; by keyboard too. */
-    private fun scrolling(what: String, content: String) = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"${escape(what)}\">$content</div>"
+    private fun scrolling(what: String, content: String) =
+        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"${escape(what)}\">$content</div>"
 
     fun parameters(rows: List<Pair<String, String>>) {
-        val lines = rows.joinToString("") { (name, value) -> "<tr><th scope=\"row\">${escape(name)}</th><td>${escape(value)}</td></tr>\n" }
+        val lines = rows.joinToString("") { (name, value) ->
+            "<tr><th scope=\"row\">${escape(name)}</th><td>${escape(value)}</td></tr>\n"
+        }
         body.append(scrolling("parameters", "<table class=\"parameters\">\n$lines</table>")).append('\n')
     }
 
     fun numbers(rows: List<NumberRow>) {
         val compared = rows.any { it.reference != null }
-        val headings = listOf("quantity", "value", "unit") + if (compared) listOf("reference", "difference", "source") else emptyList()
+        val headings =
+            listOf("quantity", "value", "unit") +
+                if (compared) listOf("reference", "difference", "source") else emptyList()
         val head = headings.joinToString("") { "<th scope=\"col\">$it</th>" }
         val lines = rows.joinToString("") { row -> "<tr>${cells(row)}${if (compared) comparison(row) else ""}</tr>\n" }
-        body.append(scrolling("numbers", "<table class=\"numbers\"><thead><tr>$head</tr></thead><tbody>\n$lines</tbody></table>")).append('\n')
+        val table = "<table class=\"numbers\"><thead><tr>$head</tr></thead><tbody>\n$lines</tbody></table>"
+        body.append(scrolling("numbers", table)).append('\n')
     }
 
     private fun cells(row: NumberRow): String {
         val note = if (row.note.isEmpty()) "" else " <small>${escape(row.note)}</small>"
         val value = ReportText.withError(row.value, row.error)
-        return "<td>${escape(row.what)}$note</td><td class=\"n\">$value</td><td class=\"u\">${escape(UnitNames.raised(row.unit))}</td>"
+        val unit = escape(UnitNames.raised(row.unit))
+        return "<td>${escape(row.what)}$note</td><td class=\"n\">$value</td><td class=\"u\">$unit</td>"
     }
 
     private fun comparison(row: NumberRow): String {
         val reference = row.reference ?: return "<td></td><td></td><td></td>"
         val percent = String.format(Locale.ROOT, "%+.1f %%", 100 * (row.value / reference.value - 1))
         val difference = percent.replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
-        return "<td class=\"n\">${ReportText.plain(reference.value)}</td><td class=\"n\">$difference</td><td>${escape(reference.source)}</td>"
+        val value = ReportText.plain(reference.value)
+        return "<td class=\"n\">$value</td><td class=\"n\">$difference</td><td>${escape(reference.source)}</td>"
     }
 
     fun commands(lines: List<String>) {
@@ -76,18 +96,20 @@ internal class ReportPage(private val title: String) {
     }
 
     fun html(subtitle: String): String {
-        val nav = contents.joinToString("", "<ol>", "</ol>") { (id, heading) -> "<li><a href=\"#$id\">${escape(heading)}</a></li>" }
+        val entries = contents.joinToString("") { (id, heading) -> "<li><a href=\"#$id\">${escape(heading)}</a></li>" }
         return """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark"><title>${escape(title)}: daphnis report</title>
 <style>${PageStyle.CSS}</style></head>
-<body><header><h1>${escape(title)}</h1><p class="lead">${escape(subtitle)}</p><nav aria-label="sections">$nav</nav></header>
+<body><header><h1>${escape(title)}</h1><p class="lead">${escape(subtitle)}</p>
+<nav aria-label="sections"><ol>$entries</ol></nav></header>
 <main>
 $body</main></body></html>
 """
     }
 
     companion object {
-        fun escape(text: String): String = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
+        fun escape(text: String): String =
+            text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
     }
 }

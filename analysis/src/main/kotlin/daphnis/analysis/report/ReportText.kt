@@ -1,5 +1,9 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.table.PowersOfTen
+import daphnis.analysis.table.PowersOfTen.LARGE
+import daphnis.analysis.table.PowersOfTen.SMALL
+import daphnis.analysis.table.PowersOfTen.minus
 import java.util.Locale
 import kotlin.math.abs
 import kotlin.math.floor
@@ -9,10 +13,7 @@ import kotlin.math.round
 
 /** Numbers as the report writes them, one way everywhere: `−0.0123`, `1.948 · 10⁻⁴`, `3.72 ± 0.12`, `1 sphere`. */
 internal object ReportText {
-    private const val SMALL = 1e-3
-    private const val LARGE = 1e5
     private const val MOST_DECIMALS = 8
-    private const val SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 
     /** [value] in [digits] significant digits; whole numbers in full. `–` for NaN. */
     fun plain(value: Double, digits: Int = 4): String {
@@ -22,7 +23,7 @@ internal object ReportText {
             value.isInfinite() -> if (value > 0) "∞" else "−∞"
             value == 0.0 -> "0"
             value == round(value) && size < LARGE -> minus(value.toLong().toString())
-            size < SMALL || size >= LARGE -> scientific(value, digits - 1)
+            size < SMALL || size >= LARGE -> PowersOfTen.text(value, digits - 1)
             else -> {
                 val decimals = digits - 1 - floor(log10(size)).toInt()
                 minus(String.format(Locale.ROOT, "%.${decimals.coerceAtLeast(0)}f", value))
@@ -50,22 +51,9 @@ internal object ReportText {
         val exponent = floor(log10(maxOf(size, error))).toInt()
         val scale = 10.0.pow(exponent)
         val d = (exponent + digits).coerceIn(0, MOST_DECIMALS)
-        return minus(String.format(Locale.ROOT, "(%.${d}f ± %.${d}f)", value / scale, error / scale)) + power(exponent)
+        return minus(String.format(Locale.ROOT, "(%.${d}f ± %.${d}f)", value / scale, error / scale)) + PowersOfTen.times(exponent)
     }
 
     /** `1 sphere`, `2 spheres`. */
     fun count(n: Int, what: String): String = if (n == 1) "1 $what" else "$n ${what}s"
-
-    private fun scientific(value: Double, decimals: Int): String {
-        // Rounding may lift the last digit into the next power, 9.9996 to 10.000: the formatter of the language knows.
-        val text = String.format(Locale.ROOT, "%.${decimals}e", value)
-        return minus(text.substringBefore('e')) + power(text.substringAfter('e').toInt())
-    }
-
-    private fun power(exponent: Int): String {
-        val digits = abs(exponent).toString().map { SUPERSCRIPTS[it - '0'] }.joinToString("")
-        return " · 10" + (if (exponent < 0) "⁻" else "") + digits
-    }
-
-    private fun minus(text: String) = text.replace("-", "−")
 }

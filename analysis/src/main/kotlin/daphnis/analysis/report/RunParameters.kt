@@ -13,18 +13,22 @@ import kotlin.math.PI
 internal class RunParameters(private val input: AnalysisInput, private val last: PatchState) {
     private val units = input.units
 
-    fun rows(): List<Pair<String, String>> = state() + scenario() + states() + (input.summary?.let(::summary) ?: unfinished())
+    fun rows(): List<Pair<String, String>> =
+        state() + scenario() + states() + (input.summary?.let(::summary) ?: unfinished())
 
     private fun state(): List<Pair<String, String>> {
         val rows = ArrayList<Pair<String, String>>()
         val radius = last.population.radius
         val box = last.boundary.box
         rows += "spheres" to "${last.population.size}"
-        rows += if (radius.min() == radius.max()) "radius" to length(short(radius.min())) else "radii" to length("${short(radius.min())} to ${short(radius.max())}")
+        val smallest = short(radius.min())
+        val largest = short(radius.max())
+        rows += if (smallest == largest) "radius" to length(smallest) else "radii" to length("$smallest to $largest")
         rows += "box" to length((0..2).joinToString(" × ") { short(box.length(it)) })
         rows += "boundary" to boundary()
         val omega = input.omega ?: return rows
-        rows += "angular speed Ω" to "${ReportText.plain(omega, 6)} ${units.rate}, orbit ${UnitNames.amount(short(2 * PI / omega), units.time)}"
+        val orbit = UnitNames.amount(short(2 * PI / omega), units.time)
+        rows += "angular speed Ω" to "${ReportText.plain(omega, 6)} ${units.rate}, orbit $orbit"
         return rows
     }
 
@@ -52,21 +56,29 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     }
 
     private fun states(): List<Pair<String, String>> {
-        val span = if (input.size == 1) short(input.times[0]) else "${short(input.times.first())} to ${short(input.times.last())}"
+        val first = short(input.times.first())
+        val span = if (input.size == 1) first else "$first to ${short(input.times.last())}"
         return listOf("states" to "${input.size}, time ${UnitNames.amount(span, units.time)}")
     }
 
     private fun summary(summary: Summary) = listOf(
         "steps" to "${summary.steps}",
-        "collisions" to "${summary.collisions}" + if (summary.guardActivations > 0) ", ${summary.guardActivations} made elastic by the guard" else "",
+        "collisions" to "${summary.collisions}" + guarded(summary.guardActivations),
         "deepest overlap" to "${short(summary.maxOverlap)} of the sum of two radii",
         "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",
         "state digest" to summary.stateDigest,
         "version" to "daphnis ${summary.version}, ${summary.jvm}",
     )
 
-    private fun unfinished() = if (input.directory == null) emptyList() else listOf("summary" to "none yet: the run goes on or was interrupted")
+    private fun guarded(collisions: Long) = if (collisions > 0) ", $collisions made elastic by the guard" else ""
+
+    private fun unfinished() = if (input.directory == null) {
+        emptyList()
+    } else {
+        listOf("summary" to "none yet: the run goes on or was interrupted")
+    }
 
     /** A part of the scenario in the scenario's spelling: `hill-sheet`. */
-    private fun word(part: Any): String = part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
+    private fun word(part: Any): String =
+        part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
 }

@@ -16,9 +16,19 @@ internal class Sections(private val study: Study) {
         ProfilesSection(study),
         EllipsoidSection(study),
         if (!study.isRing && study.last.boundary.meanFlow != null) FlowSection(study) else null,
-        PlainSection("Structure", "How particles stand to each other. ${study.overAverages}", notCompact() ?: study.tooFew(LEAST)) { structure.correlations(it) },
-        PlainSection("Occultation", "What a star behind the patch would show. ${study.overAverages}", study.tooFew(LEAST)) { structure.occultation(it) },
-        PlainSection("Impacts", "How fast spheres meet. All collisions of the run since its start.", noImpacts()) { structure.impacts(it) },
+        PlainSection(
+            "Structure",
+            "How particles stand to each other. ${study.overAverages}",
+            notCompact() ?: study.tooFew(LEAST),
+            body = structure::correlations,
+        ),
+        PlainSection(
+            "Occultation",
+            "What a star behind the patch would show. ${study.overAverages}",
+            study.tooFew(LEAST),
+            body = structure::occultation,
+        ),
+        PlainSection("Impacts", "How fast spheres meet. All collisions of the run.", noImpacts(), structure::impacts),
         RunSection(study),
     )
 
@@ -41,18 +51,31 @@ internal class Sections(private val study: Study) {
     private fun pictures(page: ReportPage) {
         val last = study.last
         val picture = PatchPicture(last, study.units.length)
-        val part = if (last.boundary.box.length(1) > 4 * last.boundary.box.length(0)) " The first part of its length." else ""
+        val part = if (last.boundary.box.length(1) >
+            4 * last.boundary.box.length(0)
+        ) {
+            " The first part of its length."
+        } else {
+            ""
+        }
         val axes = if (study.isRing) "orbital motion to the right, outward up" else "y to the right, x up"
         val above = picture.writeAbove(study.plots, "patch-above")
-        page.png(above, "the patch from above", "From above; $axes; higher spheres are brighter. The bar is ${picture.bar}.$part")
-        page.png(picture.writeSide(study.plots, "patch-side"), "the patch from the side", "From the side; y to the right, z up; nearer spheres are brighter.$part")
+        val caption = "From above; $axes; higher spheres are brighter. The bar is ${picture.bar}.$part"
+        page.png(above, "the patch from above", caption)
+        val side = picture.writeSide(study.plots, "patch-side")
+        page.png(
+            side,
+            "the patch from the side",
+            "From the side; y to the right, z up; nearer spheres are brighter.$part",
+        )
     }
 
     private fun streamlines() = PlainSection("Streamlines", study.overLast, study.tooFew(StreamlineSection.LEAST)) {
         StreamlineSection(input, study.plots, study.tables, study.options).write(it, study.last)
     }
 
-    private fun notCompact(): String? = if (study.measures.isCompact) null else "the patch is more than twenty times as long as wide"
+    private fun notCompact(): String? =
+        if (study.measures.isCompact) null else "the patch is more than twenty times as long as wide"
 
     private fun noImpacts(): String? {
         val file = input.directory?.impacts ?: return "a file of states does not hold them"

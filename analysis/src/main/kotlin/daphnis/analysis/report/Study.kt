@@ -49,7 +49,10 @@ internal class Study(
     fun time(time: Double): String = span(time, time)
 
     private fun span(begin: Double, end: Double): String {
-        fun text(factor: Double) = if (begin == end) ReportText.short(begin * factor) else "${ReportText.short(begin * factor)} to ${ReportText.short(end * factor)}"
+        fun text(factor: Double): String {
+            val first = ReportText.short(begin * factor)
+            return if (begin == end) first else "$first to ${ReportText.short(end * factor)}"
+        }
         val inUnits = UnitNames.amount(text(1.0), units.time)
         val omega = input.omega ?: return inUnits
         val orbits = text(omega / (2 * PI))
@@ -57,8 +60,11 @@ internal class Study(
     }
 
     /** Why nothing is said of fewer than [least] particles; null when there are enough. */
-    fun tooFew(least: Int): String? = if (particles >= least) null else "there ${if (particles == 1) "is" else "are"} " +
-        "${ReportText.count(particles, "particle")}; it takes $least at least"
+    fun tooFew(least: Int): String? {
+        if (particles >= least) return null
+        val there = if (particles == 1) "there is" else "there are"
+        return "$there ${ReportText.count(particles, "particle")}; it takes $least at least"
+    }
 
     /** A quantity with the unit of length at an axis. */
     fun lengthAxis(quantity: String): String = UnitNames.axis(quantity, units.length)
@@ -69,7 +75,10 @@ internal class Study(
     }
 }
 
-/** A section of the report: its text, its table, its figures. To add one, write it in a file of its own and name it in [Sections]. */
+/**
+ * A section of the report: its text, its table, its figures. To add one, write it in a file of its own and name it in
+ * [Sections].
+ */
 internal interface Section {
     val heading: String
 

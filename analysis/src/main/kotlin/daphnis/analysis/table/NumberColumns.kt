@@ -8,11 +8,13 @@ import java.nio.file.Path
 /** Reads a CSV file of numbers that a run appends to, by the names of its columns. */
 internal object NumberColumns {
     /**
-     * The columns of [path] by name, all equally long, in order of time; columns beyond those [needed] come along, with NaN for an empty cell. A run may be writing
-     * still: what follows the last line end is left out, and a last line with too few values. A file without a whole line has no rows.
+     * The columns of [path] by name, all equally long, in order of time; columns beyond those [needed] come along, with
+     * NaN for an empty cell. A run may be writing still: what follows the last line end is left out, and a last line
+     * with too few values. A file without a whole line has no rows.
      *
      * @param needed names that must be there, `time` among them
-     * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no number or time runs backward
+     * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no number or
+     * time runs backward
      */
     fun read(path: Path, needed: List<String>): Map<String, DoubleArray> {
         val text = try {
@@ -30,9 +32,12 @@ internal object NumberColumns {
         for (k in 1 until lines.size) {
             val cells = lines[k].split(',')
             if (cells.size < names.size && k == lines.lastIndex) break
-            if (cells.size != names.size) throw FormatException("$path:${k + 1}: ${cells.size} values, the header has ${names.size}")
+            if (cells.size != names.size) {
+                throw FormatException("$path:${k + 1}: ${cells.size} values, the header has ${names.size}")
+            }
             for (c in names.indices) {
-                columns[c][rows] = number(cells[c], names[c] in needed) ?: damaged(path, k, names[c], cells[c], "a number")
+                columns[c][rows] =
+                    number(cells[c], names[c] in needed) ?: damaged(path, k, names[c], cells[c], "a number")
             }
             rows++
         }
@@ -40,12 +45,14 @@ internal object NumberColumns {
         return names.indices.associate { names[it] to columns[it].copyOf(rows) }
     }
 
-    private fun number(cell: String, needed: Boolean): Double? = if (cell.isEmpty() && !needed) Double.NaN else cell.toDoubleOrNull()
+    private fun number(cell: String, needed: Boolean): Double? =
+        if (cell.isEmpty() && !needed) Double.NaN else cell.toDoubleOrNull()
 
     private fun checkTime(path: Path, time: DoubleArray, rows: Int) {
         for (row in 0 until rows) {
             if (!time[row].isFinite()) damaged(path, row + 1, "time", "${time[row]}", "finite")
-            if (row > 0 && time[row] < time[row - 1]) damaged(path, row + 1, "time", "${time[row]}", "at least that of the row before, ${time[row - 1]}")
+            if (row == 0 || time[row] >= time[row - 1]) continue
+            damaged(path, row + 1, "time", "${time[row]}", "at least that of the row before, ${time[row - 1]}")
         }
     }
 

@@ -4,8 +4,8 @@ import daphnis.core.scenario.UnitsSpec
 import kotlin.math.abs
 
 /**
- * What the units of a scenario are called: `m`, `m/s` where they are metric, else by what they measure, `units of length`, `units of length^2/time`. Powers are
- * written `^2`, as tables in CSV have them; [raised] makes them readable.
+ * What the units of a scenario are called: `m`, `m/s` where they are metric, else by what they measure, `units of
+ * length`, `units of length^2/time`. Powers are written `^2`, as tables in CSV have them; [raised] makes them readable.
  */
 public class UnitNames(units: UnitsSpec?) {
     private val names: Map<String, String?> = mapOf(
@@ -31,7 +31,10 @@ public class UnitNames(units: UnitsSpec?) {
     public val rate: String = inverse("time")
     public val waveNumber: String = inverse("length")
 
-    /** The unit of a quantity whose [dimension] is written with the words length, time and mass; metric only when all of them are. */
+    /**
+     * The unit of a quantity whose [dimension] is written with the words length, time and mass; metric only when all of
+     * them are.
+     */
     private fun of(dimension: String): String {
         val words = names.keys.filter { it in dimension }
         if (words.any { names[it] == null }) return "$UNITS_OF$dimension"
@@ -51,13 +54,19 @@ public class UnitNames(units: UnitsSpec?) {
             if (inSi == null) null else known.find { abs(inSi / it.first - 1) < CLOSE }?.second
 
         /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `5 m`. */
-        public fun amount(number: String, unit: String): String =
-            if (number == "1" && unit.startsWith(UNITS_OF)) "1 unit of ${unit.removePrefix(UNITS_OF)}" else "$number $unit"
+        public fun amount(number: String, unit: String): String = if (number == "1" &&
+            unit.startsWith(UNITS_OF)
+        ) {
+            "1 unit of ${unit.removePrefix(UNITS_OF)}"
+        } else {
+            "$number $unit"
+        }
 
         /** Powers raised: `m^2/s` reads m²/s. */
         public fun raised(unit: String): String = unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹")
 
         /** What stands at an axis: [quantity] with its [unit] in brackets, or alone for a pure number. */
-        public fun axis(quantity: String, unit: String): String = if (unit.isEmpty()) quantity else "$quantity [${raised(unit)}]"
+        public fun axis(quantity: String, unit: String): String =
+            if (unit.isEmpty()) quantity else "$quantity [${raised(unit)}]"
     }
 }

@@ -18,9 +18,14 @@ public class TransportTable private constructor(private val columns: Map<String,
     }
 
     public companion object {
-        private val NEEDED = listOf("time", "particles", "mass", "c_xx", "c_yy", "c_zz", "c_xy", "scale_height", "collisions", "dissipated", "virial_xy")
+        private val NEEDED =
+            listOf("time", "particles", "mass", "c_xx", "c_yy", "c_zz", "c_xy", "scale_height", "collisions", "dissipated", "virial_xy")
 
-        /** Reads [path]; a last line that is cut short, as of a run that goes on, is left out. @throws daphnis.core.format.FormatException when it is no such file */
+        /**
+         * Reads [path]; a last line that is cut short, as of a run that goes on, is left out.
+         *
+         * @throws daphnis.core.format.FormatException when it is no such file
+         */
         public fun read(path: Path): TransportTable = TransportTable(NumberColumns.read(path, NEEDED))
     }
 }

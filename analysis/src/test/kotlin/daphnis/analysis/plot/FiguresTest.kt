@@ -26,7 +26,22 @@ class FiguresTest {
     @Test
     fun `curves differ in pattern as well as in colour`() {
         val x = DoubleArray(50) { it.toDouble() }
-        fun drawn(count: Int) = Figures.svg(Chart.lines(List(count) { k -> Curve("c$k", x, DoubleArray(50) { it + 10.0 * k }) }, "x", "y"))
+        fun drawn(count: Int) = Figures.svg(
+            Chart.lines(
+                List(count) { k ->
+                    Curve(
+                        "c$k",
+                        x,
+                        DoubleArray(50) {
+                            it +
+                                10.0 * k
+                        },
+                    )
+                },
+                "x",
+                "y",
+            ),
+        )
         assertFalse("stroke-dasharray" in drawn(1))
         // The first is solid; each other has its pattern, drawn smaller in the legend.
         for (n in 2..4) {
@@ -38,7 +53,9 @@ class FiguresTest {
     @Test
     fun `a chart of a single point shows it`() {
         val svg = Figures.svg(Chart.lines(listOf(Curve("a", doubleArrayOf(1.0), doubleArrayOf(2.0))), "x", "y"))
-        assertTrue("<circle" in svg || Figures.COLOURS[0] in svg || "rgb(0,53,95)" in svg.replace(" ", "")) { svg.take(4000) }
+        assertTrue("<circle" in svg || Figures.COLOURS[0] in svg || "rgb(0,53,95)" in svg.replace(" ", "")) {
+            svg.take(4000)
+        }
     }
 
     @Test

@@ -22,7 +22,9 @@ class RunPlotTest {
     private val ring = PlotScale(UnitNames(UnitsSpec(100.0, 1.0, 1.0)), 2 * Math.PI / 10, 1.5)
 
     private fun series(rows: Int, temperature: (Int) -> Double): Path {
-        val text = (0 until rows).joinToString("\n", "step,time,particles,collisions,granular_temperature\n") { "$it,${it * 0.1},100,${it * 5},${temperature(it)}" }
+        val text = (0 until rows).joinToString("\n", "step,time,particles,collisions,granular_temperature\n") {
+            "$it,${it * 0.1},100,${it * 5},${temperature(it)}"
+        }
         return Files.writeString(home.resolve("series.csv"), text + "\n")
     }
 
@@ -39,13 +41,21 @@ class RunPlotTest {
         val colours = HashSet<Int>()
         for (x in 0 until 1600 step 4) for (y in 0 until 1280) colours += picture.getRGB(x, y)
         assertTrue(colours.size > 10) { "the picture has ${colours.size} colours" }
-        for (label in listOf("my run", "granular temperature", "collisions of a particle")) assertTrue(label in svg) { label }
+        for (label in listOf("my run", "granular temperature", "collisions of a particle")) {
+            assertTrue(label in svg) {
+                label
+            }
+        }
     }
 
     @Test
     fun `axes have units, in Hill's frame orbits and r times Omega`() {
         val ofGas = svg(series(50) { 1.0 }, gas)
-        for (label in listOf("time [units of time]", "[units of length²/time²]", "[1/(unit of time)]")) assertTrue(label in ofGas) { label }
+        for (label in listOf("time [units of time]", "[units of length²/time²]", "[1/(unit of time)]")) {
+            assertTrue(
+                label in ofGas,
+            ) { label }
+        }
         val ofRing = svg(series(50) { 1.0 }, ring)
         for (label in listOf("time [orbits]", "[(r Ω)²]", "[1/orbit]")) assertTrue(label in ofRing) { label }
     }
@@ -88,6 +98,9 @@ class RunPlotTest {
     fun `a series of one row is refused, a damaged one is named`() {
         assertThrows(IllegalArgumentException::class.java) { RunPlot.write(series(1) { 1.0 }, home, "short", gas) }
         val damaged = Files.writeString(home.resolve("bad.csv"), "time,particles,collisions\n0,1,0\nx,1,0\n")
-        assertTrue("bad.csv:3" in assertThrows(FormatException::class.java) { RunPlot.write(damaged, home, "bad", gas) }.message!!)
+        assertTrue(
+            "bad.csv:3" in
+                assertThrows(FormatException::class.java) { RunPlot.write(damaged, home, "bad", gas) }.message!!,
+        )
     }
 }

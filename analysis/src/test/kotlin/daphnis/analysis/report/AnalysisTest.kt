@@ -80,7 +80,9 @@ class AnalysisTest {
         assertTrue("Averages over 3 states of 5, time 2 to 4 units of time." in html)
         for (plot in listOf("temperature", "collision-rate", "energy")) assertTrue(Files.size(path.resolve("plots/$plot.png")) > 1000) { plot }
         assertTrue("time [units of time]" in Files.readString(path.resolve("plots/energy.svg")))
-        assertTrue(Files.readAllLines(path.resolve("tables/time-series.csv"))[0].startsWith("time [units of time],granular_temperature [units of length^2/time^2],kinetic"))
+        assertTrue(
+            Files.readAllLines(path.resolve("tables/time-series.csv"))[0].startsWith("time [units of time],granular_temperature [units of length^2/time^2],kinetic"),
+        )
         assertFalse(Files.exists(path.resolve("plots/dispersion.png")))
         // Dashed, and at 2 of 4: the line upright is in the drawing only when averages begin within the run.
         val marked = Files.readString(path.resolve("plots/temperature.svg"))
@@ -121,8 +123,16 @@ class AnalysisTest {
             assertTrue("<li>$heading: there is 1 particle; it takes 10 at least.</li>" in html) { heading }
         }
         assertTrue("<li>Evolution: a file of states has no time series.</li>" in html)
-        assertEquals(listOf("patch-above.png", "patch-above.svg", "patch-side.png", "patch-side.svg"), Files.list(out.resolve("plots")).use { f -> f.map { it.name }.sorted().toList() })
-        assertTrue("units of length</text>" in Files.readString(out.resolve("plots/patch-above.svg")) || "unit of length</text>" in Files.readString(out.resolve("plots/patch-above.svg")))
+        assertEquals(
+            listOf("patch-above.png", "patch-above.svg", "patch-side.png", "patch-side.svg"),
+            Files.list(out.resolve("plots")).use { f ->
+                f.map { it.name }.sorted().toList()
+            },
+        )
+        assertTrue(
+            "units of length</text>" in Files.readString(out.resolve("plots/patch-above.svg")) ||
+                "unit of length</text>" in Files.readString(out.resolve("plots/patch-above.svg")),
+        )
     }
 
     @Test

@@ -14,7 +14,13 @@ class ReportPageTest {
         page.paragraph("<b>")
         page.list(listOf("<u>"))
         val html = page.html("")
-        assertTrue("&lt;b&gt;" in html && "a &lt; b &amp; &quot;c&quot;" in html && "x &gt; y" in html && "&lt;i&gt;" in html && "&lt;u&gt;" in html)
+        assertTrue(
+            "&lt;b&gt;" in html &&
+                "a &lt; b &amp; &quot;c&quot;" in html &&
+                "x &gt; y" in html &&
+                "&lt;i&gt;" in html &&
+                "&lt;u&gt;" in html,
+        )
     }
 
     @Test
@@ -35,9 +41,20 @@ class ReportPageTest {
         page.numbers(listOf(NumberRow("ν", 1.0, 0.1, "m^2/s")))
         val html = page.html("a patch")
         assertTrue("<title>ring-patch: daphnis report</title>" in html)
-        assertTrue("color-scheme:light dark" in html && "@media screen and (prefers-color-scheme:dark)" in html && "@media print" in html)
+        assertTrue(
+            "color-scheme:light dark" in html &&
+                "@media screen and (prefers-color-scheme:dark)" in html &&
+                "@media print" in html,
+        )
         assertTrue("name=\"viewport\" content=\"width=device-width" in html)
-        for (wide in listOf("<img", "<table")) assertTrue(Regex("<div class=\"scroll\" tabindex=\"0\"[^>]*>$wide").containsMatchIn(html)) { wide }
+        for (wide in listOf(
+            "<img",
+            "<table",
+        )) {
+            assertTrue(Regex("<div class=\"scroll\" tabindex=\"0\"[^>]*>$wide").containsMatchIn(html)) {
+                wide
+            }
+        }
         assertTrue("alt=\"a chart\"" in html && "m²/s" in html && "1.00 ± 0.10" in html)
         assertFalse("<script" in html)
     }

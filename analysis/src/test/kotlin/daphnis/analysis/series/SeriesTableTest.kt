@@ -57,6 +57,9 @@ class SeriesTableTest {
         assertDamaged("${head}0,NaN,10,0\n", ":2: time", "finite")
         assertDamaged("${head}0,1,10,0\n1,0.5,10,0\n", ":3: time is '0.5'", "1.0")
         Files.write(home.resolve("series.csv"), byteArrayOf(0x73, 0xff.toByte(), 0xfe.toByte(), 0x0a))
-        assertTrue("cannot be read" in assertThrows(FormatException::class.java) { SeriesTable.read(home.resolve("series.csv")) }.message!!)
+        assertTrue(
+            "cannot be read" in
+                assertThrows(FormatException::class.java) { SeriesTable.read(home.resolve("series.csv")) }.message!!,
+        )
     }
 }
