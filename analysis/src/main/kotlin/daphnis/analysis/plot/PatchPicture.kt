@@ -161,8 +161,10 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
         if (height < LEAST_HEIGHT_OF_BAR) return ""
         val length = barLength(window.right - window.left)
         fun f(v: Double) = String.format(Locale.ROOT, "%.2f", v)
-        val text = "<text x=\"28\" y=\"${f(height - 32)}\" font-family=\"sans-serif\" font-size=\"$BAR_TEXT\" fill=\"#ffffff\">${barText(length)}</text>"
-        return "<g stroke=\"none\"><rect x=\"28\" y=\"${f(height - 22)}\" width=\"${f(length * scale)}\" height=\"4\" fill=\"#ffffff\"/>$text</g>\n"
+        val place = "x=\"28\" y=\"${f(height - 32)}\""
+        val text = "<text $place font-family=\"sans-serif\" font-size=\"$BAR_TEXT\">${barText(length)}</text>"
+        val bar = "<rect x=\"28\" y=\"${f(height - 22)}\" width=\"${f(length * scale)}\" height=\"4\"/>"
+        return "<g fill=\"#ffffff\">$bar$text</g>\n"
     }
 
     private companion object {

@@ -64,11 +64,13 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     private fun summary(summary: Summary) = listOf(
         "steps" to "${summary.steps}",
         "collisions" to "${summary.collisions}" + guarded(summary.guardActivations),
-        "deepest overlap" to "${short(summary.maxOverlap)} of the sum of two radii",
+        "deepest overlap" to overlap(summary.maxOverlap),
         "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",
         "state digest" to summary.stateDigest,
         "version" to "daphnis ${summary.version}, ${summary.jvm}",
     )
+
+    private fun overlap(part: Double) = if (part == 0.0) "none" else "${short(part)} of the sum of two radii"
 
     private fun guarded(collisions: Long) = if (collisions > 0) ", $collisions made elastic by the guard" else ""
 
