@@ -12,11 +12,12 @@ import kotlin.math.round
 /** Where an axis is marked and what stands there, in the report's way of writing numbers. */
 internal class Ticks private constructor(val places: List<Double>, val labels: List<String>) {
     companion object {
-        private const val WANTED = 6
+        private const val WANTED = 8
+        private const val FEWEST = 3
         private const val NEARLY = 1e-9
         private val LOG_STEPS = listOf(listOf(1), listOf(1, 3), listOf(1, 2, 5), (1..9).toList())
 
-        /** About six round places from [low] to [high]. */
+        /** About eight round places from [low] to [high]. */
         fun linear(low: Double, high: Double): Ticks {
             if (!(low < high)) return Ticks(listOf(low), listOf(label(low, 0, 3)))
             val step = roundStep((high - low) / WANTED)
@@ -34,11 +35,11 @@ internal class Ticks private constructor(val places: List<Double>, val labels: L
         fun logarithmic(low: Double, high: Double): Ticks {
             val first = floor(log10(low)).toInt()
             val last = ceil(log10(high)).toInt()
-            val stride = ceil((last - first) / (WANTED + 2.0)).toInt().coerceAtLeast(1)
+            val stride = ceil((last - first) / WANTED.toDouble()).toInt().coerceAtLeast(1)
             val tries = LOG_STEPS.map { steps ->
                 (first..last step stride).flatMap { k -> steps.map { it to k } }.filter { (m, k) -> m * 10.0.pow(k) in low..high }
             }
-            val marks = tries.firstOrNull { it.size >= WANTED / 2 } ?: tries.last()
+            val marks = tries.firstOrNull { it.size >= FEWEST } ?: tries.last()
             return Ticks(marks.map { (m, k) -> m * 10.0.pow(k) }, marks.map { (m, k) -> logLabel(m, k) })
         }
 
