@@ -28,12 +28,7 @@ import org.jetbrains.letsPlot.themes.themeMinimal
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /** A named curve; [error] is one standard error by point, or null. Points that are NaN are left out. */
-public class Curve(
-    public val name: String,
-    public val x: DoubleArray,
-    public val y: DoubleArray,
-    public val error: DoubleArray? = null,
-)
+public class Curve(public val name: String, public val x: DoubleArray, public val y: DoubleArray, public val error: DoubleArray? = null)
 
 /** Charts of the analysis, in one look. */
 internal object Chart {
@@ -175,13 +170,7 @@ internal object Chart {
     }
 
     /** Lines through points in the order given, one for each curve, all alike; [vertical] are marks on the x axis. */
-    fun paths(
-        curves: List<Curve>,
-        xLabel: String,
-        yLabel: String,
-        vertical: List<Double> = emptyList(),
-        horizontal: List<Double> = emptyList(),
-    ): Plot {
+    fun paths(curves: List<Curve>, xLabel: String, yLabel: String, vertical: List<Double> = emptyList(), horizontal: List<Double> = emptyList()): Plot {
         val x = ArrayList<Double>()
         val y = ArrayList<Double>()
         val name = ArrayList<String>()

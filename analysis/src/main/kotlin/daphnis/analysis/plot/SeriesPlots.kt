@@ -10,11 +10,7 @@ import org.jetbrains.letsPlot.intern.Plot
  *
  * @param from a time that is marked, where averages begin; null for none
  */
-internal class SeriesPlots(
-    private val series: SeriesTable,
-    private val scale: PlotScale,
-    private val from: Double? = null,
-) {
+internal class SeriesPlots(private val series: SeriesTable, private val scale: PlotScale, private val from: Double? = null) {
     private val rows = thinned()
     private val time = DoubleArray(rows.size) { series["time"][rows[it]] / scale.time }
     private val timeLabel = UnitNames.axis("time", scale.timeName)
@@ -45,8 +41,7 @@ internal class SeriesPlots(
         return Curve("collisions", middle.toDoubleArray(), rate.toDoubleArray())
     }
 
-    fun temperaturePlot(curve: Curve, title: String = ""): Plot =
-        plot(listOf(curve), "granular temperature ⟨c²⟩/3", scale.temperatureName, title)
+    fun temperaturePlot(curve: Curve, title: String = ""): Plot = plot(listOf(curve), "granular temperature ⟨c²⟩/3", scale.temperatureName, title)
 
     fun ratePlot(curve: Curve): Plot = plot(listOf(curve), "collisions of a particle", scale.rateName)
 

@@ -5,14 +5,7 @@ import java.util.Base64
 import java.util.Locale
 
 /** A row of the table of numbers; [error] NaN for none. */
-internal class NumberRow(
-    val what: String,
-    val value: Double,
-    val error: Double,
-    val unit: String,
-    val reference: Reference? = null,
-    val note: String = "",
-)
+internal class NumberRow(val what: String, val value: Double, val error: Double, val unit: String, val reference: Reference? = null, val note: String = "")
 
 /**
  * One HTML page with everything inside: pictures as data, style in the head, no script. Sections are numbered in their
@@ -41,8 +34,7 @@ internal class ReportPage(private val title: String) {
     }
 
     /** A chart: on a narrow screen it stays large enough to be read, and scrolls. */
-    fun svg(svg: String, alt: String, caption: String) =
-        image("image/svg+xml", "chart", svg.toByteArray(Charsets.UTF_8), alt, caption)
+    fun svg(svg: String, alt: String, caption: String) = image("image/svg+xml", "chart", svg.toByteArray(Charsets.UTF_8), alt, caption)
 
     /** A picture: as wide as the screen at most. */
     fun png(png: ByteArray, alt: String, caption: String) = image("image/png", "picture", png, alt, caption)
@@ -55,8 +47,7 @@ internal class ReportPage(private val title: String) {
     }
 
     /** What may be wider than the screen; by keyboard too. */
-    private fun scrolling(what: String, content: String) =
-        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"${escape(what)}\">$content</div>"
+    private fun scrolling(what: String, content: String) = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"${escape(what)}\">$content</div>"
 
     fun parameters(rows: List<Pair<String, String>>) {
         val lines = rows.joinToString("") { (name, value) ->
@@ -109,7 +100,6 @@ $body</main></body></html>
     }
 
     companion object {
-        fun escape(text: String): String =
-            text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
+        fun escape(text: String): String = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
     }
 }

@@ -13,8 +13,7 @@ import kotlin.math.PI
 internal class RunParameters(private val input: AnalysisInput, private val last: PatchState) {
     private val units = input.units
 
-    fun rows(): List<Pair<String, String>> =
-        state() + scenario() + states() + (input.summary?.let(::summary) ?: unfinished())
+    fun rows(): List<Pair<String, String>> = state() + scenario() + states() + (input.summary?.let(::summary) ?: unfinished())
 
     private fun state(): List<Pair<String, String>> {
         val rows = ArrayList<Pair<String, String>>()
@@ -81,6 +80,5 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     }
 
     /** A part of the scenario in the scenario's spelling: `hill-sheet`. */
-    private fun word(part: Any): String =
-        part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
+    private fun word(part: Any): String = part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
 }

@@ -74,8 +74,7 @@ internal class Sections(private val study: Study) {
         StreamlineSection(input, study.plots, study.tables, study.options).write(it, study.last)
     }
 
-    private fun notCompact(): String? =
-        if (study.measures.isCompact) null else "the patch is more than twenty times as long as wide"
+    private fun notCompact(): String? = if (study.measures.isCompact) null else "the patch is more than twenty times as long as wide"
 
     private fun noImpacts(): String? {
         val file = input.directory?.impacts ?: return "a file of states does not hold them"

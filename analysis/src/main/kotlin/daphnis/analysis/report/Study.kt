@@ -93,11 +93,7 @@ internal interface Section {
 }
 
 /** A section from its parts. */
-internal class PlainSection(
-    override val heading: String,
-    override val over: String,
-    override val leftOut: String? = null,
-    private val body: (ReportPage) -> Unit,
-) : Section {
+internal class PlainSection(override val heading: String, override val over: String, override val leftOut: String? = null, private val body: (ReportPage) -> Unit) :
+    Section {
     override fun write(page: ReportPage) = body(page)
 }
