@@ -24,7 +24,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     private val what by argument("dir-or-file", help = "run directory, or a particle file: ${SnapshotFormat.known}")
     private val scenario by option("--scenario", help = "for a file: scenario file or built-in name that says what the box and the frame are")
     private val settings by option("--set", metavar = "path=value", help = "with --scenario: replace any key of it").multiple()
-    private val from by option("--from", help = "averages begin at this time (default: after 3/8 of the run)").double()
+    private val from by option("--from", help = "averages begin at this time, in the scenario's unit of time (default: after 3/8 of the run)").double()
     private val slabs by option("--slabs", help = "slabs of azimuth for streamlines (default: by the number of particles)").int().default(0)
     private val groups by option("--groups", help = "groups of equal count in a slab (default: by the number of particles)").int().default(0)
     private val elevation by option("--elevation", help = "elevation of the rays of the occultation above the x-y plane, degrees in (0, 90] (default 28)")
@@ -46,9 +46,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             AnalysisInput.ofRun(path)
         }
         val directory = out?.let { Path.of(it) } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
+        val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
         Files.createDirectories(directory)
-        val options = AnalysisOptions(from, slabs, groups, elevation, frames, azimuth)
-        Analysis(input, options).write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+        analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
         println("report: ${directory.resolve("report.html")}")
     }
 

@@ -2,9 +2,11 @@ package daphnis.app
 
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
+import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.core.run.Run
 import daphnis.core.run.Summary
+import daphnis.core.scenario.ScenarioJson
 import java.util.Locale
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
@@ -32,7 +34,8 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             }
             if (run.hasSeries) {
                 try {
-                    RunPlot.write(run.directory.series, run.directory.plots, summary.scenario)
+                    val scale = PlotScale.of(ScenarioJson.read(run.directory.scenario), run.simulation.population)
+                    RunPlot.write(run.directory.series, run.directory.plots, summary.scenario, scale)
                 } catch (e: RuntimeException) {
                     // The numbers are safe; a missing plot is no reason to call the run failed.
                     System.err.println("daphnis: no plot: ${e.message}")

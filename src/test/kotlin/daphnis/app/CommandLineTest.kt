@@ -23,7 +23,7 @@ class CommandLineTest {
         assertTrue("state digest" in result.out)
         assertTrue(Files.size(home.resolve("a/plots/run.png")) > 10_000)
         val svg = Files.readString(home.resolve("a/plots/run.svg"))
-        assertTrue("granular temperature" in svg && "cooling-gas" in svg)
+        assertTrue("granular temperature" in svg && "cooling-gas" in svg && "time [units of time]" in svg)
     }
 
     @Test
@@ -109,6 +109,8 @@ class CommandLineTest {
         assertRefused(daphnis("run", "--seed", "abc"), "--seed", "abc")
         assertRefused(daphnis("fly"), "fly")
         assertRefused(daphnis("resume"), "dir")
+        assertRefused(daphnis("analyze", at("a"), "--from", "99", "--out", at("elsewhere")), "--from", "99", "last state", "time 2")
+        assertFalse(Files.exists(home.resolve("elsewhere")))
     }
 
     @Test

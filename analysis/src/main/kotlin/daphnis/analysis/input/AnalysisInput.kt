@@ -1,6 +1,7 @@
 package daphnis.analysis.input
 
 import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.analysis.transport.TransportTable
 import daphnis.core.boundary.BoundaryConditions
@@ -29,6 +30,7 @@ import kotlin.io.path.name
  *
  * @property times time of each state, ascending
  * @property transport of a run that wrote it, else null
+ * @property series the time series of a run that wrote it, else null
  * @property scenario of a run, or the one given beside a file; null when there is none
  */
 public class AnalysisInput private constructor(
@@ -40,6 +42,7 @@ public class AnalysisInput private constructor(
     private val boundary: (Population) -> BoundaryConditions,
     public val omega: Double?,
     public val transport: TransportTable?,
+    public val series: SeriesTable?,
     public val directory: RunDirectory?,
 ) {
     /** Names of the units of all numbers. */
@@ -79,8 +82,9 @@ public class AnalysisInput private constructor(
                 if (step is daphnis.core.FixedTimeStep) scenario.startTime + steps[k] * step.duration else frame(k).time
             }
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
+            val series = if (Files.exists(run.series)) SeriesTable.read(run.series) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
-            return AnalysisInput(scenario.name, setup.scenario, summary, times, ::frame, { bounded(setup.boundary, it) }, setup.angularSpeed, transport, run)
+            return AnalysisInput(scenario.name, setup.scenario, summary, times, ::frame, { bounded(setup.boundary, it) }, setup.angularSpeed, transport, series, run)
         }
 
         /**
@@ -97,7 +101,7 @@ public class AnalysisInput private constructor(
             val given = setup?.boundary ?: ofFrame(frames[0])
             return AnalysisInput(
                 path.name.substringBeforeLast('.'), setup?.scenario, null, DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
-                setup?.angularSpeed, null, null,
+                setup?.angularSpeed, null, null, null,
             )
         }
 

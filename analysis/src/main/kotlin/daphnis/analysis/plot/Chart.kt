@@ -15,9 +15,14 @@ import org.jetbrains.letsPlot.label.labs
 import org.jetbrains.letsPlot.letsPlot
 import org.jetbrains.letsPlot.scale.scaleColorManual
 import org.jetbrains.letsPlot.scale.scaleFillGradient2
+import org.jetbrains.letsPlot.scale.scaleLinetypeManual
+import org.jetbrains.letsPlot.scale.scaleShapeManual
+import org.jetbrains.letsPlot.scale.scaleXContinuous
 import org.jetbrains.letsPlot.scale.scaleXLog10
+import org.jetbrains.letsPlot.scale.scaleYContinuous
 import org.jetbrains.letsPlot.scale.scaleYLog10
 import org.jetbrains.letsPlot.themes.elementBlank
+import org.jetbrains.letsPlot.themes.elementText
 import org.jetbrains.letsPlot.themes.theme
 import org.jetbrains.letsPlot.themes.themeMinimal
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
@@ -30,6 +35,15 @@ internal object Chart {
     const val WIDTH = 760
     const val HEIGHT = 340
 
+    /**
+     * Curves over a common axis, told apart by colour and by pattern; curves of few points have them marked. Curves
+     * after the [Figures.COLOURS] run out repeat.
+     *
+     * @param logX whether the axis is logarithmic, which its label then says; [logY] likewise; values that are not
+     * positive are left out
+     * @param horizontal a dashed line across at this height
+     * @param vertical a dashed line upright at this place
+     */
     fun lines(
         curves: List<Curve>,
         xLabel: String,
@@ -38,57 +52,121 @@ internal object Chart {
         logX: Boolean = false,
         logY: Boolean = false,
         horizontal: Double? = null,
-        points: Boolean = false,
+        vertical: Double? = null,
         height: Int = HEIGHT,
     ): Plot {
-        val x = ArrayList<Double>()
-        val y = ArrayList<Double>()
-        val low = ArrayList<Double>()
-        val high = ArrayList<Double>()
-        val name = ArrayList<String>()
-        for (curve in curves) {
-            for (k in curve.x.indices) {
-                if (curve.y[k].isNaN() || logY && curve.y[k] <= 0) continue
-                val e = curve.error?.get(k)?.takeIf { !it.isNaN() } ?: 0.0
-                x += curve.x[k]
-                y += curve.y[k]
-                low += if (logY && curve.y[k] - e <= 0) curve.y[k] else curve.y[k] - e
-                high += curve.y[k] + e
-                name += curve.name
-            }
+        val points = Points(curves, logX, logY)
+        var plot = letsPlot(points.columns)
+        if (horizontal != null) {
+            plot += geomHLine(yintercept = horizontal, color = Figures.QUIET, linetype = "dashed", size = 0.5)
         }
-        val data = mapOf("x" to x, "y" to y, "low" to low, "high" to high, "curve" to name)
-        val several = curves.size > 1
-        var plot = letsPlot(data)
-        if (horizontal != null) plot += geomHLine(yintercept = horizontal, color = Figures.QUIET, linetype = "dashed", size = 0.5)
+        if (vertical != null) {
+            plot += geomVLine(xintercept = vertical, color = Figures.QUIET, linetype = "longdash", size = 0.7)
+        }
         if (curves.any { it.error != null }) {
-            plot += geomErrorBar(width = 0.0, size = 0.5, alpha = 0.6, tooltips = tooltipsNone) {
-                this.x = "x"
+            plot += geomErrorBar(width = 0.0, size = 0.5, alpha = 0.6, showLegend = false, tooltips = tooltipsNone) {
+                x = "x"
                 ymin = "low"
                 ymax = "high"
                 color = "curve"
             }
         }
-        plot += if (points) {
-            geomPoint(size = 1.6) {
-                this.x = "x"
-                this.y = "y"
+        plot += geomLine(size = Figures.LINE) {
+            x = "x"
+            y = "y"
+            color = "curve"
+            linetype = "curve"
+        }
+        if (curves.all { it.x.size <= MOST_MARKED }) {
+            plot += geomPoint(size = 2.0) {
+                x = "x"
+                y = "y"
                 color = "curve"
-            }
-        } else {
-            geomLine(size = Figures.LINE) {
-                this.x = "x"
-                this.y = "y"
-                color = "curve"
+                shape = "curve"
             }
         }
-        plot =
-            plot + scaleColorManual(Figures.COLOURS, name = "", limits = curves.map { it.name }) + labs(x = xLabel, y = yLabel) + themeMinimal() + ggsize(WIDTH, height)
-        plot += if (several) theme().legendPositionTop() else theme().legendPositionNone()
+        plot = patterned(plot, curves) + labs(x = scaled(xLabel, logX), y = scaled(yLabel, logY)) + themeMinimal()
+        plot += ggsize(WIDTH, height)
+        plot += if (curves.size > 1) theme().legendPositionTop() else theme().legendPositionNone()
         if (title.isNotEmpty()) plot += ggtitle(title)
-        if (logX) plot += scaleXLog10()
-        if (logY) plot += scaleYLog10()
-        return plot
+        val x = points.x + listOfNotNull(vertical.takeIf { points.x.isNotEmpty() })
+        val y = points.low + points.high + listOfNotNull(horizontal.takeIf { points.y.isNotEmpty() && !logY })
+        return marked(plot, x, y, logX, logY)
+    }
+
+    /**
+     * Whether [values] are best drawn over a logarithmic axis: all positive, and nine tenths of them spread over more
+     * than a factor of five.
+     */
+    fun isWide(values: Iterable<Double>): Boolean {
+        val drawn = values.filter { !it.isNaN() }.sorted()
+        if (drawn.isEmpty() || drawn[0] <= 0) return false
+        val low = (TAIL * drawn.lastIndex).toInt()
+        return drawn[drawn.lastIndex - low] > LOG_FROM * drawn[low]
+    }
+
+    /** Says that an axis is logarithmic; a label that is long has its unit on a second line. */
+    private fun scaled(label: String, log: Boolean): String {
+        val shown = if (log) "$label (log scale)" else label
+        return if (shown.length > LONGEST_LABEL) shown.replace(" [", "\n[") else shown
+    }
+
+    /** The points of [curves] without those that are not finite or that a logarithmic axis cannot show. */
+    private class Points(curves: List<Curve>, logX: Boolean, logY: Boolean) {
+        val x = ArrayList<Double>()
+        val y = ArrayList<Double>()
+        val low = ArrayList<Double>()
+        val high = ArrayList<Double>()
+        private val name = ArrayList<String>()
+
+        init {
+            for (curve in curves) {
+                for (k in curve.x.indices) {
+                    if (!curve.y[k].isFinite() || logY && curve.y[k] <= 0 || logX && curve.x[k] <= 0) continue
+                    val e = curve.error?.get(k)?.takeIf { it.isFinite() } ?: 0.0
+                    x += curve.x[k]
+                    y += curve.y[k]
+                    low += if (logY && curve.y[k] - e <= 0) curve.y[k] else curve.y[k] - e
+                    high += curve.y[k] + e
+                    name += curve.name
+                }
+            }
+        }
+
+        /** As columns for lets-plot. */
+        val columns: Map<String, List<Any>> get() = mapOf("x" to x, "y" to y, "low" to low, "high" to high, "curve" to name)
+    }
+
+    /** [plot] with both axes marked at round places. */
+    private fun marked(plot: Plot, x: List<Double>, y: List<Double>, logX: Boolean = false, logY: Boolean = false): Plot {
+        if (x.isEmpty() || y.isEmpty()) return plot
+        val across = if (logX) Ticks.logarithmic(x.min(), x.max()) else Ticks.linear(x.min(), x.max())
+        val up = if (logY) Ticks.logarithmic(y.min(), y.max()) else Ticks.linear(y.min(), y.max())
+        val xScale = if (logX) {
+            scaleXLog10(breaks = across.places, labels = across.labels)
+        } else {
+            scaleXContinuous(breaks = across.places, labels = across.labels)
+        }
+        val yScale = if (logY) {
+            scaleYLog10(breaks = up.places, labels = up.labels, limits = room(y))
+        } else {
+            scaleYContinuous(breaks = up.places, labels = up.labels)
+        }
+        return plot + xScale + yScale
+    }
+
+    private fun patterned(plot: Plot, curves: List<Curve>): Plot {
+        val names = curves.map { it.name }
+        return plot + scaleColorManual(Figures.COLOURS, name = "", limits = names) +
+            scaleLinetypeManual(Figures.LINES, name = "", limits = names) +
+            scaleShapeManual(Figures.SHAPES, name = "", limits = names) +
+            theme(legendText = elementText(size = LEGEND_TEXT))
+    }
+
+    /** A little more than what the curves span: at the edge of a logarithmic axis lines are cut. */
+    private fun room(values: List<Double>): Pair<Double, Double> {
+        val room = Math.pow(values.max() / values.min(), ROOM)
+        return values.min() / room to values.max() * room
     }
 
     /** Lines through points in the order given, one for each curve, all alike; [vertical] are marks on the x axis. */
@@ -105,16 +183,24 @@ internal object Chart {
             }
         }
         var plot = letsPlot(mapOf("x" to x, "y" to y, "line" to name))
-        for (mark in vertical) plot += geomVLine(xintercept = mark, color = Figures.ACCENT, linetype = "dashed", size = 0.5)
-        for (mark in horizontal) plot += geomHLine(yintercept = mark, color = Figures.QUIET, linetype = "dotted", size = 0.5)
-        return plot + geomPath(color = Figures.INK, size = 0.5, tooltips = tooltipsNone) {
+        for (mark in vertical) {
+            plot += geomVLine(xintercept = mark, color = Figures.ACCENT, linetype = "dashed", size = 0.5)
+        }
+        for (mark in horizontal) {
+            plot += geomHLine(yintercept = mark, color = Figures.QUIET, linetype = "dotted", size = 0.5)
+        }
+        plot += geomPath(color = Figures.INK, size = 0.5, tooltips = tooltipsNone) {
             this.x = "x"
             this.y = "y"
             group = "line"
-        } + labs(x = xLabel, y = yLabel) + themeMinimal() + ggsize(WIDTH, 420)
+        }
+        return marked(plot, x, y) + labs(x = xLabel, y = yLabel) + themeMinimal() + ggsize(WIDTH, 420)
     }
 
-    /** Coloured cells around zero, to scale; [values] at `i · ny + j` for the cell i along the vertical axis, j along the horizontal one. */
+    /**
+     * Coloured cells around zero, to scale; [values] at `i · ny + j` for the cell i along the vertical axis, j along
+     * the horizontal one.
+     */
     fun map(vertical: DoubleArray, horizontal: DoubleArray, values: DoubleArray, xLabel: String, yLabel: String, name: String): Plot {
         val x = ArrayList<Double>()
         val y = ArrayList<Double>()
@@ -141,11 +227,23 @@ internal object Chart {
         val x = curves.flatMap { it.x.asList() }
         val y = curves.flatMap { it.y.asList() }
         val name = curves.flatMap { c -> List(c.x.size) { c.name } }
-        return letsPlot(mapOf("x" to x, "y" to y, "curve" to name)) + geomPath(size = Figures.LINE, tooltips = tooltipsNone) {
+        val drawn = geomPath(size = Figures.LINE, tooltips = tooltipsNone) {
             this.x = "x"
             this.y = "y"
             color = "curve"
-        } + scaleColorManual(Figures.COLOURS, name = "") + coordFixed() + labs(x = xLabel, y = yLabel) + themeMinimal() +
-            theme().legendPositionTop() + ggsize(WIDTH, 420)
+            linetype = "curve"
+        }
+        val plot = letsPlot(mapOf("x" to x, "y" to y, "curve" to name)) + drawn
+        return patterned(marked(plot, x, y), curves) + coordFixed() + labs(x = xLabel, y = yLabel) + themeMinimal() +
+            ggsize(WIDTH, 420) + theme().legendPositionTop()
     }
+
+    private const val LOG_FROM = 5.0
+    private const val TAIL = 0.05
+    private const val LONGEST_LABEL = 34
+    private const val ROOM = 0.05
+
+    /** Points of a curve up to which each is marked. */
+    private const val MOST_MARKED = 40
+    private const val LEGEND_TEXT = 14
 }

@@ -19,8 +19,21 @@ internal object Figures {
     const val TEXT = "#333333"
     const val LINE = 0.9
 
-    /** Distinct and readable on white, also for the colour-blind (Okabe & Ito). */
-    val COLOURS = listOf("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000")
+    /**
+     * Colours of curves, first to last: told apart by the colour-blind (after Okabe & Ito) and, since each of the first
+     * four is lighter than the one before, in grey too; none so light that it is lost on white. Curves differ in
+     * [LINES] and [SHAPES] as well.
+     */
+    val COLOURS = listOf("#00355f", "#9c2f6b", "#c8571b", "#3a96d0", "#000000", "#5f7a00")
+
+    /**
+     * Solid, dashed, dots and dashes, long dashes, long and short ones, dotted, which is faint; numbers are
+     * lets-plot's.
+     */
+    val LINES = listOf(1, 2, 4, 5, 6, 3)
+
+    /** Disc, triangle, square, rhombus, ring, cross. */
+    val SHAPES = listOf(16, 17, 15, 18, 1, 4)
 
     fun svg(figure: Figure): String = PlotSvgExport.buildSvgImageFromRawSpecs(figure.toSpec())
 

@@ -27,13 +27,15 @@ internal class LineChart(
         val bottom = top + height - BELOW
         fun atX(value: Double) = LEFT + across.fraction(value) * (right - LEFT)
         fun atY(value: Double) = bottom - up.fraction(value) * (bottom - above)
-        for (tick in up.ticks()) {
-            sheet.line(LEFT, atY(tick.value), right, atY(tick.value), GRID, 1.0)
-            sheet.text(tick.label, LEFT - GAP, atY(tick.value) + SMALL / 3.0, SMALL, Anchor.END)
+        val rows = up.ticks()
+        for ((k, place) in rows.places.withIndex()) {
+            sheet.line(LEFT, atY(place), right, atY(place), GRID, 1.0)
+            sheet.text(rows.labels[k], LEFT - GAP, atY(place) + SMALL / 3.0, SMALL, Anchor.END)
         }
-        for (tick in across.ticks()) {
-            sheet.line(atX(tick.value), above, atX(tick.value), bottom, GRID, 1.0)
-            sheet.text(tick.label, atX(tick.value), bottom + GAP + SMALL, SMALL, Anchor.MIDDLE)
+        val columns = across.ticks()
+        for ((k, place) in columns.places.withIndex()) {
+            sheet.line(atX(place), above, atX(place), bottom, GRID, 1.0)
+            sheet.text(columns.labels[k], atX(place), bottom + GAP + SMALL, SMALL, Anchor.MIDDLE)
         }
         sheet.text(title, LEFT, top + LARGE + GAP, LARGE, Anchor.START)
         sheet.text(xLabel, (LEFT + right) / 2, top + height - GAP, MEDIUM, Anchor.MIDDLE)

@@ -2,6 +2,7 @@ package daphnis.analysis.plot
 
 import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.insitu.PlaneImages
+import daphnis.analysis.table.UnitNames
 import java.awt.Color
 import java.awt.Graphics2D
 import java.awt.RenderingHints
@@ -26,6 +27,9 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
     private class Window(val left: Double, val right: Double, val bottom: Double, val top: Double, val axis: Int)
 
     private class Disc(val x: Double, val y: Double, val r: Double, val depth: Double)
+
+    /** What the bar in the pictures is long: both views are equally wide. */
+    val bar: String get() = barText(barLength(minOf(box.length(1), box.length(0) * LONGEST)))
 
     /** Writes `NAME.png` and `NAME.svg` into [directory]; the PNG. */
     fun writeAbove(directory: Path, name: String): ByteArray {
@@ -111,8 +115,8 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
     }
 
     /** A round length of about a fifth of the width. */
-    private fun barLength(window: Window): Double {
-        val wanted = (window.right - window.left) / 5
+    private fun barLength(width: Double): Double {
+        val wanted = width / 5
         val power = Math.pow(10.0, Math.floor(Math.log10(wanted)))
         return power * if (wanted / power >= 5) {
             5.0
@@ -124,18 +128,20 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
     }
 
     private fun scaleBar(g: Graphics2D, window: Window, scale: Double, height: Int) {
-        if (height < 40) return
-        val length = barLength(window)
+        if (height < LEAST_HEIGHT_OF_BAR) return
+        val length = barLength(window.right - window.left)
         val pixels = (length * scale).toInt()
-        g.color = Color(0, 0, 0, 170)
-        g.fillRoundRect(14, height - 52, pixels + 28, 42, 10, 10)
+        g.font = g.font.deriveFont(BAR_TEXT)
+        val text = barText(length)
+        val width = maxOf(pixels, g.fontMetrics.stringWidth(text))
+        g.color = Color(0, 0, 0, 190)
+        g.fillRoundRect(14, height - 68, width + 28, 58, 10, 10)
         g.color = Color.WHITE
-        g.fillRect(28, height - 18, pixels, 3)
-        g.font = g.font.deriveFont(19f)
-        g.drawString(String.format(Locale.ROOT, "%s %s", compact(length), lengthName), 28, height - 24)
+        g.fillRect(28, height - 22, pixels, 4)
+        g.drawString(text, 28, height - 32)
     }
 
-    private fun compact(v: Double) = if (v == Math.rint(v) && v < 1e6) v.toLong().toString() else v.toString()
+    private fun barText(length: Double) = UnitNames.amount(if (length == Math.rint(length) && length < 1e6) length.toLong().toString() else length.toString(), lengthName)
 
     /** Circles while they are few enough to be read and edited, else the picture in an SVG. */
     private fun svg(discs: List<Disc>, window: Window, png: ByteArray): String {
@@ -153,7 +159,17 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
             val fill = String.format("#%02x%02x%02x", c.red, c.green, c.blue)
             "<circle cx=\"${f((d.x - window.left) * scale)}\" cy=\"${f((window.top - d.y) * scale)}\" r=\"${f(maxOf(d.r * scale, LEAST_PIXELS))}\" fill=\"$fill\"/>"
         }
-        return "$head<rect width=\"100%\" height=\"100%\" fill=\"#10141c\"/>\n$circles\n</svg>\n"
+        return "$head<rect width=\"100%\" height=\"100%\" fill=\"#10141c\"/>\n$circles\n${svgBar(window, scale, height)}</svg>\n"
+    }
+
+    private fun svgBar(window: Window, scale: Double, height: Double): String {
+        if (height < LEAST_HEIGHT_OF_BAR) return ""
+        val length = barLength(window.right - window.left)
+        fun f(v: Double) = String.format(Locale.ROOT, "%.2f", v)
+        val place = "x=\"28\" y=\"${f(height - 32)}\""
+        val text = "<text $place font-family=\"sans-serif\" font-size=\"$BAR_TEXT\">${barText(length)}</text>"
+        val bar = "<rect x=\"28\" y=\"${f(height - 22)}\" width=\"${f(length * scale)}\" height=\"4\"/>"
+        return "<g fill=\"#ffffff\">$bar$text</g>\n"
     }
 
     private companion object {
@@ -162,6 +178,10 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
         const val LEAST_PIXELS = 0.7
         const val OUTLINED = 3.0
         const val MOST_CIRCLES = 6000
+
+        /** Legible where the picture is half as wide as it has pixels, and still on a narrow screen. */
+        const val BAR_TEXT = 28f
+        const val LEAST_HEIGHT_OF_BAR = 140
         val SPACE = Color(0x10, 0x14, 0x1c)
         val EDGE = Color(0, 0, 0, 90)
     }

@@ -4,26 +4,40 @@ import daphnis.analysis.diffusion.Coordinate
 import daphnis.analysis.diffusion.Diffusion
 import daphnis.analysis.diffusion.MeanSquareDisplacement
 import daphnis.analysis.diffusion.Trajectories
-import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
-import daphnis.analysis.plot.Figures
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.format.Frame
-import java.nio.file.Path
 import kotlin.math.PI
 
-/** The section on self-diffusion, from the states from a time on; empty where too few states, or no axis to diffuse along, leave nothing to say. */
-internal class DiffusionSection(private val input: AnalysisInput, from: Double, private val meanRadius: Double) {
-    private val units = input.units
+/** Self-diffusion, from the states from a time on. */
+internal class DiffusionSection(private val study: Study) : Section {
+    private val input = study.input
+    private val units = study.units
     private val omega = input.omega
-    private val chosen = chosen(from)
+    private val meanRadius = study.numbers.meanRadius
+    private val chosen = chosen(study.from)
     private val last = input.frame(input.size - 1)
-    private val coordinates = coordinates(last, input.state(input.size - 1).boundary)
-    private val isExpected = chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty()
-    private val displacement = if (isExpected && last.image != null) follow() else null
+    private val coordinates = coordinates(last, study.last.boundary)
+    private val displacement = if (isExpected() && last.image != null) follow() else null
+
+    override val heading = "Diffusion"
+    override val over = "Mean square displacements over all origins, without images and against the centre of mass. " +
+        "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on."
+    override val leftOut = when {
+        coordinates.isEmpty() -> "no axis repeats that nothing flows along"
+        chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
+            "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +
+                "${study.time(study.from)} on; it takes ${MeanSquareDisplacement.FEWEST_TIMES} (output.snapshotEvery)"
+        last.image == null -> "the states do not say how often particles crossed the box"
+        displacement == null -> "too few particles"
+        else -> null
+    }
+
+    private fun isExpected() = chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty()
 
     /** D along each coordinate that counts, and their mean. */
     fun rows(): List<NumberRow> {
@@ -38,35 +52,26 @@ internal class DiffusionSection(private val input: AnalysisInput, from: Double, 
     private fun row(what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {
         if (d == null) return null
         val orbit = if (omega != null) 2 * PI / omega else 1.0
-        val time = if (omega != null) "orbits" else units.time
+        val time = study.scale.timeName
         val lags = "slope over lags from ${ReportText.short(d.from / orbit)} to ${ReportText.short(d.to / orbit)} $time"
         return NumberRow(what, d.value / scale, d.error / scale, unit, note = lags)
     }
 
-    fun write(page: ReportPage, plots: Path, tables: Path) {
-        if (!isExpected) return
-        if (displacement == null && input.directory == null) return
-        page.section("Diffusion")
-        if (displacement == null) {
-            page.paragraph("The snapshots do not say how often particles crossed the box, as those of older versions; there is no displacement without it.")
-            return
-        }
-        val d = displacement
+    override fun write(page: ReportPage) {
+        val d = displacement ?: return
         val orbit = if (omega != null) 2 * PI / omega else 1.0
-        val time = if (omega != null) "orbits" else units.time
+        val time = study.scale.timeName
         val lag = DoubleArray(d.lag.size) { d.lag[it] / orbit }
         val curves = coordinates.mapIndexed { c, coordinate -> Curve(coordinate.name, lag, d.mean(c), d.error(c)) }
-        val figure = Chart.lines(curves, "lag [$time]", "mean square displacement [${units.length}²]", logX = true, logY = true)
-        page.svg(
-            Figures.write(figure, plots, "mean-square-displacement", Chart.WIDTH, Chart.HEIGHT),
-            "mean square displacements",
-            "Mean square displacements over all origins, without images and against the centre of mass. ${caption(d)} Bars are one standard error.",
-        )
-        Table(
-            "mean-square-displacement",
-            listOf(Column("lag", time, lag)) +
-                curves.flatMap { listOf(Column("msd_${it.name}", "${units.length}^2", it.y), Column("msd_${it.name}_error", "${units.length}^2", it.error!!)) },
-        ).write(tables)
+        val label = UnitNames.axis("mean square displacement", "(${units.length})^2")
+        val figure = Chart.lines(curves, UnitNames.axis("lag", time), label, logX = true, logY = true)
+        val caption = "Mean square displacements. ${caption(d)} Bars are one standard error."
+        study.draw(page, figure, "mean-square-displacement", "mean square displacements", caption)
+        val unit = "(${units.length})^2"
+        val columns = curves.flatMap {
+            listOf(Column("msd_${it.name}", unit, it.y), Column("msd_${it.name}_error", unit, it.error!!))
+        }
+        Table("mean-square-displacement", listOf(Column("lag", time, lag)) + columns).write(study.tables)
     }
 
     private fun caption(d: MeanSquareDisplacement): String {

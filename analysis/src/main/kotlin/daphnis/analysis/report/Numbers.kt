@@ -31,6 +31,9 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
     /** Toomre's 4π² G Σ/Ω²; NaN without self-gravity. */
     val criticalWavelength: Double = input.omega?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) } ?: Double.NaN
 
+    /** Whether averages are over the rows of the transport file; else they are over states alone. */
+    val isFromTransport: Boolean get() = transport != null
+
     private fun indices() = (0 until population.size).filter { state.isParticle(it) }
 
     /** ⟨c_a c_b⟩: xx, yy, zz, xy; from the transport file, else from the snapshots. */
@@ -71,7 +74,7 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         add("scale height H", transport?.scaleHeight ?: states.average(HEIGHT), "r", r, "H")
         add("filling factor in the middle plane", states.average(MIDPLANE), "", 1.0, "midplane")
         if (transport != null) {
-            add("collisions of a particle", transport.collisionRate, "orbit^-1", omega / (2 * PI), "collisions")
+            add("collisions of a particle", transport.collisionRate, "1/orbit", omega / (2 * PI), "collisions")
             add("mean impact speed", transport.impactSpeed, "cm/s", 1 / (input.scenario?.units?.speedInCmPerSecond ?: 1.0))
             val unit = r * r * omega
             add("viscosity, translational", transport.translational, "r² Ω", unit, "nu_trans")
@@ -99,9 +102,9 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
         val gas = scenario?.let { References.ofElastic(it, fillingFactor, temperature.mean, density) } ?: emptyMap()
         val isOld = state.boundary.meanFlow != null && transport?.isPeculiar == false
         val note = if (isOld) OLD_TRANSPORT else ""
-        rows += NumberRow.of("granular temperature ⟨c²⟩/3", temperature, "(${units.speed})^2", note = note)
+        rows += NumberRow.of("granular temperature ⟨c²⟩/3", temperature, units.temperature, note = note)
         if (transport == null) return rows
-        rows += NumberRow.of("collisions of a particle", transport.collisionRate, "${units.time}^-1", gas["rate"])
+        rows += NumberRow.of("collisions of a particle", transport.collisionRate, units.rate, gas["rate"])
         rows += NumberRow.of("compressibility p V / (M T)", transport.compressibility, "", gas["Z"])
         val flow = state.boundary.meanFlow
         return if (flow == null || flow.rate == 0.0) rows else rows + sheared(transport, flow.rate)

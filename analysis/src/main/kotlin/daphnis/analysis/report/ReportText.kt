@@ -1,51 +1,59 @@
 package daphnis.analysis.report
 
-import daphnis.analysis.input.AnalysisInput
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.table.PowersOfTen
+import daphnis.analysis.table.PowersOfTen.LARGE
+import daphnis.analysis.table.PowersOfTen.SMALL
+import daphnis.analysis.table.PowersOfTen.minus
 import java.util.Locale
-import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.floor
+import kotlin.math.log10
+import kotlin.math.pow
+import kotlin.math.round
 
+/** Numbers as the report writes them, one way everywhere: `−0.0123`, `1.948 · 10⁻⁴`, `3.72 ± 0.12`, `1 sphere`. */
 internal object ReportText {
-    /** A number in few digits. */
-    fun short(v: Double): String = if (v.isNaN()) {
-        "–"
-    } else if (v == Math.rint(v) && Math.abs(v) < 1e6) {
-        v.toLong().toString()
-    } else if (Math.abs(v) >= 1e-3 && Math.abs(v) < 1e6) {
-        String.format(Locale.ROOT, "%.3g", v).let { if ('e' in it) String.format(Locale.ROOT, "%.0f", v) else it }
-    } else {
-        String.format(Locale.ROOT, "%.3g", v)
+    private const val MOST_DECIMALS = 8
+
+    /** [value] in [digits] significant digits; whole numbers in full. `–` for NaN. */
+    fun plain(value: Double, digits: Int = 4): String {
+        val size = abs(value)
+        return when {
+            value.isNaN() -> "–"
+            value.isInfinite() -> if (value > 0) "∞" else "−∞"
+            value == 0.0 -> "0"
+            value == round(value) && size < LARGE -> minus(value.toLong().toString())
+            size < SMALL || size >= LARGE -> PowersOfTen.text(value, digits - 1)
+            else -> {
+                val decimals = digits - 1 - floor(log10(size)).toInt()
+                minus(String.format(Locale.ROOT, "%.${decimals.coerceAtLeast(0)}f", value))
+            }
+        }
     }
 
-    fun parameters(input: AnalysisInput, last: PatchState): List<Pair<String, String>> {
-        val rows = ArrayList<Pair<String, String>>()
-        val units = input.units
-        val box = last.boundary.box
-        rows += "particles" to "${last.population.size}"
-        rows += "radii" to "${short(last.population.radius.min())} to ${short(last.population.radius.max())} ${units.length}"
-        rows += "box" to (0..2).joinToString(" × ") { short(box.length(it)) } + " ${units.length}"
-        rows += "boundary" to (input.scenario?.boundary ?: last.boundary).javaClass.simpleName
-        val omega = input.omega
-        if (omega != null) rows += "angular speed Ω" to "${String.format(Locale.ROOT, "%.6g", omega)} / ${units.time}, orbit ${short(2 * PI / omega)} ${units.time}"
-        val scenario = input.scenario
-        if (scenario != null) {
-            rows += "seed" to "${scenario.seed}"
-            rows += "restitution" to scenario.restitution.javaClass.simpleName
-            rows += "forces" to scenario.forces.joinToString { it.javaClass.simpleName }.ifEmpty { "none" }
-            rows += "units" to "speed ${short(scenario.units.speedInCmPerSecond)} cm/s" + (scenario.units.lengthInMetres?.let { ", length ${short(it)} m" } ?: "")
-        }
-        rows += "states" to "${input.size}, time ${short(input.times.first())} to ${short(input.times.last())} ${units.time}"
-        val summary = input.summary
-        if (summary != null) {
-            rows += "steps" to "${summary.steps}"
-            rows += "collisions" to "${summary.collisions}" + if (summary.guardActivations > 0) ", ${summary.guardActivations} made elastic by the guard" else ""
-            rows += "deepest overlap" to "${short(summary.maxOverlap)} of the sum of two radii"
-            rows += "engine" to "${summary.engine}, ${summary.threads} threads, ${short(summary.wallSeconds)} s"
-            rows += "state digest" to summary.stateDigest
-            rows += "version" to "daphnis ${summary.version}, ${summary.jvm}"
-        } else if (input.directory != null) {
-            rows += "summary" to "none yet: the run goes on or was interrupted"
-        }
-        return rows
+    /** A number in few digits, for running text; in whole ones below a million. */
+    fun short(value: Double): String {
+        val size = abs(value)
+        val whole = size < 10 * LARGE && (value == round(value) || size >= LARGE)
+        return if (whole) minus(round(value).toLong().toString()) else plain(value, 3)
     }
+
+    /** A number with as many digits as its [error] leaves meaningful; without one, as [plain]. */
+    fun withError(value: Double, error: Double): String {
+        if (value.isNaN()) return "–"
+        if (!value.isFinite() || error == 0.0 || !error.isFinite()) return plain(value)
+        val digits = 1 - floor(log10(error)).toInt()
+        val size = abs(value)
+        if (size >= SMALL && size < LARGE && digits <= MOST_DECIMALS) {
+            val d = digits.coerceAtLeast(0)
+            return minus(String.format(Locale.ROOT, "%.${d}f ± %.${d}f", value, error))
+        }
+        val exponent = floor(log10(maxOf(size, error))).toInt()
+        val scale = 10.0.pow(exponent)
+        val d = (exponent + digits).coerceIn(0, MOST_DECIMALS)
+        return minus(String.format(Locale.ROOT, "(%.${d}f ± %.${d}f)", value / scale, error / scale)) + PowersOfTen.times(exponent)
+    }
+
+    /** `1 sphere`, `2 spheres`. */
+    fun count(n: Int, what: String): String = if (n == 1) "1 $what" else "$n ${what}s"
 }

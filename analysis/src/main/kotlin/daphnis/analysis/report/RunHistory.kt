@@ -1,9 +1,8 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.transport.TransportTable
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlin.math.sqrt
 
 /** A quantity over the whole of a run; [times] ascending. */
@@ -14,7 +13,7 @@ internal object RunHistory {
     /** The main quantities of [input]; none for a foreign file, or a run that wrote neither. */
     fun of(input: AnalysisInput): List<History> {
         input.transport?.let { if (it.size >= 2) return ofTransport(it, input.omega != null) }
-        return input.directory?.series?.takeIf { Files.exists(it) }?.let { ofSeries(it) }.orEmpty()
+        return input.series?.let { ofSeries(it) }.orEmpty()
     }
 
     private fun ofTransport(t: TransportTable, ring: Boolean): List<History> {
@@ -31,15 +30,11 @@ internal object RunHistory {
         return speeds + rate(time, t["collisions"], t["particles"])
     }
 
-    private fun ofSeries(file: Path): List<History> {
-        val lines = Files.readAllLines(file)
-        val names = lines.firstOrNull()?.split(',').orEmpty()
-        val wanted = listOf("time", "granular_temperature", "collisions", "particles").map { names.indexOf(it) }
-        if (wanted.any { it < 0 }) return emptyList()
-        // A last line may be cut short, of a run that goes on.
-        val rows = lines.drop(1).map { it.split(',') }.filter { it.size == names.size }
-        val (time, temperature, collisions, particles) = wanted.map { column -> DoubleArray(rows.size) { rows[it][column].toDoubleOrNull() ?: Double.NaN } }
-        return if (rows.size < 2) emptyList() else listOf(History("granular temperature", time, temperature), rate(time, collisions, particles))
+    private fun ofSeries(s: SeriesTable): List<History> {
+        if (s.size < 2) return emptyList()
+        val rates = rate(s["time"], s["collisions"], s["particles"])
+        if (TEMPERATURE !in s) return listOf(rates)
+        return listOf(History("granular temperature", s["time"], s[TEMPERATURE]), rates)
     }
 
     /** Collisions of a particle between rows, at the time of the later one. */
@@ -47,4 +42,6 @@ internal object RunHistory {
         val rates = DoubleArray(time.size - 1) { 2 * (collisions[it + 1] - collisions[it]) / particles[it] / (time[it + 1] - time[it]) }
         return History("collisions of a particle", time.copyOfRange(1, time.size), rates)
     }
+
+    private const val TEMPERATURE = "granular_temperature"
 }

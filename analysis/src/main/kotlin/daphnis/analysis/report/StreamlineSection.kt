@@ -20,7 +20,6 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
     private val moon = input.scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull()
 
     fun write(page: ReportPage, last: PatchState) {
-        page.section("Streamlines")
         val n = last.population.size
         val groups = if (options.groups > 0) options.groups else Math.sqrt(n / PARTICLES_A_GROUP / 4).toInt().coerceIn(4, 40)
         val slabs = if (options.slabs > 0) options.slabs else (n / PARTICLES_A_GROUP / groups).toInt().coerceIn(4, 400)
@@ -140,9 +139,11 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
         ).write(tables)
     }
 
-    private companion object {
-        const val PARTICLES_A_GROUP = 12.0
-        const val MOST_LINES = 24
-        const val HEIGHT = 420
+    companion object {
+        /** Particles below which groups mean nothing: two in each of the fewest. */
+        const val LEAST = 32
+        private const val PARTICLES_A_GROUP = 12.0
+        private const val MOST_LINES = 24
+        private const val HEIGHT = 420
     }
 }

@@ -9,6 +9,7 @@ import daphnis.analysis.plot.Figures
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.sqrt
@@ -24,14 +25,13 @@ internal class StructureSections(
     private val units = input.units
 
     fun correlations(page: ReportPage) {
-        page.section("Structure")
         pairCorrelation(page)
         spectrum(
             page,
             "structure-factor",
             DoubleArray(measures.structure.bins) { measures.structure.centre(it) },
             measures.ofStructure,
-            Quantity("structure factor", "S", "wave number |k|", "1/${units.length}"),
+            Quantity("structure factor", "S", "wave number |k|", units.waveNumber),
             "Structure factor S(k) of wave vectors in the plane, averaged over directions; 1 for particles without correlation.",
         )
         val a = measures.meanAutocorrelation()
@@ -47,7 +47,7 @@ internal class StructureSections(
             "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of particles without correlation. Spheres one above the other are nearer " +
                 "than contact in this view, so that g is not 0 there."
         } else {
-            val from = if (pairs.nearest > 0) " Bins begin at the contact of the smallest spheres, ${ReportText.short(pairs.nearest)} ${units.length}." else ""
+            val from = if (pairs.nearest > 0) " Bins begin at the contact of the smallest spheres, ${UnitNames.amount(ReportText.short(pairs.nearest), units.length)}." else ""
             "Radial distribution function in space: pairs at a distance, over those of particles without correlation.$from"
         }
         spectrum(
@@ -65,7 +65,7 @@ internal class StructureSections(
         val y = DoubleArray(2 * measures.lagY + 1) { (it - measures.lagY) * measures.dy }
         // The centre is the noise of counting and would hide the rest.
         val shown = a.copyOf().also { it[measures.lagX * y.size + measures.lagY] = 0.0 }
-        val figure = Chart.map(x, y, shown, "Δy [${units.length}]", "Δx [${units.length}]", "autocorrelation A")
+        val figure = Chart.map(x, y, shown, UnitNames.axis("Δy", units.length), UnitNames.axis("Δx", units.length), "autocorrelation A")
         page.svg(
             Figures.write(figure, plots, "autocorrelation", Chart.WIDTH, MAP_HEIGHT),
             "autocorrelation of the surface density",
@@ -89,14 +89,13 @@ internal class StructureSections(
         val y = DoubleArray(x.size) { all[it].mean }
         val error = DoubleArray(x.size) { all[it].error }
         val label = "${quantity.words} ${quantity.symbol}"
-        val figure = Chart.lines(listOf(Curve(label, x, y, error)), "${quantity.argument} [${quantity.unit}]", label, horizontal = 1.0)
+        val figure = Chart.lines(listOf(Curve(label, x, y, error)), UnitNames.axis(quantity.argument, quantity.unit), label, horizontal = 1.0)
         page.svg(Figures.write(figure, plots, name, Chart.WIDTH, Chart.HEIGHT), quantity.words, "$caption Bars are one standard error.")
         val argument = if (quantity.unit.startsWith("1/")) "k" else "r"
         Table(name, listOf(Column(argument, quantity.unit, x), Column(quantity.symbol, "", y), Column("${quantity.symbol}_error", "", error))).write(tables)
     }
 
     fun occultation(page: ReportPage) {
-        page.section("Occultation")
         val light = measures.ofLight
         val transmission = light.average(0)
         val rays = "${ReportText.short(measures.options.elevation)}° elevation and ${ReportText.short(measures.options.azimuth)}° azimuth"
@@ -112,7 +111,7 @@ internal class StructureSections(
         val x = DoubleArray(n) { box.lowerX + (it + 0.5) * box.length(0) / n }
         val scan = DoubleArray(n) { light.series(1 + it).last() }
         val mean = DoubleArray(n) { light.average(1 + it).mean }
-        val label = if (input.omega != null) "radial position x [${units.length}]" else "x [${units.length}]"
+        val label = UnitNames.axis(if (input.omega != null) "radial position x" else "x", units.length)
         val figure = Chart.lines(listOf(Curve("last state", x, scan), Curve("mean", x, mean)), label, "transmission")
         page.svg(
             Figures.write(figure, plots, "occultation", Chart.WIDTH, Chart.HEIGHT),
@@ -135,7 +134,6 @@ internal class StructureSections(
         if (!Files.exists(file)) return
         val rows = Files.readAllLines(file).drop(1).map { line -> line.split(',').map { it.toDouble() } }
         if (rows.size < 2) return
-        page.section("Impacts")
         val factor = input.scenario?.units?.speedInCmPerSecond ?: 1.0
         val total = rows.sumOf { it[2] }
         val x = DoubleArray(rows.size) { sqrt(rows[it][0] * rows[it][1]) * factor }

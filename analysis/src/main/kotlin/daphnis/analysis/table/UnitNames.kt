@@ -1,17 +1,70 @@
 package daphnis.analysis.table
 
 import daphnis.core.scenario.UnitsSpec
+import kotlin.math.abs
 
-/** What the units of a scenario are called: SI where they are, else by their kind. */
+/**
+ * What the units of a scenario are called: `m`, `m/s` where they are metric, else by what they measure, `units of
+ * length`, `units of length^2/time`. Powers are written `^2`, as tables in CSV have them; [raised] makes them readable.
+ */
 public class UnitNames(units: UnitsSpec?) {
-    public val length: String = when (units?.lengthInMetres) {
-        1.0 -> "m"
-        1000.0 -> "km"
-        else -> "length"
+    private val names: Map<String, String?> = mapOf(
+        "length" to nameOf(units?.lengthInMetres, LENGTHS),
+        "time" to nameOf(units?.timeInSeconds, TIMES),
+        // The mass in kilograms has a default; it means something only where the length is known.
+        "mass" to nameOf(units?.massInKg.takeIf { units?.lengthInMetres != null }, MASSES),
+    )
+
+    public val length: String = of("length")
+    public val time: String = of("time")
+    public val mass: String = of("mass")
+    public val speed: String = of("length/time")
+
+    /** Of ⟨c²⟩/3. */
+    public val temperature: String = of("length^2/time^2")
+    public val energy: String = of("mass length^2/time^2").let { if (it == "kg m^2/s^2") "J" else it }
+    public val viscosity: String = of("length^2/time")
+    public val surfaceDensity: String = of("mass/length^2")
+    public val density: String = of("mass/length^3")
+
+    /** Of a frequency. */
+    public val rate: String = inverse("time")
+    public val waveNumber: String = inverse("length")
+
+    /**
+     * The unit of a quantity whose [dimension] is written with the words length, time and mass; metric only when all of
+     * them are.
+     */
+    private fun of(dimension: String): String {
+        val words = names.keys.filter { it in dimension }
+        if (words.any { names[it] == null }) return "$UNITS_OF$dimension"
+        return words.fold(dimension) { text, word -> text.replace(word, names.getValue(word)!!) }
     }
-    public val time: String = if (units?.timeInSeconds == 1.0) "s" else "time"
-    public val mass: String = if (units?.lengthInMetres != null && units.massInKg == 1.0) "kg" else "mass"
-    public val speed: String get() = "$length/$time"
-    public val viscosity: String get() = "$length^2/$time"
-    public val surfaceDensity: String get() = "$mass/$length^2"
+
+    private fun inverse(word: String) = "1/" + (names[word] ?: "(unit of $word)")
+
+    public companion object {
+        private const val UNITS_OF = "units of "
+        private const val CLOSE = 1e-12
+        private val LENGTHS = listOf(0.01 to "cm", 1.0 to "m", 1000.0 to "km")
+        private val TIMES = listOf(1.0 to "s")
+        private val MASSES = listOf(0.001 to "g", 1.0 to "kg")
+
+        private fun nameOf(inSi: Double?, known: List<Pair<Double, String>>) = if (inSi == null) null else known.find { abs(inSi / it.first - 1) < CLOSE }?.second
+
+        /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `5 m`. */
+        public fun amount(number: String, unit: String): String = if (number == "1" &&
+            unit.startsWith(UNITS_OF)
+        ) {
+            "1 unit of ${unit.removePrefix(UNITS_OF)}"
+        } else {
+            "$number $unit"
+        }
+
+        /** Powers raised: `m^2/s` reads m²/s. */
+        public fun raised(unit: String): String = unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹")
+
+        /** What stands at an axis: [quantity] with its [unit] in brackets, or alone for a pure number. */
+        public fun axis(quantity: String, unit: String): String = if (unit.isEmpty()) quantity else "$quantity [${raised(unit)}]"
+    }
 }

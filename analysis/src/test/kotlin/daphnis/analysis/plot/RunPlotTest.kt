@@ -1,6 +1,11 @@
 package daphnis.analysis.plot
 
+import daphnis.analysis.series.SeriesTable
+import daphnis.analysis.table.UnitNames
+import daphnis.core.format.FormatException
+import daphnis.core.scenario.UnitsSpec
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -14,48 +19,106 @@ class RunPlotTest {
     @TempDir
     lateinit var home: Path
 
+    private val gas = PlotScale(UnitNames(UnitsSpec()), null, 1.0)
+    private val ring = PlotScale(UnitNames(UnitsSpec(100.0, 1.0, 1.0)), 2 * Math.PI / 10, 1.5)
+
     private fun series(rows: Int, temperature: (Int) -> Double): Path {
-        val text = (0 until rows).joinToString("\n", "step,time,particles,collisions,granular_temperature\n") { "$it,${it * 0.1},100,${it * 5},${temperature(it)}" }
+        val text = (0 until rows).joinToString("\n", "step,time,particles,collisions,granular_temperature\n") {
+            "$it,${it * 0.1},100,${it * 5},${temperature(it)}"
+        }
         return Files.writeString(home.resolve("series.csv"), text + "\n")
+    }
+
+    private fun svg(file: Path, scale: PlotScale): String {
+        RunPlot.write(file, home.resolve("plots"), "my run", scale)
+        return Files.readString(home.resolve("plots/run.svg"))
     }
 
     @Test
     fun `a series becomes a picture of the right size with ink on it, and an SVG with its labels`() {
-        RunPlot.write(series(5000) { 1.0 / (1 + it) }, home.resolve("plots"), "my run")
+        val svg = svg(series(5000) { 1.0 / (1 + it) }, gas)
         val picture = ImageIO.read(home.resolve("plots/run.png").toFile())
         assertEquals(listOf(1600, 1280), listOf(picture.width, picture.height))
         val colours = HashSet<Int>()
         for (x in 0 until 1600 step 4) for (y in 0 until 1280) colours += picture.getRGB(x, y)
         assertTrue(colours.size > 10) { "the picture has ${colours.size} colours" }
-        val svg = Files.readString(home.resolve("plots/run.svg"))
-        for (label in listOf("my run", "granular temperature", "collisions of a sphere")) assertTrue(label in svg) { label }
+        for (label in listOf("my run", "granular temperature", "collisions of a particle")) {
+            assertTrue(label in svg) {
+                label
+            }
+        }
+    }
+
+    @Test
+    fun `axes have units, in Hill's frame orbits and r times Omega`() {
+        val ofGas = svg(series(50) { 1.0 }, gas)
+        for (label in listOf("time [units of time]", "[units of length²/time²]", "[1/(unit of time)]")) {
+            assertTrue(
+                label in ofGas,
+            ) { label }
+        }
+        val ofRing = svg(series(50) { 1.0 }, ring)
+        for (label in listOf("time [orbits]", "[(r Ω)²]", "[1/orbit]")) assertTrue(label in ofRing) { label }
+    }
+
+    @Test
+    fun `an axis that is logarithmic says so, and no other`() {
+        assertFalse("log scale" in svg(series(50) { 1.0 + 0.05 * it }, gas))
+        assertTrue("[units of length²/time²] (log scale)" in svg(series(50) { 1.0 / (1 + it) }, gas))
+    }
+
+    @Test
+    fun `curves in Hill's frame count orbits, r Omega and collisions an orbit`() {
+        val plots = SeriesPlots(SeriesTable.read(series(101) { 3.0 }), ring)
+        val temperature = plots.temperature()!!
+        assertEquals(1.0, temperature.x.last(), 1e-12)
+        assertEquals(3.0 / (1.5 * 2 * Math.PI / 10).let { it * it }, temperature.y[0], 1e-12)
+        // 5 collisions of 100 particles in 0.1: a particle has one in a unit of time, 10 in an orbit.
+        val rate = plots.collisionRate()!!
+        assertEquals(10.0, rate.y.average(), 1e-9)
+        assertEquals(0.005, rate.x[0], 1e-12)
+        assertTrue(plots.energies().isEmpty())
+    }
+
+    @Test
+    fun `energies are the columns that are called so`() {
+        val text = "time,particles,collisions,kinetic_energy,hill_energy,other_energy\n0,1,0,2,3,\n1,1,0,4,5,\n"
+        val plots = SeriesPlots(SeriesTable.read(Files.writeString(home.resolve("e.csv"), text)), gas)
+        assertEquals(listOf("kinetic", "hill"), plots.energies().map { it.name })
+        assertEquals(listOf(3.0, 5.0), plots.energies()[1].y.asList())
+        assertEquals(null, plots.temperature())
     }
 
     @Test
     fun `a temperature that falls to zero is drawn too`() {
-        RunPlot.write(series(3) { if (it == 2) 0.0 else 1.0 }, home, "cold")
+        RunPlot.write(series(3) { if (it == 2) 0.0 else 1.0 }, home, "cold", gas)
         assertTrue(Files.size(home.resolve("run.png")) > 1000)
     }
 
     @Test
-    fun `a series of one row is refused`() {
-        assertThrows(IllegalArgumentException::class.java) { RunPlot.write(series(1) { 1.0 }, home, "short") }
+    fun `a series of one row is refused, a damaged one is named`() {
+        assertThrows(IllegalArgumentException::class.java) { RunPlot.write(series(1) { 1.0 }, home, "short", gas) }
+        val damaged = Files.writeString(home.resolve("bad.csv"), "time,particles,collisions\n0,1,0\nx,1,0\n")
+        assertTrue(
+            "bad.csv:3" in
+                assertThrows(FormatException::class.java) { RunPlot.write(damaged, home, "bad", gas) }.message!!,
+        )
     }
 
     @Test
     fun `the SVG is XML that a parser takes, whatever the title is`() {
-        RunPlot.write(series(10) { 1.0 / (1 + it) }, home, "<my> & \u0007 run")
+        RunPlot.write(series(10) { 1.0 / (1 + it) }, home, "<my> & \u0007 run", gas)
         val root = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(home.resolve("run.svg").toFile()).documentElement
         assertEquals(listOf("svg", "800", "640"), listOf(root.tagName, root.getAttribute("width"), root.getAttribute("height")))
         val texts = root.getElementsByTagName("text")
         assertTrue((0 until texts.length).any { texts.item(it).textContent == "<my> &   run" })
-        assertEquals("time", texts.item(texts.length - 2).textContent)
+        assertEquals("time [units of time]", texts.item(texts.length - 2).textContent)
     }
 
     @Test
     fun `lines go where the numbers are, the same in both formats`() {
         // The temperature is 1 but for one row of 3 in the middle: the line touches the top of its panel there, at x = 430 of 800 points.
-        RunPlot.write(series(101) { if (it == 50) 3.0 else 1.0 }, home, "peak")
+        RunPlot.write(series(101) { if (it == 50) 3.0 else 1.0 }, home, "peak", gas)
         val path = Regex("stroke=\"#1f4e79\"[^>]* d=\"M([^\"]*)\"").find(Files.readString(home.resolve("run.svg")))!!.groupValues[1]
         val points = path.split('L').map { p -> p.split(' ').map { it.toDouble() } }
         assertEquals(101, points.size)
@@ -74,15 +137,15 @@ class RunPlotTest {
     @Test
     fun `a series without particles, and one that never changes, are drawn`() {
         val text = "step,time,particles,collisions,granular_temperature\n0,0.0,0,0,0.0\n1,1.0,0,0,0.0\n"
-        RunPlot.write(Files.writeString(home.resolve("empty.csv"), text), home.resolve("empty"), "nobody")
-        RunPlot.write(series(3) { 2.5 }, home.resolve("same"), "same")
-        RunPlot.write(series(3) { Double.NaN }, home.resolve("none"), "none")
+        RunPlot.write(Files.writeString(home.resolve("empty.csv"), text), home.resolve("empty"), "nobody", gas)
+        RunPlot.write(series(3) { 2.5 }, home.resolve("same"), "same", gas)
+        RunPlot.write(series(3) { Double.NaN }, home.resolve("none"), "none", gas)
         for (name in listOf("empty", "same", "none")) assertEquals(1600, ImageIO.read(home.resolve("$name/run.png").toFile()).width)
     }
 
     @Test
     fun `the one rate of a run of one step is a dash in the middle`() {
-        RunPlot.write(series(2) { 1.0 + it }, home, "step")
+        RunPlot.write(series(2) { 1.0 + it }, home, "step", gas)
         val dash = Regex("stroke=\"#b3541e\"[^>]* d=\"M([0-9.]*) ([0-9.]*)L([0-9.]*) ([0-9.]*)\"").find(Files.readString(home.resolve("run.svg")))!!
         assertEquals(listOf(423.0, 474.0, 437.0, 474.0), dash.groupValues.drop(1).map { it.toDouble() })
     }

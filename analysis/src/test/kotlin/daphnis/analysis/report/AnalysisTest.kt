@@ -117,6 +117,80 @@ class AnalysisTest {
     }
 
     @Test
+    fun `the report shows the time series of a run that wrote no transport, and where averages begin`() {
+        val path =
+            run("cooling-gas", "until=4", "particles.count=200", "box.lengths=[10,10,10]", "output.snapshotEvery=10")
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 2.0)).write(path)
+        val html = Files.readString(path.resolve("report.html"))
+        assertTrue(">Evolution</h2>" in html)
+        assertTrue("the dashed line is where averages begin, time 2 units of time." in html)
+        assertTrue("Averages over 3 states of 5, time 2 to 4 units of time." in html)
+        for (plot in listOf("temperature", "collision-rate", "energy")) {
+            assertTrue(Files.size(path.resolve("plots/$plot.png")) > 1000) { plot }
+        }
+        assertTrue("time [units of time]" in Files.readString(path.resolve("plots/energy.svg")))
+        val columns = Files.readAllLines(path.resolve("tables/time-series.csv"))[0].split(',')
+        assertEquals(listOf("time [units of time]", "granular_temperature [units of length^2/time^2]"), columns.take(2))
+        assertEquals("kinetic [units of mass length^2/time^2]", columns[2])
+        assertFalse(Files.exists(path.resolve("plots/dispersion.png")))
+        // Dashed, and at 2 of 4: the line upright is in the drawing only when averages begin within the run.
+        val marked = Files.readString(path.resolve("plots/temperature.svg"))
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = -1.0)).write(path)
+        assertTrue("averages are over all of it." in Files.readString(path.resolve("report.html")))
+        val unmarked = Files.readString(path.resolve("plots/temperature.svg"))
+        assertTrue("stroke-dasharray" in marked && "stroke-dasharray" !in unmarked)
+        // A run that is being written: half a line at the end.
+        val series = Files.readString(path.resolve("series.csv"))
+        Files.writeString(path.resolve("series.csv"), series.dropLast(series.length / 3))
+        assertTrue(AnalysisInput.ofRun(path).series!!.size in 20..35)
+        Files.writeString(path.resolve("series.csv"), series.replaceFirst("200", "many"))
+        assertTrue("series.csv:2" in assertThrows(FormatException::class.java) { AnalysisInput.ofRun(path) }.message!!)
+    }
+
+    @Test
+    fun `averages that begin after the last state are refused in one line`() {
+        val path = run("cooling-gas", "until=1", "particles.count=50", "box.lengths=[8,8,8]", "output.snapshotEvery=5")
+        val input = AnalysisInput.ofRun(path)
+        val message = assertThrows(InputException::class.java) { Analysis(input, AnalysisOptions(from = 1.5)) }.message!!
+        for (part in listOf("--from: is 1.5", "last state is at time 1,", "at most")) assertTrue(part in message) { message }
+        assertFalse('\n' in message)
+        Analysis(input, AnalysisOptions(from = 1.0)).write(path)
+        assertTrue("Averages over 1 state of 3, time 1 unit of time." in Files.readString(path.resolve("report.html")))
+        Analysis(input, AnalysisOptions(from = -100.0))
+    }
+
+    @Test
+    fun `a single particle gives its picture and a line for each section that would mean nothing`() {
+        val file = Files.writeString(directory.resolve("one.csv"), "x,y,z,vx,vy,vz,radius\n0,0,0,1,0,0,1\n")
+        val out = directory.resolve("out")
+        Files.createDirectories(out)
+        Analysis(AnalysisInput.ofFile(file, null, "")).write(out)
+        val html = Files.readString(out.resolve("report.html"))
+        assertTrue("1 sphere." in html && "1 spheres" !in html)
+        assertTrue(">The patch</h2>" in html)
+        for (heading in listOf("Profiles", "Velocity ellipsoid", "Structure", "Occultation")) {
+            assertFalse(">$heading</h2>" in html) { heading }
+            assertTrue("<li>$heading: there is 1 particle; it takes 10 at least.</li>" in html) { heading }
+        }
+        assertTrue("<li>Evolution: a file of states has no time series.</li>" in html)
+        val plots = Files.list(out.resolve("plots")).use { files -> files.map { it.name }.sorted().toList() }
+        assertEquals(listOf("patch-above.png", "patch-above.svg", "patch-side.png", "patch-side.svg"), plots)
+        assertTrue(">0.2 units of length</text>" in Files.readString(out.resolve("plots/patch-above.svg")))
+    }
+
+    @Test
+    fun `a report has one notation for powers of ten and commands that can be pasted`() {
+        val path = run("ring-patch", "untilOrbits=1", "box.lengths=[40,40,20]", "output.snapshotEvery=100")
+        Analysis(AnalysisInput.ofRun(path)).write(path)
+        val html = Files.readString(path.resolve("report.html")).replace(Regex("base64,[^\"]*"), "")
+        assertEquals(null, Regex("""\d[eE][-+−]?\d""").find(html.substringAfter("<main>").substringBefore("state digest"))?.value)
+        assertTrue("· 10⁻" in html)
+        assertTrue("./daphnis compare $path $path-again" in html) { html.takeLast(1500) }
+        assertTrue("time [orbits]" in Files.readString(path.resolve("plots/temperature.svg")))
+        assertTrue("<td>hill-sheet</td>" in html)
+    }
+
+    @Test
     fun `foreign files give the states they hold`() {
         val path = run("elastic-gas", "until=0.2", "particles.count=300", "output.snapshotEvery=1")
         val original = AnalysisInput.ofRun(path).state(0).population

@@ -1,27 +1,70 @@
 package daphnis.analysis.report
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import java.nio.file.Path
 
 class ReportPageTest {
     @Test
-    fun `a number has the digits that its error leaves`() {
-        assertEquals("3.718 ± 0.012", ReportPage.withError(3.71833, 0.0123))
-        assertEquals("26.8 ± 1.4", ReportPage.withError(26.81, 1.37))
-        assertEquals("−0.50 ± 0.20", ReportPage.withError(-0.5, 0.2))
-        assertEquals("(3.34 ± 0.12) · 10<sup>−4</sup>", ReportPage.withError(3.342e-4, 1.2e-5))
-        assertEquals("–", ReportPage.withError(Double.NaN, 1.0))
-        assertEquals("25093", ReportPage.plain(25093.0797))
-        assertEquals("1.948 · 10<sup>−4</sup>", ReportPage.plain(1.948e-4))
+    fun `text is escaped`() {
+        val page = ReportPage("a < b & \"c\"")
+        page.section("x > y", "over <i>")
+        page.paragraph("<b>")
+        page.list(listOf("<u>"))
+        val html = page.html("")
+        assertTrue(
+            "&lt;b&gt;" in html &&
+                "a &lt; b &amp; &quot;c&quot;" in html &&
+                "x &gt; y" in html &&
+                "&lt;i&gt;" in html &&
+                "&lt;u&gt;" in html,
+        )
     }
 
     @Test
-    fun `text is escaped`() {
-        val page = ReportPage("a < b & \"c\"")
-        page.section("x > y")
-        page.paragraph("<b>")
+    fun `sections have anchors of their own, listed at the top`() {
+        val page = ReportPage("run")
+        for (heading in listOf("Mean flow", "Mean flow", "σ")) page.section(heading)
         val html = page.html("")
-        assertTrue("&lt;b&gt;" in html && "a &lt; b &amp; &quot;c&quot;" in html && "x &gt; y" in html)
+        for (id in listOf("mean-flow", "mean-flow-2", "section")) {
+            assertEquals(1, html.split("<h2 id=\"$id\">").size - 1) { id }
+            assertTrue("<a href=\"#$id\">" in html) { id }
+        }
+    }
+
+    @Test
+    fun `the page is titled by its scenario, follows the reader's colours, prints, and scrolls what is wide`() {
+        val page = ReportPage("ring-patch")
+        page.svg("<svg/>", "a chart", "caption")
+        page.numbers(listOf(NumberRow("ν", 1.0, 0.1, "m^2/s")))
+        val html = page.html("a patch")
+        assertTrue("<title>ring-patch: daphnis report</title>" in html)
+        assertTrue(
+            "color-scheme:light dark" in html &&
+                "@media screen and (prefers-color-scheme:dark)" in html &&
+                "@media print" in html,
+        )
+        assertTrue("name=\"viewport\" content=\"width=device-width" in html)
+        for (wide in listOf(
+            "<img",
+            "<table",
+        )) {
+            assertTrue(Regex("<div class=\"scroll\" tabindex=\"0\"[^>]*>$wide").containsMatchIn(html)) {
+                wide
+            }
+        }
+        assertTrue("alt=\"a chart\"" in html && "m²/s" in html && "1.00 ± 0.10" in html)
+        assertFalse("<script" in html)
+    }
+
+    @Test
+    fun `commands take a directory as one word, and never the run's own name for a new run`() {
+        assertEquals("runs/ring", RunSection.quoted(Path.of("runs/ring")))
+        assertEquals("'my runs/it'\\''s'", RunSection.quoted(Path.of("my runs/it's")))
+        assertEquals(Path.of("runs/ring-again"), RunSection.besides(Path.of("runs/ring")))
+        assertEquals(Path.of("again"), RunSection.besides(Path.of(".")))
+        assertEquals(Path.of("again"), RunSection.besides(Path.of("..")))
     }
 }

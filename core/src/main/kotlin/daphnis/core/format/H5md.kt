@@ -143,7 +143,7 @@ public object H5md {
                         boundary[it] == "periodic"
                     },
                     offset[t], id, columns(positions), columns(velocities), radius, mass, axes[0], axes[1],
-                    images?.let { image(it[t] as Array<*>) },
+                    image = images?.let { image(it[t] as Array<*>) },
                 )
             }
         }

@@ -155,8 +155,6 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         return DoubleArray(radii.size) { spec.density * volume(radii[it]) }
     }
 
-    }
-
     private fun volume(radius: Double) = 4.0 / 3.0 * Math.PI * radius * radius * radius
 
     private companion object {

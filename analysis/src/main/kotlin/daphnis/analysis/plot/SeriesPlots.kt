@@ -1,0 +1,86 @@
+package daphnis.analysis.plot
+
+import daphnis.analysis.series.SeriesTable
+import daphnis.analysis.table.UnitNames
+import org.jetbrains.letsPlot.intern.Plot
+
+/**
+ * What a run's time series shows, as curves and as plots; axes are logarithmic where the values spread over much, and
+ * say so. A quantity whose column the file lacks, or that has fewer than two values, has no curve.
+ *
+ * @param from a time that is marked, where averages begin; null for none
+ */
+internal class SeriesPlots(private val series: SeriesTable, private val scale: PlotScale, private val from: Double? = null) {
+    private val rows = thinned()
+    private val time = DoubleArray(rows.size) { series["time"][rows[it]] / scale.time }
+    private val timeLabel = UnitNames.axis("time", scale.timeName)
+
+    /** Granular temperature in [PlotScale.temperatureName]. */
+    fun temperature(): Curve? = column("granular_temperature", "granular temperature", scale.speed * scale.speed)
+
+    /** Every column that ends in `_energy`, in the scenario's units, by the name of the column. */
+    fun energies(): List<Curve> = series.names.filter {
+        it.endsWith("_energy")
+    }.mapNotNull { column(it, it.removeSuffix("_energy").replace('_', ' '), 1.0) }
+
+    /**
+     * Collisions of a particle in a unit of time, between rows so far apart that the noise of single steps does not
+     * hide it.
+     */
+    fun collisionRate(): Curve? {
+        val stride = maxOf(1, rows.size / MOST_BINS)
+        val n = series["particles"]
+        val collisions = series["collisions"]
+        val t = series["time"]
+        val apart = rows.filterIndexed { k, _ -> k % stride == 0 }.zipWithNext()
+        val pairs = apart.filter { (a, b) -> t[b] > t[a] && n[b] > 0 }
+        if (pairs.isEmpty()) return null
+        val middle = pairs.map { (a, b) -> (t[a] + t[b]) / 2 / scale.time }
+        // Every collision is one of each of its two spheres.
+        val rate = pairs.map { (a, b) -> 2 * (collisions[b] - collisions[a]) / n[b] / (t[b] - t[a]) * scale.time }
+        return Curve("collisions", middle.toDoubleArray(), rate.toDoubleArray())
+    }
+
+    fun temperaturePlot(curve: Curve): Plot = plot(listOf(curve), TEMPERATURE, scale.temperatureName)
+
+    fun ratePlot(curve: Curve): Plot = plot(listOf(curve), RATE, scale.rateName)
+
+    fun energyPlot(curves: List<Curve>): Plot {
+        val quantity = if (curves.size == 1) "${curves[0].name} energy" else "energy"
+        return plot(curves, quantity, scale.units.energy)
+    }
+
+    private fun plot(curves: List<Curve>, quantity: String, unit: String): Plot {
+        val log = Chart.isWide(curves.flatMap { it.y.asList() })
+        return Chart.lines(
+            curves,
+            timeLabel,
+            UnitNames.axis(quantity, unit),
+            logY = log,
+            vertical = from?.let {
+                it /
+                    scale.time
+            },
+        )
+    }
+
+    private fun column(name: String, shown: String, unit: Double): Curve? {
+        if (name !in series) return null
+        val values = series[name]
+        val drawn = DoubleArray(rows.size) { values[rows[it]] / unit }
+        return if (drawn.count { it.isFinite() } >= 2) Curve(shown, time, drawn) else null
+    }
+
+    /** More points than pixels only cost: every k-th, and the last. */
+    private fun thinned(): List<Int> {
+        val stride = maxOf(1, series.size / MOST_POINTS)
+        return (0 until series.size).filter { it % stride == 0 || it == series.size - 1 }
+    }
+
+    companion object {
+        const val TEMPERATURE = "granular temperature ⟨c²⟩/3"
+        const val RATE = "collisions of a particle"
+        private const val MOST_POINTS = 2000
+        private const val MOST_BINS = 150
+    }
+}

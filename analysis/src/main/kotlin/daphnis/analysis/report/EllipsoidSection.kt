@@ -1,0 +1,54 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.profile.VelocityEllipsoid
+import daphnis.analysis.table.UnitNames
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
+import kotlin.math.sqrt
+
+/** Two sections through the velocity ellipsoid. */
+internal class EllipsoidSection(private val study: Study) : Section {
+    private val e = study.numbers.ellipsoid
+
+    override val heading = "Velocity ellipsoid"
+    override val over = NumbersSection(study, emptyList()).over
+    override val leftOut = study.tooFew(ProfilesSection.LEAST)
+        ?: if (e.dispersion > 0) null else "no particle moves against the mean flow"
+
+    override fun write(page: ReportPage) {
+        val curves =
+            listOf(curve("v_x, v_y", e.major, e.minor, e.orientation), curve("v_x, v_z", sqrt(xx(e)), e.vertical, 0.0))
+        val unit = study.scale.speedName
+        val turned = ReportText.short(Math.toDegrees(e.orientation))
+        study.draw(
+            page,
+            Chart.ellipses(curves, UnitNames.axis("v_x", unit), UnitNames.axis("v_y, v_z", unit)),
+            "velocity-ellipsoid",
+            "sections of the velocity ellipsoid",
+            "Sections of the velocity ellipsoid, one standard deviation; " +
+                "in the plane its long axis is turned by $turned° from x toward y.",
+            HEIGHT,
+        )
+    }
+
+    private fun curve(name: String, a: Double, b: Double, turned: Double): Curve {
+        val angle = DoubleArray(POINTS + 1) { 2 * PI * it / POINTS }
+        val unit = study.scale.speed
+        return Curve(
+            name,
+            DoubleArray(angle.size) { (a * cos(angle[it]) * cos(turned) - b * sin(angle[it]) * sin(turned)) / unit },
+            DoubleArray(angle.size) { (a * cos(angle[it]) * sin(turned) + b * sin(angle[it]) * cos(turned)) / unit },
+        )
+    }
+
+    private fun xx(e: VelocityEllipsoid): Double = e.major * e.major * cos(e.orientation) * cos(e.orientation) +
+        e.minor * e.minor * sin(e.orientation) * sin(e.orientation)
+
+    private companion object {
+        const val POINTS = 120
+        const val HEIGHT = 420
+    }
+}

@@ -1,0 +1,121 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.plot.SeriesPlots
+import daphnis.analysis.table.Column
+import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
+import kotlin.math.sqrt
+
+/**
+ * How the run went over time: from `series.csv` temperature, collision rate and energy, from `transport.csv` the
+ * velocity dispersions.
+ */
+internal class EvolutionSection(private val study: Study) : Section {
+    private val input = study.input
+    private val series = input.series?.takeIf { it.size >= 2 }
+    private val transport = input.transport?.takeIf { it.size >= 2 }
+    private val scale = study.scale
+
+    /** Where averages begin, when that is within the run. */
+    private val mark = study.from.takeIf { it > input.times.first() }
+
+    override val heading = "Evolution"
+    override val over: String = "The whole run" +
+        (
+            mark?.let { "; the dashed line is where averages begin, time ${study.time(it)}." }
+                ?: "; averages are over all of it."
+            )
+    override val leftOut: String? = when {
+        series != null || transport != null -> null
+        input.directory == null -> "a file of states has no time series"
+        else -> "the run has written no time series of two rows; see output.seriesEvery"
+    }
+
+    override fun write(page: ReportPage) {
+        if (series != null) series(page, SeriesPlots(series, scale, mark))
+        if (transport != null) dispersions(page)
+    }
+
+    private fun series(page: ReportPage, plots: SeriesPlots) {
+        val temperature = plots.temperature()
+        val rate = plots.collisionRate()
+        val energies = plots.energies()
+        if (temperature != null) {
+            study.draw(
+                page,
+                plots.temperaturePlot(temperature),
+                "temperature",
+                "granular temperature over time",
+                "Granular temperature; steady where it no longer drifts.",
+                HEIGHT,
+            )
+        }
+        if (rate != null) {
+            study.draw(
+                page,
+                plots.ratePlot(rate),
+                "collision-rate",
+                "collisions of a particle over time",
+                "Collisions of a particle.",
+                HEIGHT,
+            )
+        }
+        if (energies.isNotEmpty()) {
+            val shear = if (study.isRing) " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits." else ""
+            study.draw(
+                page,
+                plots.energyPlot(energies),
+                "energy",
+                "energy over time",
+                "Energy of all spheres.$shear",
+                HEIGHT,
+            )
+        }
+        val ofTemperature = listOfNotNull(temperature).map { it to scale.temperatureName }
+        table("time-series", ofTemperature + energies.map { it to study.units.energy })
+        table("collision-rate", listOfNotNull(rate).map { it to scale.rateName })
+    }
+
+    /** Curves over one time, with their units. */
+    private fun table(name: String, curves: List<Pair<Curve, String>>) {
+        if (curves.isEmpty()) return
+        val time = Column("time", scale.timeName, curves[0].first.x)
+        val columns = curves.map { (curve, unit) -> Column(curve.name.replace(' ', '_'), unit, curve.y) }
+        Table(name, listOf(time) + columns).write(study.tables)
+    }
+
+    private fun dispersions(page: ReportPage) {
+        val t = transport!!
+        val time = DoubleArray(t.size) { t["time"][it] / scale.time }
+        val names = listOf("xx" to "σ_x", "yy" to "σ_y", "zz" to "σ_z")
+        val sigma = names.map { (component, _) -> DoubleArray(t.size) { sqrt(t["c_$component"][it]) / scale.speed } }
+        val curves = names.indices.map { Curve(names[it].second, thinned(time), thinned(sigma[it])) }
+        val plot = Chart.lines(
+            curves,
+            UnitNames.axis("time", scale.timeName),
+            UnitNames.axis("velocity dispersion", scale.speedName),
+            vertical = mark?.let { it / scale.time },
+        )
+        study.draw(
+            page,
+            plot,
+            "dispersion",
+            "velocity dispersions over time",
+            "Velocity dispersions, from transport.csv.",
+        )
+        val columns = names.indices.map { Column("sigma_${names[it].first}", scale.speedName, sigma[it]) }
+        Table("evolution", listOf(Column("time", scale.timeName, time)) + columns).write(study.tables)
+    }
+
+    private fun thinned(x: DoubleArray): DoubleArray {
+        val stride = maxOf(1, x.size / MOST_POINTS)
+        return x.filterIndexed { k, _ -> k % stride == 0 }.toDoubleArray()
+    }
+
+    private companion object {
+        const val HEIGHT = 280
+        const val MOST_POINTS = 800
+    }
+}

@@ -1,0 +1,48 @@
+package daphnis.analysis.report
+
+import java.nio.file.Path
+
+/** What was run, and the commands that do it again. */
+internal class RunSection(private val study: Study) : Section {
+    private val input = study.input
+
+    override val heading = "Run"
+    override val over = if (input.directory == null) "What is known of the states." else "What was run, and with what."
+
+    override fun write(page: ReportPage) {
+        page.parameters(RunParameters(input, study.last).rows())
+        val run = input.directory?.path ?: return
+        page.paragraph(
+            "To do it again, from the directory in which this report was made: the scenario as it was resolved is in the " +
+                "run directory; it gives the same state digest on any machine, with any engine and number of threads.",
+        )
+        val again = quoted(besides(run))
+        page.commands(
+            listOf(
+                "./daphnis run ${quoted(run.resolve("scenario.json"))} --out $again",
+                "./daphnis compare ${quoted(run)} $again",
+                "./daphnis analyze $again",
+            ),
+        )
+    }
+
+    companion object {
+        private val PLAIN = Regex("[A-Za-z0-9_./:@%+=,-]+")
+
+        /** A directory beside [run], which may be given as `.` and has no name of its own then. */
+        fun besides(run: Path): Path {
+            val name = run.fileName?.toString().orEmpty()
+            return if (name.isEmpty() ||
+                name == "." ||
+                name == ".."
+            ) {
+                Path.of("again")
+            } else {
+                run.resolveSibling("$name-again")
+            }
+        }
+
+        /** [path] as a shell takes it for one word. */
+        fun quoted(path: Path): String = path.toString().let { if (PLAIN.matches(it)) it else "'" + it.replace("'", "'\\''") + "'" }
+    }
+}

@@ -1,0 +1,62 @@
+package daphnis.analysis.table
+
+import daphnis.core.format.FormatException
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Reads a CSV file of numbers that a run appends to, by the names of its columns. */
+internal object NumberColumns {
+    /**
+     * The columns of [path] by name, all equally long, in order of time; columns beyond those [needed] come along, with
+     * NaN for an empty cell. A run may be writing still: what follows the last line end is left out, and a last line
+     * with too few values. A file without a whole line has no rows.
+     *
+     * @param needed names that must be there, `time` among them
+     * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no number or
+     * time runs backward
+     */
+    fun read(path: Path, needed: List<String>): Map<String, DoubleArray> {
+        val text = try {
+            Files.readString(path)
+        } catch (e: IOException) {
+            throw FormatException("$path: cannot be read: ${e.message}")
+        }
+        // Half a number looks like a whole one: only the line end tells.
+        val lines = text.substring(0, text.lastIndexOf('\n') + 1).lines().dropLast(1)
+        if (lines.isEmpty()) return needed.associateWith { DoubleArray(0) }
+        val names = lines[0].split(',')
+        for (name in needed) if (name !in names) throw FormatException("$path: column '$name' is missing")
+        val columns = Array(names.size) { DoubleArray(lines.size - 1) }
+        var rows = 0
+        for (k in 1 until lines.size) {
+            val cells = lines[k].split(',')
+            if (cells.size < names.size && k == lines.lastIndex) break
+            if (cells.size != names.size) {
+                throw FormatException("$path:${k + 1}: ${cells.size} values, the header has ${names.size}")
+            }
+            for (c in names.indices) {
+                columns[c][rows] =
+                    number(cells[c], names[c] in needed) ?: damaged(path, k, names[c], cells[c], "a number")
+            }
+            rows++
+        }
+        checkTime(path, columns[names.indexOf("time")], rows)
+        return names.indices.associate { names[it] to columns[it].copyOf(rows) }
+    }
+
+    private fun number(cell: String, needed: Boolean): Double? = if (cell.isEmpty() && !needed) Double.NaN else cell.toDoubleOrNull()
+
+    private fun checkTime(path: Path, time: DoubleArray, rows: Int) {
+        for (row in 0 until rows) {
+            if (!time[row].isFinite()) damaged(path, row + 1, "time", "${time[row]}", "finite")
+            if (row == 0 || time[row] >= time[row - 1]) continue
+            damaged(path, row + 1, "time", "${time[row]}", "at least that of the row before, ${time[row - 1]}")
+        }
+    }
+
+    private fun damaged(path: Path, line: Int, name: String, cell: String, right: String): Nothing =
+        throw FormatException("$path:${line + 1}: $name is '${cell.take(LONGEST_CELL)}'; it must be $right")
+
+    private const val LONGEST_CELL = 40
+}
