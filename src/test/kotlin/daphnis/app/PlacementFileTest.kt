@@ -110,16 +110,16 @@ class PlacementFileTest {
 
     @Test
     fun `a state whose images have slid needs its time, and the run goes on from there`() {
-        val sheared = """{ "box": { "lengths": [8, 8, 8] }, "boundary": { "type": "lees-edwards", "shearRate": 1 },
+        val sheared = """{ "box": { "lengths": [8, 8, 8] }, "boundary": { "type": "lees-edwards", "shearRate": 1.25 },
             "particles": { "count": 150, "sizes": { "type": "equal", "radius": 0.5 } }, "placement": { "type": "lattice" },
             "velocities": { "type": "gaussian", "sigma": 1, "shearProfile": true },
-            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.05 }"""
-        Files.writeString(home.resolve("sheared.json"), "$sheared, \"until\": 1.2, \"output\": { \"snapshotEvery\": 12 } }")
+            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.0625 }"""
+        Files.writeString(home.resolve("sheared.json"), "$sheared, \"until\": 2, \"output\": { \"snapshotEvery\": 16 } }")
         assertDone(daphnis("run", at("sheared.json"), "--out", at("s"), "--quiet"))
-        val placed = listOf("particles" to "null", "velocities" to "null", "placement" to """{ "type": "file", "path": "s/snapshots/0000000012.h5" }""")
+        val placed = listOf("particles" to "null", "velocities" to "null", "placement" to """{ "type": "file", "path": "s/snapshots/0000000016.h5" }""")
             .flatMap { (key, value) -> listOf("--set", "$key=$value") }
-        assertRefused(daphnis("run", at("sheared.json"), *placed.toTypedArray()), "placement.time", "0.6")
-        val at = arrayOf(*placed.toTypedArray(), "--set", "placement.time=0.6", "--out", at("t"), "--quiet")
+        assertRefused(daphnis("run", at("sheared.json"), *placed.toTypedArray()), "placement.time", "1.0")
+        val at = arrayOf(*placed.toTypedArray(), "--set", "placement.time=1", "--out", at("t"), "--quiet")
         assertDone(daphnis("run", at("sheared.json"), *at))
         assertEquals(field("s", "stateDigest"), field("t", "stateDigest"))
     }

@@ -13,14 +13,19 @@ internal class Axis(low: Double, high: Double, private val logarithmic: Boolean)
     private val to: Double
 
     init {
-        val room = if (high > low) 0.0 else if (low == 0.0) 1.0 else abs(low) / 2
+        val room = if (high > low) {
+            0.0
+        } else if (low == 0.0) {
+            1.0
+        } else {
+            abs(low) / 2
+        }
         from = low - room
         to = if (logarithmic && room > 0) high * 2 else high + room
     }
 
     /** 0 at the low end, 1 at the high one. */
-    fun fraction(value: Double): Double =
-        if (logarithmic) log10(value / from) / log10(to / from) else (value - from) / (to - from)
+    fun fraction(value: Double): Double = if (logarithmic) log10(value / from) / log10(to / from) else (value - from) / (to - from)
 
     /** Marks at round places. */
     fun ticks(): Ticks = if (logarithmic) Ticks.logarithmic(from, to) else Ticks.linear(from, to)

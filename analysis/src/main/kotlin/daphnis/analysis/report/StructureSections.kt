@@ -47,7 +47,13 @@ internal class StructureSections(
             "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of particles without correlation. Spheres one above the other are nearer " +
                 "than contact in this view, so that g is not 0 there."
         } else {
-            val from = if (pairs.nearest > 0) " Bins begin at the contact of the smallest spheres, ${UnitNames.amount(ReportText.short(pairs.nearest), units.length)}." else ""
+            val from = if (pairs.nearest >
+                0
+            ) {
+                " Bins begin at the contact of the smallest spheres, ${UnitNames.amount(ReportText.short(pairs.nearest), units.length)}."
+            } else {
+                ""
+            }
             "Radial distribution function in space: pairs at a distance, over those of particles without correlation.$from"
         }
         spectrum(

@@ -103,8 +103,7 @@ public class Transport(private val table: TransportTable, private val shearRate:
             (toViscosity * shearRate * shearRate)
 
     /** Pressure tensor times volume over mass, by component: ⟨w_a w_b⟩ + Σ Δp_a δ_b / (M T). */
-    public fun pressure(component: String): BlockAverage =
-        average(during(carried + component), added("virial_$component", "mass")) { it[0] + it[1] }
+    public fun pressure(component: String): BlockAverage = average(during(carried + component), added("virial_$component", "mass")) { it[0] + it[1] }
 
     /** Pressure times volume over mass: a third of the trace of the tensor. */
     public val pressure: BlockAverage get() = average(*diagonal(carried), *virials()) { it.sum() / 3 }

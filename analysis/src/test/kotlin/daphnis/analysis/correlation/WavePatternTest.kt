@@ -61,11 +61,11 @@ class WavePatternTest {
 
     @Test
     fun `a leaning wave comes back with its pitch and spacing, and its mirror with the other sign`() {
-        val found = pattern(waves(8000, 0.5, 6, SeededRandom(3)))!!
+        val found = pattern(waves(3000, 0.5, 20, SeededRandom(3)))!!
         assertEquals(atan(ky / kx), found.pitch.mean, 0.01)
         assertEquals(2 * PI / kx, found.spacing.mean, 0.1)
         assertTrue(found.pitch.error > 0 && found.spacing.error > 0 && found.contrast > 20)
-        val mirrored = pattern(waves(8000, 0.5, 6, SeededRandom(3), mirror = -1))!!
+        val mirrored = pattern(waves(3000, 0.5, 20, SeededRandom(3), mirror = -1))!!
         assertEquals(-atan(ky / kx), mirrored.pitch.mean, 0.01)
         assertEquals(2 * PI / kx, mirrored.spacing.mean, 0.1)
     }
@@ -79,7 +79,7 @@ class WavePatternTest {
             val sum = DoubleArray(2)
             val squares = DoubleArray(2)
             repeat(REALISATIONS) {
-                val found = pattern(waves(count, depth, 12, random))
+                val found = pattern(waves(count, depth, 20, random))
                 assertNotNull(found)
                 for ((q, a) in listOf(found!!.pitch, found.spacing).withIndex()) {
                     val off = a.mean - truth[q]

@@ -102,8 +102,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
     }
 
     /** Square of the least distance, along the axes that count, between a sphere of the leaf and one of the image of node [n]. */
-    private fun nearest2(n: Int, dx: Double, dy: Double, dz: Double): Double =
-        countsX * near2(n, 0, dx) + countsY * near2(n, 1, dy) + countsZ * near2(n, 2, dz)
+    private fun nearest2(n: Int, dx: Double, dy: Double, dz: Double): Double = countsX * near2(n, 0, dx) + countsY * near2(n, 1, dy) + countsZ * near2(n, 2, dz)
 
     private fun near2(n: Int, axis: Int, shift: Double): Double {
         val node = tree.node
@@ -114,8 +113,7 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
     }
 
     /** Likewise the greatest distance. */
-    private fun farthest2(n: Int, dx: Double, dy: Double, dz: Double): Double =
-        countsX * far2(n, 0, dx) + countsY * far2(n, 1, dy) + countsZ * far2(n, 2, dz)
+    private fun farthest2(n: Int, dx: Double, dy: Double, dz: Double): Double = countsX * far2(n, 0, dx) + countsY * far2(n, 1, dy) + countsZ * far2(n, 2, dz)
 
     private fun far2(n: Int, axis: Int, shift: Double): Double {
         val node = tree.node

@@ -160,12 +160,7 @@ public sealed interface PlacementSpec {
      */
     @Serializable
     @SerialName("file")
-    public data class File(
-        public val path: String,
-        public val time: Double? = null,
-        public val step: Long? = null,
-        public val density: Double? = null,
-    ) : PlacementSpec
+    public data class File(public val path: String, public val time: Double? = null, public val step: Long? = null, public val density: Double? = null) : PlacementSpec
 }
 
 @Serializable
