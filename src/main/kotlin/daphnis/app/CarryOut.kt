@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
+import daphnis.app.describe.spheres
 import daphnis.core.run.Run
 import daphnis.core.run.Summary
 import daphnis.core.scenario.ScenarioJson
@@ -22,7 +23,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             val directory = run.directory.path
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else ""
-                println("${run.simulation.population.size} spheres, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
+                println("${spheres(run.simulation.population.size)}, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
             }
             val progress = Progress(quiet)
             interruption.armed = true

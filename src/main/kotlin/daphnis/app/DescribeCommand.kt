@@ -12,6 +12,7 @@ import daphnis.app.describe.Quantities
 import daphnis.app.describe.Rows
 import daphnis.core.run.engineOf
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.warnings
 
 /** `daphnis describe`: makes the initial state and says what it amounts to; does not run. The physics comes first, with units, for that is where mistakes are. */
 class DescribeCommand : CliktCommand(name = "describe") {
@@ -31,7 +32,7 @@ class DescribeCommand : CliktCommand(name = "describe") {
         PhysicsRows(setup, say, rows).write()
         GravityRows(setup, say, rows).write()
         CostRows(setup, say, rows).write()
-        for (notice in setup.notices) rows.add("note", notice)
+        for (notice in setup.notices + warnings(setup)) rows.add("note", notice)
         println(rows)
     }
 }

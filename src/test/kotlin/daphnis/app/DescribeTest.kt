@@ -51,7 +51,7 @@ class DescribeTest {
         assertEquals(0.04, row(text, "velocities").substringBefore(" cm/s").toDouble(), 0.002)
         assertTrue("0.340 at 1 cm/s" in row(text, "restitution")) { text }
         val outputs = row(text, "outputs")
-        assertTrue("21 snapshots" in outputs && "401 rows of series.csv" in outputs && "401 rows of transport.csv" in outputs) { outputs }
+        assertTrue("41 snapshots" in outputs && "401 rows of series.csv" in outputs && "401 rows of transport.csv" in outputs) { outputs }
         assertTrue(text.indexOf("particles") < text.indexOf("steps") && text.indexOf("optical depth") < text.indexOf("cells")) { text }
     }
 
@@ -86,6 +86,12 @@ class DescribeTest {
     }
 
     @Test
+    fun `what a run would warn of stands at the end`() {
+        assertTrue("60.0 steps an orbit" in row(describe("ring-patch", "timeStep.steps=60"), "note"))
+        assertFalse("\nnote" in describe("ring-patch"))
+    }
+
+    @Test
     fun `what is written is what a run writes`() {
         for (steps in listOf(20, 25)) {
             val settings = listOf("particles.count=3000", "until=${steps / 10.0}", "output.snapshotEvery=10", "output.seriesEvery=4")
@@ -103,7 +109,7 @@ class DescribeTest {
     @Test
     fun `edges of what can be described`() {
         val one = describe("cooling-gas", "particles.count=1", """velocities={"type":"rest"}""")
-        assertTrue("1 spheres" in row(one, "particles") && "0 units of speed" in row(one, "velocities")) { one }
+        assertTrue("1 sphere," in row(one, "particles") && "0 units of speed" in row(one, "velocities")) { one }
         assertTrue("none" in row(describe("ring-patch"), "guard"))
         assertTrue("bodies" in describe("moonlet") && "40 m" in row(describe("moonlet"), "bodies"))
     }

@@ -21,7 +21,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     private val particles = population.radius.indices.filter { population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE) }
 
     fun write() {
-        if (particles.isNotEmpty()) spheres()
+        if (particles.isNotEmpty()) describeSpheres()
         bodies()
         surroundings()
         if (particles.isNotEmpty()) fullness()
@@ -30,12 +30,12 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         rows.add("seed", "${scenario.seed}")
     }
 
-    private fun spheres() {
+    private fun describeSpheres() {
         val radii = particles.map { population.radius[it] }
         val masses = particles.map { population.mass[it] }
         val same = radii.min() == radii.max()
         val size = if (same) say.length(radii[0]) else "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
-        rows.add("particles", "${particles.size} spheres, radius $size")
+        rows.add("particles", "${spheres(particles.size)}, radius $size")
         val mass = if (masses.min() == masses.max()) say.mass(masses[0]) else "${say.mass(masses.min())} to ${say.mass(masses.max())}"
         rows.add("mass", "$mass each, ${say.mass(masses.sum())} together")
         rows.add("density", say.density(masses.sum() / radii.sumOf { VOLUME * it * it * it }))
