@@ -2,7 +2,6 @@ package daphnis.core.run
 
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.named.Engines
@@ -12,7 +11,6 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.InputException
-import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
@@ -24,15 +22,6 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
-
-/** Watches a run from outside. */
-public fun interface RunObserver {
-    /** Called after every step, in the thread of the run. [wallSeconds] since the run (or its resume) began. */
-    public fun afterStep(simulation: Simulation, until: Double, wallSeconds: Double)
-}
-
-/** A run failed through no fault of the input; the message is one line. */
-public class RunException(message: String) : RuntimeException(message)
 
 /**
  * A scenario being carried out in a run directory: made by [start] or [resume], done by [execute]. One thread.
@@ -300,26 +289,4 @@ public class Run private constructor(
             )
         }
     }
-}
-
-/** The scenario with a relative particle file taken from [home]. */
-public fun Scenario.atHome(home: Path): Scenario {
-    val placement = placement as? PlacementSpec.File ?: return this
-    return copy(placement = placement.copy(path = home.resolve(placement.path).toString()))
-}
-
-/** The engine that [scenario] asks for. @throws InputException when [engines] has none of that name and number of threads */
-public fun engineOf(scenario: Scenario, source: String, engines: EngineFactory = Engines): CollisionEngine {
-    val spec = scenario.engine
-    val engine = engines.create(spec.name, spec.threads)
-        ?: throw InputException(
-            source,
-            "engine.name",
-            "is \"${spec.name}\"; ${Nearest.question(spec.name, engines.names.toList())}known: ${engines.names.joinToString()}",
-        )
-    if (spec.threads != 0 && engine.threads != spec.threads) {
-        engine.close()
-        throw InputException(source, "engine.threads", "is ${spec.threads}; the ${spec.name} engine works on ${engine.threads}")
-    }
-    return engine
 }
