@@ -23,8 +23,8 @@ class DescribeCommand : CliktCommand(name = "describe") {
 
     override fun run() {
         val scenario = scenarioNamed(word, settings)
-        engineOf(scenario, word, allEngines).close()
         val setup = ScenarioSetup.of(scenario, word)
+        engineOf(scenario, word, allEngines).close()
         val rows = Rows()
         rows.add("scenario", scenario.name)
         if (scenario.description.isNotEmpty()) rows.add("", scenario.description)

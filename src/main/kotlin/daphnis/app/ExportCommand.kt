@@ -66,7 +66,12 @@ class ExportCommand : CliktCommand(name = "export") {
             null
         }
         val file = target.resolve(if (si == null) "trajectory.h5" else "trajectory-si.h5")
-        H5md.write(frames.toList(), file, Version.text, si)
+        val all = frames.toList()
+        all.find { !it.id.contentEquals(all[0].id) }?.let {
+            val where = "those of steps ${all[0].step} and ${it.step} differ"
+            throw InputException("--format", null, "is h5md, which needs the same particles in every state; $where; xyz and vtp do not")
+        }
+        H5md.write(all, file, Version.text, si)
         val nameless = "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False"
         println(if (si == null) nameless else "units are m, s, m s-1 and kg")
         return file

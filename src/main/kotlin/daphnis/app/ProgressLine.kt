@@ -17,7 +17,7 @@ internal class ProgressLine(
 ) {
     /** The most that fits in [columns]; what matters less is left out first, and nothing is longer. */
     fun text(columns: Int): String {
-        val percent = say("%3.0f %%", 100 * (time - start) / (until - start))
+        val percent = say("%3.0f %%", minOf(100.0, 100 * (time - start) / (until - start)))
         val clock = "${clock(left)} left"
         val long = listOf(
             percent,

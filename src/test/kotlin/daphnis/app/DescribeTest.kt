@@ -66,7 +66,7 @@ class DescribeTest {
         // Of equal density r_p = (ρ 8πG / 9Ω²)^⅓ / 2 whatever the size.
         assertNear(Math.cbrt(400 * 8 * Math.PI * 6.6743e-11 / (9 * omega * omega)) / 2, after(row(text, "Hill radius"), "(r_1 + r_2) ="))
         assertFalse("no self-gravity" in text)
-        assertTrue("self-gravity, opening angle 0.7, softening 0.1 m, 2 images" in row(text, "forces")) { text }
+        assertTrue("self-gravity, opening angle 0.7, softening 0.1 m, reaches 500 m" in row(text, "forces")) { text }
         assertTrue("no self-gravity" in describe("ring-patch"))
     }
 
@@ -83,6 +83,18 @@ class DescribeTest {
         val text = describe("cooling-gas")
         assertTrue("radius 0.5 length units" in row(text, "particles") && "units of speed" in row(text, "velocities")) { text }
         assertFalse(" m\n" in text || "kg" in text || "Toomre" in text || "orbit" in text) { text }
+    }
+
+    @Test
+    fun `bodies have no part in the velocities at the start`() {
+        // σ = 0.0001 m/s of the particles; the moonlet is at rest.
+        assertEquals(0.01, row(describe("moonlet"), "velocities").substringBefore(" cm/s").toDouble(), 0.0002)
+    }
+
+    @Test
+    fun `threads and speeds that are none are refused in one line`() {
+        assertRefused(daphnis("describe", "cooling-gas", "--set", "engine.threads=-3"), "engine.threads", "-3")
+        assertRefused(daphnis("describe", "cooling-gas", "--set", "velocities.sigma=1e308"), "velocities", "double")
     }
 
     @Test

@@ -23,7 +23,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         outputs()
         rows.add("memory", bytes(size * ScenarioSetup.BYTES_PER_SPHERE))
         rows.add("run time", "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so")
-        val count = (if (exact) "" else "at least ") + String.format(Locale.ROOT, "%.0f", steps)
+        val count = (if (exact) "" else "at least ") + if (steps < MOST_WRITTEN) "%.0f".format(Locale.ROOT, steps) else number(steps)
         rows.add("steps", "$count of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
         search()
     }
@@ -41,7 +41,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun row(what: String, count: Double, disk: Double) {
-        if (count > 0) rows.add("outputs", "%.0f %s, %s".format(Locale.ROOT, count, what, bytes(disk)))
+        if (count > 0) rows.add("outputs", "${if (count < MOST_WRITTEN) "%.0f".format(Locale.ROOT, count) else number(count)} $what, ${bytes(disk)}")
     }
 
     /** From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a walk through the tree for gravity. */
@@ -60,6 +60,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         seconds < 1 -> "about a second"
         seconds < 120 -> "about ${number(ceil(seconds))} s"
         seconds < 7200 -> "about ${number(ceil(seconds / 60))} min"
+        !seconds.isFinite() -> "for ever"
         seconds < 172_800 -> "about ${number(ceil(seconds / 3600))} h"
         else -> "about ${number(ceil(seconds / 86_400))} days"
     }
@@ -78,6 +79,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     private companion object {
         const val SLACK = 1e-6
+        const val MOST_WRITTEN = 1e12
 
         /** Measured: positions and velocities hardly compress. */
         const val SNAPSHOT_BYTES = 63.0

@@ -2,6 +2,7 @@ package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.population.granularTemperature
+import daphnis.core.force.SelfGravity
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.ScenarioSetup
@@ -29,7 +30,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val text = when (force) {
             is ForceSpec.UniformAcceleration -> "uniform-acceleration, ${force.acceleration.joinToString { say.acceleration(it) }}"
             is ForceSpec.SelfGravity ->
-                "self-gravity, opening angle ${number(force.openingAngle)}, softening ${say.length(force.softening)}, ${force.images} images on each side"
+                "self-gravity, opening angle ${number(force.openingAngle)}, softening ${say.length(force.softening)}, reaches ${say.length(reach(force))}"
             is ForceSpec.BodyGravity -> "body-gravity, softening ${say.length(force.softening)}"
             is ForceSpec.Satellite -> satellite(force)
         }
@@ -62,11 +63,15 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         rows.add("Hill radius", "${say.length(hillRadius(g * mass, omega))} of a sphere of mean mass; of two, r_p = r_h / (r_1 + r_2) = ${number(ratio)}$off")
         val area = setup.boundary.box.length(0) * setup.boundary.box.length(1)
         val surface = particles.sumOf { population.mass[it] } / area
-        val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow))
+        val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody ?: Int.MAX_VALUE))
         val wavelength = 4 * Math.PI * Math.PI * g * surface / (omega * omega)
         val q = dispersion * omega / (TOOMRE * g * surface)
         rows.add("Toomre", "critical wavelength ${say.length(wavelength)}, Q = ${number(q)} at the start$off")
     }
+
+    /** How far self-gravity reaches around each particle; infinite in a box that repeats nowhere. */
+    private fun reach(force: ForceSpec.SelfGravity) = setup.forces.filterIsInstance<SelfGravity>()
+        .getOrNull(scenario.forces.filterIsInstance<ForceSpec.SelfGravity>().indexOf(force))?.range ?: Double.NaN
 
     /** (G m / 3 Ω²)^⅓, in Hill's frame of a planet much heavier than [strength] = G m. */
     private fun hillRadius(strength: Double, omega: Double) = Math.cbrt(strength / (3 * omega * omega))

@@ -56,7 +56,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val frame = scenario.frame as FrameSpec.Hill
         val where = frame.distanceInKm?.let { ", ${"%.0f".format(Locale.ROOT, it)} km from ${frame.planet.name.lowercase()}" }.orEmpty()
         val orbit = 2 * Math.PI / omega
-        rows.add("orbit", "${say.time(orbit)}$where; the run is ${number(scenario.end / orbit)} orbits")
+        rows.add("orbit", "${say.time(orbit)}$where; the run is ${number((scenario.end - scenario.startTime) / orbit)} orbits")
     }
 
     private fun faces(): String = when (val boundary = scenario.boundary) {
@@ -83,7 +83,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.meanFlow))
+    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody ?: Int.MAX_VALUE))
 
     private fun collisions() {
         val c = dispersion()

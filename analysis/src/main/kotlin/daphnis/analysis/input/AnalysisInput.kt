@@ -54,11 +54,14 @@ public class AnalysisInput private constructor(
     /** Reads state [k] as its file holds it. @throws FormatException when it cannot be read */
     public fun frame(k: Int): Frame = load(k)
 
+    // Of open space the box around the last state, for all states, so that bins and maps of one are those of another.
+    private val bounds: BoundaryConditions by lazy { boundary(load(size - 1).population()) }
+
     /** Reads state [k]. @throws FormatException when its file cannot be read */
     public fun state(k: Int): PatchState {
         val population = load(k).population()
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
-        return PatchState(population, boundary(population), times[k], omega, scenario?.firstBody ?: Int.MAX_VALUE, factor)
+        return PatchState(population, bounds, times[k], omega, scenario?.firstBody ?: Int.MAX_VALUE, factor)
     }
 
     public companion object {

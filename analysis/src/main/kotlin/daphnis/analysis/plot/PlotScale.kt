@@ -31,7 +31,7 @@ public class PlotScale(public val units: UnitNames, omega: Double?, meanRadius: 
             val particles = (0 until population.size).filter {
                 population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE)
             }
-            val radius = particles.ifEmpty { listOf(0) }.map { population.radius[it] }.average()
+            val radius = if (particles.isEmpty()) 1.0 else particles.map { population.radius[it] }.average()
             return PlotScale(UnitNames(scenario.units), FrameSetup.angularSpeed(scenario, scenario.name), radius)
         }
     }

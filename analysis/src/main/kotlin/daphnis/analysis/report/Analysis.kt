@@ -36,7 +36,7 @@ public fun interface AnalysisProgress {
  * Computes everything this module knows for one [input] and writes tables (CSV), plots (SVG and PNG) and `report.html`.
  * One thread; holds one state in memory at a time.
  *
- * @throws InputException when averages are to begin after the last state
+ * @throws InputException when averages are to begin after the last state, or that holds no particle
  */
 public class Analysis(private val input: AnalysisInput, private val options: AnalysisOptions = AnalysisOptions()) {
     init {
@@ -66,6 +66,9 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         val from = options.from ?: steady()
         val chosen = chosenFrames(from)
         val last = input.state(input.size - 1)
+        if (last.population.size == 0) {
+            throw InputException(input.name, null, "has no particle left in its last state; there is nothing to measure")
+        }
         val measures = Measures(last, input, options)
         val all = chosen.size + PARTS
         for ((done, k) in chosen.withIndex()) {

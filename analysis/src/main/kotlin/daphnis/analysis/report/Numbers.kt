@@ -43,7 +43,7 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
 
     /** Whether the averages are over a steady time, in sentences. */
     fun steadiness(): List<String> {
-        val histories = RunHistory.of(input).ifEmpty {
+        val histories = RunHistory.of(input, from).ifEmpty {
             listOf(History("granular temperature", DoubleArray(states.size) { from + it }, states.series(TEMPERATURE)))
         }
         val orbit = input.omega?.let { 2 * PI / it }
@@ -80,7 +80,8 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
             add("viscosity, translational", transport.translational, "r² Ω", unit, "nu_trans")
             add("viscosity, collisional", transport.collisional, "r² Ω", unit, "nu_coll")
             if (transport.gravitational.mean != 0.0) add("viscosity, gravitational", transport.gravitational, "r² Ω", unit)
-            add("viscosity, total", transport.viscosity, units.viscosity, 1.0)
+            add("viscosity, total", transport.viscosity, "r² Ω", unit)
+            add("viscosity, total, in the run's units", transport.viscosity, units.viscosity, 1.0)
             add("(9/4) Ω² ν over dissipation", transport.energyBalance, "", 1.0, note = "1 in a steady state")
         }
         val constant = selfGravity

@@ -2,6 +2,7 @@ package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.series.SeriesTable
+import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.transport.TransportTable
 import kotlin.math.sqrt
 
@@ -10,10 +11,15 @@ internal class History(val name: String, val times: DoubleArray, val values: Dou
 
 /** What a run wrote that tells whether it is steady: rows of transport.csv, else of series.csv. */
 internal object RunHistory {
-    /** The main quantities of [input]; none for a foreign file, or a run that wrote neither. */
-    fun of(input: AnalysisInput): List<History> {
-        input.transport?.let { if (it.size >= 2) return ofTransport(it, input.omega != null) }
-        return input.series?.let { ofSeries(it) }.orEmpty()
+    /**
+     * The main quantities of [input]; none for a foreign file, or a run that wrote neither. The series counts where
+     * transport.csv has too few rows from the time [from] on.
+     */
+    fun of(input: AnalysisInput, from: Double): List<History> {
+        val series = input.series?.let { ofSeries(it) }.orEmpty()
+        val transport = input.transport?.takeIf { it.size >= 2 } ?: return series
+        val isShort = transport["time"].count { it >= from } < Steadiness.FEWEST
+        return if (isShort && series.isNotEmpty()) series else ofTransport(transport, input.omega != null)
     }
 
     private fun ofTransport(t: TransportTable, ring: Boolean): List<History> {

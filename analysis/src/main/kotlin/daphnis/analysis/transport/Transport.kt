@@ -108,11 +108,12 @@ public class Transport(private val table: TransportTable, private val shearRate:
     /** Pressure times volume over mass: a third of the trace of the tensor. */
     public val pressure: BlockAverage get() = average(*diagonal(carried), *virials()) { it.sum() / 3 }
 
-    /** Compressibility: [pressure] over [temperature]. */
+    /**
+     * Compressibility: pressure over [temperature], the pressure too without the mean flow as it is measured; 1 for points,
+     * whatever flows.
+     */
     public val compressibility: BlockAverage
-        get() = average(*diagonal("c_"), *diagonal(carried), *virials()) {
-            (it[3] + it[4] + it[5] + it[6] + it[7] + it[8]) / (it[0] + it[1] + it[2])
-        }
+        get() = average(*diagonal("c_"), *virials()) { it.sum() / (it[0] + it[1] + it[2]) }
 
     /** Orbits averaged, for an angular speed. */
     public fun orbits(omega: Double): Double = duration * omega / (2 * PI)

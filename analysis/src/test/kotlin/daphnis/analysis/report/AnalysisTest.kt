@@ -95,6 +95,30 @@ class AnalysisTest {
     }
 
     @Test
+    fun `a clump that flies apart in open space is analysed, though its box grows`() {
+        val clump = run("cooling-gas", "until=2", "boundary={\"type\":\"open\"}", "particles.count=100", "box.lengths=[8,8,8]", "output.snapshotEvery=2")
+        Analysis(AnalysisInput.ofRun(clump), AnalysisOptions(from = 0.0)).write(clump)
+        assertTrue(">Structure</h2>" in Files.readString(clump.resolve("report.html")))
+        // And one that shrinks: the last state has the smallest box.
+        val frames = H5md.read(clump.resolve("snapshots/0000000020.h5")) + H5md.read(clump.resolve("snapshots/0000000000.h5"))
+        val reversed = frames.mapIndexed { k, f -> Frame(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass) }
+        for ((name, list) in listOf("shrinks" to reversed, "grows" to reversed.reversed().mapIndexed { k, f -> Frame(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass) })) {
+            val file = directory.resolve("$name.h5")
+            H5md.write(list, file, "test")
+            val out = directory.resolve(name)
+            Files.createDirectories(out)
+            Analysis(AnalysisInput.ofFile(file, null, ""), AnalysisOptions(from = -1.0)).write(out)
+        }
+    }
+
+    @Test
+    fun `steadiness is told from the series where transport has few rows`() {
+        val cooling = run("cooling-gas", "until=10", "particles.count=300", "output.transportEvery=25", "output.snapshotEvery=20")
+        Analysis(AnalysisInput.ofRun(cooling)).write(cooling)
+        assertTrue("Not steady: granular temperature fell by" in Files.readString(cooling.resolve("report.html")))
+    }
+
+    @Test
     fun `a patch that lets no light through is opaque, one that does in some states has a finite depth`() {
         fun rows(opaque: Int): String {
             val boundary = HillSheet(Box.centred(4.0, 4.0, 2.0), 1.0)

@@ -80,10 +80,10 @@ public class SelfGravity(
 
     /**
      * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i), F_ij the force of j on i, over images too.
-     * A uniform sheet carries none. Of the last kick, whose population this must be; summed in the order of ids.
+     * A uniform sheet carries none. Of [population] as it stands at [time]; summed in the order of ids.
      */
-    public fun stressXY(population: Population): Double {
-        if (stress.size < population.size) return 0.0
+    public fun stressXY(population: Population, time: Double): Double {
+        evaluate(population, time)
         var sum = 0.0
         for (id in 0 until population.idBound) {
             val k = population.indexOf(id)

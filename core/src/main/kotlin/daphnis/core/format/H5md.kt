@@ -52,15 +52,21 @@ public object H5md {
         box.putAttribute("dimension", 3)
         box.putAttribute("boundary", Array(3) { if (first.periodic[it]) "periodic" else "none" })
         if (first.lengths.none { it.isNaN() }) edges(box, frames, names)
+        // HDF5 as it is written here has no datasets of size 0: a state without particles says its step and time.
+        if (first.size == 0) steps(all.putGroup("position"), frames, names?.time) else particles(all, frames, names)
+        val parameters = file.putGroup("parameters")
+        parameters.putDataset("shear_offset", DoubleArray(frames.size) { frames[it].shearOffset }).unit(names?.length)
+        parameters.putDataset("shear_axes", intArrayOf(first.normalAxis, first.slideAxis))
+    }
+
+    private fun particles(all: WritableGroup, frames: List<Frame>, names: UnitNames?) {
+        val first = frames.first()
         element(all, "position", frames, names?.length, names?.time) { it.position }
         element(all, "velocity", frames, names?.speed, names?.time) { it.velocity }
         if (frames.all { it.image != null }) images(all, frames, names?.time)
         all.putDataset("id", first.id)
         all.putDataset("mass", first.mass).unit(names?.mass)
         all.putDataset("radius", first.radius).unit(names?.length)
-        val parameters = file.putGroup("parameters")
-        parameters.putDataset("shear_offset", DoubleArray(frames.size) { frames[it].shearOffset }).unit(names?.length)
-        parameters.putDataset("shear_axes", intArrayOf(first.normalAxis, first.slideAxis))
     }
 
     /** Lengths, or rows of edge vectors when images slide; by time either way, as MDAnalysis wants it. */
@@ -118,10 +124,13 @@ public object H5md {
             fun data(name: String): Any = (file.getDatasetByPath("/particles/all/$name")).data
             val steps = data("position/step") as LongArray
             val times = data("position/time") as DoubleArray
-            val positions = cube(data("position/value"))
-            val velocities = cube(data("velocity/value"))
+            val present = (file.getByPath("/particles/all") as io.jhdf.api.Group).children.keys
+            val isEmpty = "id" !in present && "velocity" !in present
+            val nothing = Array(steps.size) { arrayOf<DoubleArray>() }
+            val positions = if (isEmpty) nothing else cube(data("position/value"))
+            val velocities = if (isEmpty) nothing else cube(data("velocity/value"))
             val box = file.getByPath("/particles/all/box") as io.jhdf.api.Group
-            val images = if ("image" in (file.getByPath("/particles/all") as io.jhdf.api.Group).children) data("image/value") as Array<*> else null
+            val images = if ("image" in present) data("image/value") as Array<*> else null
             val edges = if ("edges" in box.children) data("box/edges/value") else null
 
             @Suppress("UNCHECKED_CAST")
@@ -132,9 +141,9 @@ public object H5md {
             } else {
                 intArrayOf(1, 0)
             }
-            val id = data("id") as IntArray
-            val mass = data("mass") as DoubleArray
-            val radius = data("radius") as DoubleArray
+            val id = if (isEmpty) IntArray(0) else data("id") as IntArray
+            val mass = if (isEmpty) DoubleArray(0) else data("mass") as DoubleArray
+            val radius = if (isEmpty) DoubleArray(0) else data("radius") as DoubleArray
             steps.indices.map { t ->
                 fun columns(v: Array<Array<DoubleArray>>) = Array(3) { axis -> DoubleArray(id.size) { v[t][it][axis] } }
                 Frame(

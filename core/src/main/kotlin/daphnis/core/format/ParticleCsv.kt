@@ -35,7 +35,8 @@ public object ParticleCsv {
         try {
             Files.newBufferedReader(path).useLines { lines ->
                 lines.forEachIndexed { number, raw ->
-                    val line = raw.trim()
+                    // Some programs mark UTF-8 at the beginning.
+                    val line = raw.removePrefix("\uFEFF").trim()
                     if (line.isEmpty() || line.startsWith("#")) return@forEachIndexed
                     val cells = line.split(',').map { it.trim() }
                     val names = header
@@ -90,5 +91,6 @@ public object ParticleCsv {
         }
     }
 
-    private const val MOST_ID = 1_000_000_000
+    /** Ids index arrays: those in a file stay below this. */
+    internal const val MOST_ID = 1_000_000_000
 }

@@ -29,8 +29,8 @@ internal class XyzReader(private val input: BufferedReader, private val path: Pa
             if (columns.radius >= 0) radius[k] = number(cells[columns.radius]).also { if (it <= 0) fail("radius is $it; it must be > 0") }
             if (columns.mass >= 0) mass[k] = number(cells[columns.mass]).also { if (it <= 0) fail("mass is $it; it must be > 0") }
             if (columns.id >= 0) {
-                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 }
-                    ?: fail("id is '${cells[columns.id].take(MOST_SHOWN)}'; it must be a whole number >= 0")
+                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 && it < ParticleCsv.MOST_ID }
+                    ?: fail("id is '${cells[columns.id].take(MOST_SHOWN)}'; it must be a whole number in 0..${ParticleCsv.MOST_ID - 1}")
             }
         }
         unscale(keys, position, velocity, radius)
@@ -64,6 +64,7 @@ internal class XyzReader(private val input: BufferedReader, private val path: Pa
         val lattice = keys["lattice"]?.trim()?.split(SPACES)?.map { number(it) / scale }
         if (lattice != null && lattice.size != CELL) fail("Lattice has ${lattice.size} numbers; it must have 9")
         val lengths = DoubleArray(3) { lattice?.get(4 * it) ?: Double.NaN }
+        lengths.find { it <= 0 }?.let { fail("Lattice has an edge of $it along its axis; it must be > 0") }
         val periodic = keys["pbc"]?.trim()?.split(SPACES)?.map { it.startsWith("T", ignoreCase = true) || it == "1" } ?: List(3) { lattice != null }
         if (periodic.size != 3) fail("pbc has ${periodic.size} entries; it must have 3")
         // Row 1 leans along x (Lees–Edwards), or row 0 along y (a shearing sheet).

@@ -15,14 +15,13 @@ internal class TransportRows(private val gravity: SelfGravity?) {
         val line = file.line()
         line.append(simulation.step).append(',').append(simulation.time)
         line.append(',').append(sums.count).append(',').append(sums.particleMass)
-        // A file begun by a version that knew w alone called it c, and so it goes on.
-        for (m in if (file.isComplete) sums.moments else sums.kinetic) line.append(',').append(m)
+        for (m in sums.moments) line.append(',').append(m)
         for (m in sums.mean) line.append(',').append(m)
         line.append(',').append(sums.centreZ).append(',').append(sums.scaleHeight).append(',').append(sums.guidingX)
         line.append(',').append(collisions.count)
         line.append(',').append(collisions.sumSpeed).append(',').append(collisions.dissipated)
         for (e in VIRIAL) line.append(',').append(collisions.virial[e])
-        line.append(',').append(gravity?.stressXY(simulation.population) ?: 0.0)
+        line.append(',').append(gravity?.stressXY(simulation.population, simulation.time) ?: 0.0)
         for (m in sums.kinetic) line.append(',').append(m)
         file.endLine()
     }

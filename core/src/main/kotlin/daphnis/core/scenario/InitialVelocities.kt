@@ -25,6 +25,7 @@ internal class InitialVelocities(private val scenario: Scenario, private val bou
         if (spec.zeroMomentum && masses.size >= 2) for (component in v) subtractMean(component, masses)
         if (spec is VelocitiesSpec.Gaussian && spec.exact) makeExact(spec, masses, v)
         if (spec.shearProfile) addMeanFlow(v, positions)
+        check.must("velocities", v.all { column -> column.all { it.isFinite() } }) { "give speeds beyond what a double holds" }
         return v
     }
 

@@ -21,7 +21,7 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
     val axis = (0..2).filter { setup.boundary.contactFaces(it) == ContactFaces.WALL }.maxByOrNull { fall(setup, it) } ?: return null
     val fall = fall(setup, axis)
     if (fall == 0.0) return null
-    val thermal = sqrt(granularTemperature(setup.population, setup.boundary.meanFlow))
+    val thermal = sqrt(granularTemperature(setup.population, setup.boundary.meanFlow, setup.scenario.firstBody ?: Int.MAX_VALUE))
     // Grains at rest get the speed of a fall through the box.
     val speed = if (thermal > 0) thermal else sqrt(fall * setup.boundary.box.length(axis))
     val ratio = fall * dt / speed

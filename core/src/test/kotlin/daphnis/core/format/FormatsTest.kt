@@ -94,6 +94,24 @@ class FormatsTest {
     }
 
     @Test
+    fun `a state without particles is written and read`() {
+        val none = Frame.of(population.copy().also { it.retain { false } }, Open, 3, 1.5)
+        H5md.write(listOf(none), home.resolve("none.h5"), "test")
+        val read = H5md.read(home.resolve("none.h5")).single()
+        assertEquals(listOf(0L, 3L), listOf(read.size.toLong(), read.step))
+    }
+
+    @Test
+    fun `XYZ with ids beyond what arrays hold, or a box without an edge, is refused by line`() {
+        fun problem(comment: String, id: String): String {
+            val file = Files.writeString(home.resolve("odd.xyz"), "1\n$comment Properties=pos:R:3:radius:R:1:id:I:1\n0 0 0 1 $id\n")
+            return assertThrows(FormatException::class.java) { ExtendedXyz.read(file) }.message!!
+        }
+        for (id in listOf("2147483647", "1000000000", "-1", "1.5")) assertTrue("odd.xyz:3: id is '$id'" in problem("", id)) { id }
+        for (edge in listOf("0", "-5")) assertTrue("must be > 0" in problem("Lattice=\"$edge 0 0 0 4 0 0 0 4\"", "1")) { edge }
+    }
+
+    @Test
     fun `a format is known by the end of the name`() {
         fun of(name: String) = SnapshotFormat.of(Path.of("d.csv", name))
         assertEquals(SnapshotFormat.H5MD, of("0000000010.h5"))

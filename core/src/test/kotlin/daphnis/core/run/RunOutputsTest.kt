@@ -123,27 +123,4 @@ class RunOutputsTest {
             assertTrue(files.all { Files.readString(it).endsWith("\n") }) { "whole lines" }
         }
     }
-
-    @Test
-    fun `a file that an older version began goes on with its columns`() {
-        val path = home.resolve("old.csv")
-        Files.writeString(path, "step,time\n0,0.0\n1,0.5\nhalf a l")
-        AppendedFile(path, "step,time,energy,more", keep = 22).use { file ->
-            assertFalse(file.isComplete)
-            file.line().append("2,1.0,7.5,8")
-            file.endLine()
-            file.line().append("3,1.5,7.25,9")
-            file.endLine()
-            file.flush()
-            file.line().append("4,2.0,7.25,9")
-            file.endLine()
-        }
-        assertEquals("step,time\n0,0.0\n1,0.5\n2,1.0\n3,1.5\n4,2.0\n", Files.readString(path))
-        AppendedFile(path, "step,time", keep = null).use { file ->
-            assertTrue(file.isComplete)
-            file.line().append("0,1")
-            file.endLine()
-        }
-        assertEquals("step,time\n0,1\n", Files.readString(path))
-    }
 }
