@@ -47,7 +47,7 @@ class ExportCommand : CliktCommand(name = "export") {
             "h5md" -> h5md(frames, run, target)
             else -> cartAndRad(frames, target)
         }
-        println("${steps.size} snapshots to $written")
+        println("${if (steps.size == 1) "1 snapshot" else "${steps.size} snapshots"} to $written")
     }
 
     private fun checkOptions() {

@@ -34,7 +34,7 @@ class RunCommand : CliktCommand(name = "run") {
     override fun help(context: Context) = "Simulate a scenario into a run directory."
 
     override fun run() {
-        val resolved = resolve(scenarioNamed(scenario, settings + shorthands()))
+        val resolved = resolve(described(scenarioNamed(scenario, settings + shorthands())))
         val directory = out?.let { Path.of(it) } ?: freeDirectory(resolved.name)
         carryOut(quiet) { Run.start(resolved, scenario, directory, force, allEngines) }
     }
@@ -45,6 +45,15 @@ class RunCommand : CliktCommand(name = "run") {
         until?.let { "until=$it" },
         seed?.let { "seed=$it" },
     )
+
+    /** What the command line changes of the physics is said behind the description, which may no longer hold. */
+    private fun described(scenario: Scenario): Scenario {
+        val changes = settings.filterNot { it.startsWith("output.") || it.startsWith("engine.") } +
+            listOfNotNull(until?.let { "until=$it" }, steps?.let { "steps=$it" }, seed?.let { "seed=$it" })
+        val isOwn = settings.any { it.startsWith("description=") }
+        if (scenario.description.isEmpty() || changes.isEmpty() || isOwn) return scenario
+        return scenario.copy(description = "${scenario.description}; changed: ${changes.joinToString(", ")}")
+    }
 
     private fun resolve(scenario: Scenario): Scenario {
         val steps = steps ?: return scenario

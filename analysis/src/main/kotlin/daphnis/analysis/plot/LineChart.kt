@@ -6,6 +6,7 @@ package daphnis.analysis.plot
  *
  * @param x by point, ascending
  * @param y by point; points that are not finite are left out, and one alone is a dash
+ * @param from where the x axis begins, [to] where it ends
  * @param logarithmic whether the y axis is; all [y] are positive then
  */
 internal class LineChart(
@@ -16,11 +17,13 @@ internal class LineChart(
     private val y: List<Double>,
     private val colour: String,
     private val logarithmic: Boolean,
+    private val from: Double,
+    private val to: Double,
 ) {
     /** Draws on [sheet], [top] points from its upper edge, as wide and high as given. */
     fun draw(sheet: Sheet, top: Double, width: Double, height: Double) {
         val points = x.indices.filter { x[it].isFinite() && y[it].isFinite() }
-        val across = Axis(points.minOfOrNull { x[it] } ?: 0.0, points.maxOfOrNull { x[it] } ?: 1.0, false)
+        val across = Axis(from, to, false)
         val up = vertical(points)
         val right = width - RIGHT
         val above = top + ABOVE
@@ -39,7 +42,10 @@ internal class LineChart(
         }
         sheet.text(title, LEFT, top + LARGE + GAP, LARGE, Anchor.START)
         sheet.text(xLabel, (LEFT + right) / 2, top + height - GAP, MEDIUM, Anchor.MIDDLE)
-        sheet.text(yLabel, GAP + MEDIUM, (above + bottom) / 2, MEDIUM, Anchor.MIDDLE, upright = true)
+        val lines = if (yLabel.length > LONGEST_LABEL) yLabel.replace(" [", "\n[").lines() else listOf(yLabel)
+        for ((k, line) in lines.withIndex()) {
+            sheet.text(line, GAP + MEDIUM * (1.2 * k + 0.8), (above + bottom) / 2, MEDIUM, Anchor.MIDDLE, upright = true)
+        }
         if (points.size == 1) sheet.line(atX(x[points[0]]) - GAP, atY(y[points[0]]), atX(x[points[0]]) + GAP, atY(y[points[0]]), colour, LINE)
         if (points.size >= 2) sheet.path(DoubleArray(points.size) { atX(x[points[it]]) }, DoubleArray(points.size) { atY(y[points[it]]) }, colour, LINE)
     }
@@ -53,7 +59,8 @@ internal class LineChart(
     }
 
     private companion object {
-        const val LEFT = 84.0
+        const val LEFT = 104.0
+        const val LONGEST_LABEL = 36
         const val RIGHT = 24.0
         const val ABOVE = 32.0
         const val BELOW = 44.0

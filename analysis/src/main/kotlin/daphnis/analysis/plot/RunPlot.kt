@@ -34,22 +34,27 @@ public object RunPlot {
      */
     public fun prepare() {
         val curve = Curve("", doubleArrayOf(0.0, 1.0), doubleArrayOf(1.0, 2.0))
-        png(listOf(chart(curve, "prepared", "time", "", ""), chart(curve, "", "time", "", "")))
+        val axis = Time("time", 0.0, 1.0)
+        png(listOf(chart(curve, "prepared", axis, "", ""), chart(curve, "", axis, "", "")))
     }
 
     private fun charts(table: SeriesTable, title: String, scale: PlotScale): List<LineChart> {
         val curves = SeriesPlots(table, scale)
-        val time = UnitNames.axis("time", scale.timeName)
+        val times = table["time"]
+        val time = Time(UnitNames.axis("time", scale.timeName), times.first() / scale.time, times.last() / scale.time)
         return listOfNotNull(
             curves.temperature()?.let { chart(it, title, time, SeriesPlots.TEMPERATURE, scale.temperatureName) },
             curves.collisionRate()?.let { chart(it, "", time, SeriesPlots.RATE, scale.rateName, Figures.ACCENT) },
         )
     }
 
-    private fun chart(curve: Curve, title: String, x: String, y: String, unit: String, colour: String = Figures.INK): LineChart {
+    /** The axis that both charts have. */
+    private class Time(val label: String, val from: Double, val to: Double)
+
+    private fun chart(curve: Curve, title: String, x: Time, y: String, unit: String, colour: String = Figures.INK): LineChart {
         val log = Chart.isWide(curve.y.asList())
         val label = UnitNames.axis(y, unit) + if (log) " (log scale)" else ""
-        return LineChart(title, x, label, curve.x.asList(), curve.y.asList(), colour, log)
+        return LineChart(title, x.label, label, curve.x.asList(), curve.y.asList(), colour, log, x.from, x.to)
     }
 
     private fun png(charts: List<LineChart>): ByteArray = try {

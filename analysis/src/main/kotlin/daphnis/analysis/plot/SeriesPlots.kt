@@ -19,9 +19,13 @@ internal class SeriesPlots(private val series: SeriesTable, private val scale: P
     fun temperature(): Curve? = column("granular_temperature", "granular temperature", scale.speed * scale.speed)
 
     /** Every column that ends in `_energy`, in the scenario's units, by the name of the column. */
-    fun energies(): List<Curve> = series.names.filter {
-        it.endsWith("_energy")
-    }.mapNotNull { column(it, it.removeSuffix("_energy").replace('_', ' '), 1.0) }
+    fun energies(): List<Curve> {
+        val all = series.names.filter { it.endsWith("_energy") }
+        // Without forces the total is the kinetic energy.
+        val isFree = "potential_energy" in series && series["potential_energy"].all { it == 0.0 }
+        val told = if (isFree) all - "potential_energy" - "total_energy" else all
+        return told.mapNotNull { column(it, it.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' '), 1.0) }
+    }
 
     /**
      * Collisions of a particle in a unit of time, between rows so far apart that the noise of single steps does not

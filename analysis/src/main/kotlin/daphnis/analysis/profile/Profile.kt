@@ -2,7 +2,6 @@ package daphnis.analysis.profile
 
 import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.insitu.PooledMeasure
-import daphnis.core.boundary.ContactFaces
 import kotlin.math.PI
 import kotlin.math.abs
 
@@ -75,7 +74,7 @@ public class Profile(public val axis: Int, public val from: Double, public val t
         val box = state.boundary.box
         val length = box.length(axis)
         val whole = abs(from - box.lower(axis)) <= SAME * length && abs(to - box.lower(axis) - length) <= SAME * length
-        return if (whole && state.boundary.contactFaces(axis) == ContactFaces.PERIODIC) length else Double.POSITIVE_INFINITY
+        return if (whole && state.boundary.repeats(axis)) length else Double.POSITIVE_INFINITY
     }
 
     private fun addParticle(r: DoubleArray, b: Int, state: PatchState, k: Int) {

@@ -63,11 +63,11 @@ internal class DiffusionSection(private val study: Study) : Section {
         val time = study.scale.timeName
         val lag = DoubleArray(d.lag.size) { d.lag[it] / orbit }
         val curves = coordinates.mapIndexed { c, coordinate -> Curve(coordinate.name, lag, d.mean(c), d.error(c)) }
-        val label = UnitNames.axis("mean square displacement", "(${units.length})^2")
+        val label = UnitNames.axis("mean square displacement", units.area)
         val figure = Chart.lines(curves, UnitNames.axis("lag", time), label, logX = true, logY = true)
         val caption = "Mean square displacements. ${caption(d)} Bars are one standard error."
         study.draw(page, figure, "mean-square-displacement", "mean square displacements", caption)
-        val unit = "(${units.length})^2"
+        val unit = units.area
         val columns = curves.flatMap {
             listOf(Column("msd_${it.name}", unit, it.y), Column("msd_${it.name}_error", unit, it.error!!))
         }

@@ -10,8 +10,6 @@ import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.occultation.RayCasting
 import daphnis.analysis.profile.DispersionBySize
 import daphnis.analysis.profile.Profile
-import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.ShearedPeriodic
 
 /** Everything that is averaged over states, with bins chosen from one of them. */
 internal class Measures(sample: PatchState, private val input: AnalysisInput, val options: AnalysisOptions) {
@@ -33,7 +31,7 @@ internal class Measures(sample: PatchState, private val input: AnalysisInput, va
     val rays = RayCasting(Math.toRadians(options.elevation), Math.toRadians(options.azimuth))
 
     /** Whether light through the patch means something: not through a box that is one of many all around. */
-    val isSlab: Boolean = sample.boundary.contactFaces(2) != ContactFaces.PERIODIC && sample.boundary !is ShearedPeriodic
+    val isSlab: Boolean = !sample.boundary.repeats(2)
     val cell: Double = maxOf(2 * meanRadius(sample), maxOf(box.length(0), box.length(1)) / MAP_CELLS)
 
     val ofState = Averages(Numbers.OF_STATE)

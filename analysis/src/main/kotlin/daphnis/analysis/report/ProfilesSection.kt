@@ -15,8 +15,14 @@ internal class ProfilesSection(private val study: Study) : Section {
     private val units = study.units
     private val radialName = if (study.isRing) "radial position x" else "x"
 
+    private val isAcrossY = study.last.boundary.meanFlow?.normalAxis == 1
+    private val across = if (isAcrossY) measures.azimuthal else measures.radial
+    private val acrossAverages = if (isAcrossY) measures.ofAzimuthal else measures.ofRadial
+    private val acrossAxis = study.lengthAxis(if (isAcrossY) "y" else radialName)
+
     override val heading = "Profiles"
-    override val over = "Averages in equal bins over ${study.averagedStates}. Bars are one standard error."
+    override val over = "Averages in equal bins over ${study.averagedStates}. Bars are one standard error; bins " +
+        "that are filled in fewer than 16 states have none."
     override val leftOut = study.tooFew(LEAST)
 
     override fun write(page: ReportPage) {
@@ -26,8 +32,8 @@ internal class ProfilesSection(private val study: Study) : Section {
             measures.radial,
             measures.ofRadial,
             radialName,
-            "optical_depth",
-            "Optical depth across the patch.",
+            if (measures.isSlab) "optical_depth" else "filling_factor",
+            if (measures.isSlab) "Optical depth across the patch." else "Filling factor along x.",
         )
         profile(page, "azimuthal", measures.azimuthal, measures.ofAzimuthal, "", "", "")
         profile(
@@ -66,35 +72,44 @@ internal class ProfilesSection(private val study: Study) : Section {
         Table("profile-$name", columns).write(study.tables)
     }
 
+    /** Across the flow: along x in Hill's frame, along y in a sheared box. */
     private fun dispersions(page: ReportPage) {
         val first = Profile.COLUMNS.indexOf("c_xx")
         val scale = study.scale
         val curves = listOf("σ_x", "σ_y", "σ_z").mapIndexed { c, name ->
-            val all = (0 until measures.radial.bins).map {
-                measures.ofRadial.average(
-                    it * Profile.COLUMNS.size + first + c,
-                )
-            }
+            val all = column(first + c)
             Curve(
                 name,
-                DoubleArray(all.size) { measures.radial.centre(it) },
+                DoubleArray(all.size) { across.centre(it) },
                 DoubleArray(all.size) { sqrt(all[it].mean) / scale.speed },
                 DoubleArray(all.size) { all[it].error / (2 * sqrt(all[it].mean)) / scale.speed },
             )
         }
-        val figure = Chart.lines(
-            curves,
-            study.lengthAxis(radialName),
-            UnitNames.axis("velocity dispersion", scale.speedName),
-        )
-        study.draw(
-            page,
-            figure,
-            "radial-dispersion",
-            "velocity dispersions across the patch",
-            "Velocity dispersions across the patch, around the mean flow of each bin.",
-        )
+        val label = UnitNames.axis("velocity dispersion", scale.speedName)
+        val where = if (isAcrossY) "across the flow" else "across the patch"
+        val said = "velocity dispersions $where"
+        val caption = "Velocity dispersions $where, around the mean of each bin, by number."
+        study.draw(page, Chart.lines(curves, acrossAxis, label), "radial-dispersion", said, caption)
+        if (isAcrossY) meanFlow(page)
     }
+
+    /** The flow of a sheared box as it is, beside the straight line that the boundary drives. */
+    private fun meanFlow(page: ReportPage) {
+        val rate = study.last.boundary.meanFlow?.rate ?: return
+        val rest = column(Profile.COLUMNS.indexOf("mean_vx"))
+        val y = DoubleArray(rest.size) { across.centre(it) }
+        val driven = DoubleArray(rest.size) { rate * y[it] }
+        val measured = DoubleArray(rest.size) { driven[it] + rest[it].mean }
+        val curves = listOf(
+            Curve("measured", y, measured, DoubleArray(rest.size) { rest[it].error }),
+            Curve("straight", y, driven),
+        )
+        val figure = Chart.lines(curves, acrossAxis, UnitNames.axis("mean velocity u_x", units.speed))
+        val caption = "Mean velocity along x over y, beside the straight line that the boundary drives."
+        study.draw(page, figure, "flow-profile", "mean velocity across the flow", caption)
+    }
+
+    private fun column(c: Int) = (0 until across.bins).map { acrossAverages.average(it * Profile.COLUMNS.size + c) }
 
     private fun unitOf(column: String, axis: Int): String = when {
         column == "surface_density" && axis == 2 -> units.density

@@ -96,7 +96,7 @@ internal class StructureSections(
         val error = DoubleArray(x.size) { all[it].error }
         val label = "${quantity.words} ${quantity.symbol}"
         val figure = Chart.lines(listOf(Curve(label, x, y, error)), UnitNames.axis(quantity.argument, quantity.unit), label, horizontal = 1.0)
-        page.svg(Figures.write(figure, plots, name, Chart.WIDTH, Chart.HEIGHT), quantity.words, "$caption Bars are one standard error.")
+        page.svg(Figures.write(figure, plots, name, Chart.WIDTH, Chart.HEIGHT), quantity.words, "$caption Bars are one standard error, from 16 states on.")
         val argument = if (quantity.unit.startsWith("1/")) "k" else "r"
         Table(name, listOf(Column(argument, quantity.unit, x), Column(quantity.symbol, "", y), Column("${quantity.symbol}_error", "", error))).write(tables)
     }

@@ -16,7 +16,7 @@ internal class WakeSection(private val input: AnalysisInput, private val measure
         val pattern = WavePattern.of(measures.autocorrelations, measures.lagX, measures.lagY, measures.dx, measures.dy)
         table(pattern)
         if (pattern == null) {
-            page.paragraph("No wakes: no wave of the surface density stands out of those of its length in other directions, so there is no pitch angle and no spacing.")
+            page.paragraph("No pitch angle and no spacing of wakes: no single wave of the surface density stands out yet of those of its length in other directions.")
             return
         }
         val critical = numbers.criticalWavelength

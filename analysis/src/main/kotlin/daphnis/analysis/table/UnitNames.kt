@@ -23,6 +23,7 @@ public class UnitNames(units: UnitsSpec?) {
     /** Of ⟨c²⟩/3. */
     public val temperature: String = of("length^2/time^2")
     public val energy: String = of("mass length^2/time^2").let { if (it == "kg m^2/s^2") "J" else it }
+    public val area: String = of("length^2")
     public val viscosity: String = of("length^2/time")
     public val surfaceDensity: String = of("mass/length^2")
     public val density: String = of("mass/length^3")

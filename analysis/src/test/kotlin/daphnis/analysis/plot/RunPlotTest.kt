@@ -84,9 +84,12 @@ class RunPlotTest {
     fun `energies are the columns that are called so`() {
         val text = "time,particles,collisions,kinetic_energy,hill_energy,other_energy\n0,1,0,2,3,\n1,1,0,4,5,\n"
         val plots = SeriesPlots(SeriesTable.read(Files.writeString(home.resolve("e.csv"), text)), gas)
-        assertEquals(listOf("kinetic", "hill"), plots.energies().map { it.name })
+        assertEquals(listOf("kinetic", "Hill's"), plots.energies().map { it.name })
         assertEquals(listOf(3.0, 5.0), plots.energies()[1].y.asList())
         assertEquals(null, plots.temperature())
+        val free = "time,particles,collisions,kinetic_energy,potential_energy,total_energy\n0,1,0,2,0,2\n1,1,0,4,0,4\n"
+        val ofFree = SeriesPlots(SeriesTable.read(Files.writeString(home.resolve("free.csv"), free)), gas)
+        assertEquals(listOf("kinetic"), ofFree.energies().map { it.name })
     }
 
     @Test
@@ -112,23 +115,23 @@ class RunPlotTest {
         assertEquals(listOf("svg", "800", "640"), listOf(root.tagName, root.getAttribute("width"), root.getAttribute("height")))
         val texts = root.getElementsByTagName("text")
         assertTrue((0 until texts.length).any { texts.item(it).textContent == "<my> &   run" })
-        assertEquals("time [units of time]", texts.item(texts.length - 2).textContent)
+        assertEquals("time [units of time]", texts.item(texts.length - 3).textContent)
     }
 
     @Test
     fun `lines go where the numbers are, the same in both formats`() {
-        // The temperature is 1 but for one row of 3 in the middle: the line touches the top of its panel there, at x = 430 of 800 points.
+        // The temperature is 1 but for one row of 3 in the middle: the line touches the top of its panel there, at x = 440 of 800 points.
         RunPlot.write(series(101) { if (it == 50) 3.0 else 1.0 }, home, "peak", gas)
         val path = Regex("stroke=\"#1f4e79\"[^>]* d=\"M([^\"]*)\"").find(Files.readString(home.resolve("run.svg")))!!.groupValues[1]
         val points = path.split('L').map { p -> p.split(' ').map { it.toDouble() } }
         assertEquals(101, points.size)
         val peak = points.minBy { it[1] }
-        assertEquals(430.0, peak[0], 0.01)
+        assertEquals(440.0, peak[0], 0.01)
         // Room of a twentieth of the values above and below, on axes 244 points high.
         assertEquals(32 + 244 * 0.05 / 1.1, peak[1], 0.01)
         assertEquals(32 + 244 * 1.05 / 1.1, points.first()[1], 0.01)
         val picture = ImageIO.read(home.resolve("run.png").toFile())
-        val ink = (0 until 640).filter { y -> isInk(picture.getRGB(860, y)) }
+        val ink = (0 until 640).filter { y -> isInk(picture.getRGB(880, y)) }
         assertTrue(ink.isNotEmpty() && ink.first() in 80..100) { "ink from $ink" }
     }
 
@@ -147,7 +150,7 @@ class RunPlotTest {
     fun `the one rate of a run of one step is a dash in the middle`() {
         RunPlot.write(series(2) { 1.0 + it }, home, "step", gas)
         val dash = Regex("stroke=\"#b3541e\"[^>]* d=\"M([0-9.]*) ([0-9.]*)L([0-9.]*) ([0-9.]*)\"").find(Files.readString(home.resolve("run.svg")))!!
-        assertEquals(listOf(423.0, 474.0, 437.0, 474.0), dash.groupValues.drop(1).map { it.toDouble() })
+        assertEquals(listOf(433.0, 474.0, 447.0, 474.0), dash.groupValues.drop(1).map { it.toDouble() })
     }
 
     @Test

@@ -47,7 +47,7 @@ class AnalysisTest {
             assertTrue(">$heading</h2>" in html) { heading }
         }
         assertTrue("35° elevation and 15° azimuth" in html && "Pair correlation in the x-y plane" in html)
-        assertTrue("No wakes" in html)
+        assertTrue("No pitch angle and no spacing of wakes" in html)
         // Nothing from outside: every picture is data, no script, no link but those within the page.
         assertFalse(Regex("""(src|href)="(?!data:|#)""").containsMatchIn(html))
         assertFalse("<script" in html)
