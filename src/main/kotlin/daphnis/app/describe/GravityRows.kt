@@ -1,8 +1,8 @@
 package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
-import daphnis.core.population.granularTemperature
 import daphnis.core.force.SelfGravity
+import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.ScenarioSetup

@@ -101,8 +101,10 @@ class AnalysisTest {
         assertTrue(">Structure</h2>" in Files.readString(clump.resolve("report.html")))
         // And one that shrinks: the last state has the smallest box.
         val frames = H5md.read(clump.resolve("snapshots/0000000020.h5")) + H5md.read(clump.resolve("snapshots/0000000000.h5"))
-        val reversed = frames.mapIndexed { k, f -> Frame(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass) }
-        for ((name, list) in listOf("shrinks" to reversed, "grows" to reversed.reversed().mapIndexed { k, f -> Frame(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass) })) {
+        fun inOrder(list: List<Frame>) = list.mapIndexed { k, f ->
+            Frame(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass)
+        }
+        for ((name, list) in listOf("shrinks" to inOrder(frames), "grows" to inOrder(frames.reversed()))) {
             val file = directory.resolve("$name.h5")
             H5md.write(list, file, "test")
             val out = directory.resolve(name)

@@ -13,7 +13,6 @@ import daphnis.core.populationOf
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
