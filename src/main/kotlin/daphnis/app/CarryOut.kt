@@ -54,7 +54,7 @@ private fun preparePlot() {
     thread(isDaemon = true, name = "daphnis-plot", priority = Thread.MIN_PRIORITY) {
         try {
             RunPlot.prepare()
-        } catch (e: RuntimeException) {
+        } catch (e: Throwable) {
             return@thread
         }
     }
