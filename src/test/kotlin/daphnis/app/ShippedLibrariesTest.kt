@@ -1,0 +1,40 @@
+package daphnis.app
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Runs under either build, so both resolve what the table says: the same versions, and nothing that nobody knows of. */
+class ShippedLibrariesTest {
+    private val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+        .first { Files.exists(it.resolve("settings.gradle.kts")) }
+
+    /** Version by artifact, from the table. */
+    private val listed = Files.readAllLines(root.resolve("docs/third-party.md"))
+        .mapNotNull { Regex("""\| [\w.-]+:([\w.-]+) \| ([\w.-]+) \| (\S.*) \|""").matchEntire(it) }
+        .associate { it.groupValues[1] to it.groupValues[2] }
+
+    /** Version by artifact, from where the jars on the class path lie: …/artifact/version/file.jar, or with a hash between in Gradle's cache. */
+    private val present = System.getProperty("java.class.path").split(File.pathSeparator)
+        .filter { it.endsWith(".jar") && "/target/" !in it && "/build/libs/" !in it && !it.endsWith("/gradle-worker.jar") }
+        .map { Path.of(it).parent.map(Path::toString).filterNot { name -> name.matches(Regex("[0-9a-f]{30,40}")) }.takeLast(2) }
+        .associate { (artifact, version) -> artifact to version }
+
+    @Test
+    fun `every library of the table is on the class path in its version`() {
+        assertTrue(listed.size > 40, "the table has only ${listed.size} rows")
+        assertEquals(listed, present.filterKeys { it in listed })
+    }
+
+    @Test
+    fun `nothing else is on the class path but what tests need`() {
+        assertEquals(emptyList<String>(), present.keys.filter { it !in listed && !it.matches(FOR_TESTS) }.sorted())
+    }
+
+    private companion object {
+        val FOR_TESTS = Regex("junit-.*|opentest4j|apiguardian-api|archunit|surefire-.*|maven-surefire-.*|kotlin-test.*")
+    }
+}
