@@ -1,0 +1,29 @@
+package daphnis.drills
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+
+/** The drills in their short forms; the long ones are run by hand, see tools/drills and docs/reliability.md. */
+@Tag("drill")
+class DrillsTest {
+    private fun assertNothingLost(drill: Drill, cases: Int, seed: Long = 1) {
+        val told = ArrayList<String>()
+        val tally = drill.run(cases, seed) { told += it }
+        assertEquals(emptyList<String>(), tally.lost) { told.joinToString("\n") }
+        assertTrue(tally.tried >= cases) { "only ${tally.tried} of $cases were tried" }
+    }
+
+    @Test
+    fun `runs that are killed and resumed leave the files of unbroken ones`() = assertNothingLost(KillDrill, 6)
+
+    @Test
+    fun `a live run notices nothing of who else uses its directory`() = assertNothingLost(LiveDirectoryDrill, 6)
+
+    @Test
+    fun `with too little memory everything ends by itself`() = assertNothingLost(SmallHeapDrill, 5)
+
+    @Test
+    fun `on and on nothing overlaps, heats up or grows`() = assertNothingLost(SoakDrill, 60_000)
+}

@@ -1,0 +1,67 @@
+package daphnis.drills
+
+import java.io.File
+import java.lang.management.ManagementFactory
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+
+/** How a program ended: its exit code, null when it had to be killed because it went on too long; and all it said. */
+internal class Ended(val code: Int?, val text: String, val seconds: Double) {
+    /** A stack trace where a line should stand. */
+    val hasTrace: Boolean get() = text.lines().any { it.startsWith("\tat ") || it.startsWith("Exception in thread") }
+}
+
+/** daphnis as a process of its own, on the class path and the Java of this one. */
+internal class Program(private val directory: Path, heap: String, private val arguments: List<String>) {
+    private val log = Files.createTempFile(directory, "says", ".txt")
+    private val begin = System.nanoTime()
+    private val process: Process
+
+    init {
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val command = listOf(java, "-Xmx$heap", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "daphnis.app.MainKt") + arguments
+        val builder = ProcessBuilder(command).directory(directory.toFile()).redirectErrorStream(true).redirectOutput(log.toFile())
+        val classes = ManagementFactory.getRuntimeMXBean().classPath.split(File.pathSeparator)
+        builder.environment()["CLASSPATH"] = classes.joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
+        process = builder.start()
+    }
+
+    val isAlive: Boolean get() = process.isAlive
+    val seconds: Double get() = (System.nanoTime() - begin) * 1e-9
+
+    /** `kill -9`. */
+    fun kill() {
+        process.destroyForcibly().waitFor()
+    }
+
+    /** `kill -TERM`. */
+    fun terminate() {
+        process.destroy()
+    }
+
+    /** Waits for the end, at most [limit] seconds from now. */
+    fun await(limit: Double = LONG): Ended {
+        val code = if (process.waitFor((limit * 1000).toLong(), TimeUnit.MILLISECONDS)) process.exitValue() else null
+        if (code == null) kill()
+        val text = Files.readString(log)
+        Files.deleteIfExists(log)
+        return Ended(code, text, seconds)
+    }
+
+    companion object {
+        /** Seconds after which a program hangs, whatever the machine. */
+        const val LONG = 300.0
+
+        /** Runs what has to come out well for anything else to be tried. */
+        fun succeed(directory: Path, vararg arguments: String) {
+            val ended = run(directory, *arguments)
+            check(ended.code == 0) { "${arguments.joinToString(" ")} ended with ${ended.code}: ${ended.text}" }
+        }
+
+        fun run(directory: Path, vararg arguments: String, heap: String = "512m"): Ended = Program(directory, heap, arguments.toList()).await()
+    }
+}
+
+/** What `--threads` is for [engine]. */
+internal fun threadsOf(engine: String): String = if (engine == "serial") "1" else "2"
