@@ -195,8 +195,8 @@ public class ScenarioSetup private constructor(
 
         private fun rmsSpeed(population: Population): Double {
             var sum = 0.0
-            for (id in 0 until population.idBound) {
-                val k = population.indexOf(id)
+            for (place in 0 until population.places) {
+                val k = population.indexAt(place)
                 if (k < 0) continue
                 sum += population.vx[k] * population.vx[k] + population.vy[k] * population.vy[k] + population.vz[k] * population.vz[k]
             }
