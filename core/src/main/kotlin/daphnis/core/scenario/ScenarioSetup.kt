@@ -47,7 +47,7 @@ public class ScenarioSetup private constructor(
 ) {
     public companion object {
         /** Memory a sphere needs with population, packed rows, grid and queue: the most measured (docs/performance.md) and some room. */
-        public const val BYTES_PER_SPHERE: Double = 270.0
+        public const val BYTES_PER_SPHERE: Double = 340.0
 
         /**
          * Makes and checks everything.
