@@ -66,15 +66,23 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
 
     /**
      * Throws what [failure] makes at call 0, 1, 2, … of a step, until a step has no such call any more, or at each [every]
-     * of them.
-     *
-     * @return how many calls a step has
+     * of them: first of the calls around the engine, then of those within, which it may get over.
      */
-    fun throwAtEachCall(every: Int = 1, failure: (Int) -> Throwable = { IllegalStateException("on purpose, $it") }): Int {
+    fun throwAtEachCall(every: Int = 1, failure: (Int) -> Throwable = { IllegalStateException("on purpose, $it") }) {
+        throwAroundEngine(every, failure)
+        throwAtEachCall(every, failure) { it in WITHIN_ENGINE }
+    }
+
+    /** The first half of [throwAtEachCall]. */
+    fun throwAroundEngine(every: Int, failure: (Int) -> Throwable) {
+        throwAtEachCall(every, failure) { it !in WITHIN_ENGINE }
+    }
+
+    private fun throwAtEachCall(every: Int, failure: (Int) -> Throwable, counts: (String) -> Boolean) {
         var call = 0
         while (true) {
             val thrown = failure(call)
-            made.wire.arm(call, thrown)
+            made.wire.arm(call, thrown, counts)
             val before = BitState(simulation)
             val caught = runCatching { simulation.advance() }.exceptionOrNull()
             val place = made.wire.tripped
@@ -86,7 +94,7 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
                 before.assertIsStill(simulation, "$story, call $call at $place")
                 failed++
             }
-            if (place == null) return call
+            if (place == null) return
             if (caught == null) {
                 assertTrue(place in WITHIN_ENGINE) { "$story: what $place threw is lost" }
             } else if (place !in WITHIN_ENGINE) {
@@ -127,8 +135,8 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
     private fun make(engine: CollisionEngine?): Made {
         val wire = Tripwire()
         val sheet = HillSheet(Box.centred(EDGE, EDGE, EDGE), OMEGA)
-        val moon = Satellite(2.0, Epicycle(0.0, 0.0, 0.0, 0.0), OMEGA, softening = 0.5)
-        val surface = if (case == FailingCase.MOON) SatelliteSurface(Periodic(sheet.box), moon, 0.3) else null
+        val moon = Satellite(4.0, Epicycle(0.0, 0.0, 0.0, 0.0), OMEGA, softening = 0.5)
+        val surface = if (case == FailingCase.MOON) SatelliteSurface(Periodic(sheet.box), moon, 1.5) else null
         val boundary: BoundaryConditions = when (case) {
             FailingCase.SHEET -> WiredPieces(sheet, wire)
             FailingCase.MOON -> WiredBoundary(surface!!, wire)

@@ -24,6 +24,9 @@ class Tripwire {
     private var at = NEVER
 
     @Volatile
+    private var counts: (String) -> Boolean = { true }
+
+    @Volatile
     private var failure: Throwable? = null
 
     /** Where it has thrown since it was armed, or null. */
@@ -31,10 +34,11 @@ class Tripwire {
     var tripped: String? = null
         private set
 
-    /** From now on throws [failure] at call [at], counted from 0. */
-    fun arm(at: Int, failure: Throwable) {
+    /** From now on throws [failure] at call [at], counted from 0, of those at places that [counts] accepts. */
+    fun arm(at: Int, failure: Throwable, counts: (String) -> Boolean) {
         calls.set(0)
         tripped = null
+        this.counts = counts
         this.failure = failure
         this.at = at
     }
@@ -46,7 +50,7 @@ class Tripwire {
 
     /** A call of the function that [place] names. */
     fun pass(place: String) {
-        if (calls.getAndIncrement() != at) return
+        if (at == NEVER || !counts(place) || calls.getAndIncrement() != at) return
         tripped = place
         throw failure!!
     }
