@@ -39,14 +39,20 @@ enum class FailingCase {
 }
 
 /**
- * Throws at every call of every function that a user gives to a simulation, one after the other. A step that throws must
- * leave everything to the last bit as it was, and the steps that are done must be those of the serial engine that nothing
- * disturbs. An engine may also get over a failure within it, and do the step.
+ * Throws at every call of every function that a user gives to a simulation, one after the other. A step that throws
+ * must leave everything to the last bit as it was, and the steps that are done must be those of the serial engine that
+ * nothing disturbs. An engine may also get over a failure within it, and do the step.
  *
  * @param engine makes the engine, null for none
  */
-class FailingSteps(private val case: FailingCase, private val seed: Long, engine: () -> CollisionEngine?) : AutoCloseable {
-    private class Made(val simulation: Simulation, val wire: Tripwire, val outputs: List<WiredOutput>, val moon: SatelliteSurface?)
+class FailingSteps(private val case: FailingCase, private val seed: Long, engine: () -> CollisionEngine?) :
+    AutoCloseable {
+    private class Made(
+        val simulation: Simulation,
+        val wire: Tripwire,
+        val outputs: List<WiredOutput>,
+        val moon: SatelliteSurface?,
+    )
 
     private val made = make(engine())
     private val undisturbed = make(if (made.simulation.collisions == null) null else SerialEngine())
@@ -65,8 +71,8 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
     }
 
     /**
-     * Throws what [failure] makes at call 0, 1, 2, … of a step, until a step has no such call any more, or at each [every]
-     * of them: first of the calls around the engine, then of those within, which it may get over.
+     * Throws what [failure] makes at call 0, 1, 2, … of a step, until a step has no such call any more, or at each
+     * [every] of them: first of the calls around the engine, then of those within, which it may get over.
      */
     fun throwAtEachCall(every: Int = 1, failure: (Int) -> Throwable = { IllegalStateException("on purpose, $it") }) {
         throwAroundEngine(every, failure)
@@ -128,9 +134,8 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         assertEquals(BitState(undisturbed.simulation).byId(), BitState(simulation).byId()) { story }
     }
 
-    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean = generateSequence(caught) { it.cause }.any { e ->
-        e === thrown || thrown in e.suppressed
-    }
+    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean =
+        generateSequence(caught) { it.cause }.any { it === thrown || thrown in it.suppressed }
 
     private fun make(engine: CollisionEngine?): Made {
         val wire = Tripwire()
@@ -143,18 +148,26 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
             FailingCase.GAS -> WiredPieces(Periodic(sheet.box), wire)
         }
         val forces: List<Force> = when (case) {
-            FailingCase.SHEET -> listOf(WiredForce(SelfGravity(boundary, 0.02), wire), WiredSpring(wire), WiredDrift(HillFrame(OMEGA), wire))
+            FailingCase.SHEET -> {
+                val gravity = WiredForce(SelfGravity(boundary, 0.02), wire)
+                listOf(gravity, WiredSpring(wire), WiredDrift(HillFrame(OMEGA), wire))
+            }
             FailingCase.MOON -> listOf(WiredSpring(wire), WiredForce(moon, wire))
             FailingCase.GAS -> emptyList()
         }
         val timeStep = if (case == FailingCase.MOON) CellCrossingTimeStep(0.5, 2.0, 1.0) else FixedTimeStep(0.6)
         val collisions = engine?.let {
             CollisionForcing(
-                WiredRestitution(ConstantRestitution(0.8), wire), WiredGuard(ContactDurationGuard(0.05), wire), it, recordCollisions = true,
+                WiredRestitution(ConstantRestitution(0.8), wire),
+                WiredGuard(ContactDurationGuard(0.05), wire),
+                it,
+                recordCollisions = true,
             )
         }
         val outputs = List(2) { WiredOutput(wire) }
-        return Made(Simulation(population(), boundary, collisions, WiredTimeStep(timeStep, wire), forces, outputs), wire, outputs, surface)
+        val wiredStep = WiredTimeStep(timeStep, wire)
+        val simulation = Simulation(population(), boundary, collisions, wiredStep, forces, outputs)
+        return Made(simulation, wire, outputs, surface)
     }
 
     private fun population(): Population {
@@ -163,7 +176,8 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         val box = Box.centred(EDGE, EDGE, EDGE)
         val p = RandomPlacement().place(radii, box, BooleanArray(3), random)
         fun gauss() = DoubleArray(COUNT) { random.nextGaussian() }
-        return Population(p.x, p.y, p.z, gauss(), gauss(), gauss(), radii, DoubleArray(COUNT) { radii[it] * radii[it] * radii[it] })
+        val masses = DoubleArray(COUNT) { radii[it] * radii[it] * radii[it] }
+        return Population(p.x, p.y, p.z, gauss(), gauss(), gauss(), radii, masses)
     }
 
     private companion object {
@@ -179,7 +193,9 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
 private class BitState(simulation: Simulation) {
     private val p = simulation.population
     private val ids = p.id.copyOf()
-    private val columns = listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision).map { a -> List(p.size) { a[it].toRawBits() } }
+    private val columns = listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision).map { a ->
+        List(p.size) { a[it].toRawBits() }
+    }
     private val crossed = ids.map { id -> List(3) { p.boxesCrossed(id, it) } }
     private val digest = stateDigest(p)
     private val clock = listOf(simulation.step, simulation.time.toRawBits())
@@ -187,13 +203,17 @@ private class BitState(simulation: Simulation) {
     private val ways = simulation.collisions?.counters?.run { listOf(redoneSteps, causalityReplays) }
 
     /** Everything but the order of the arrays and how the engine got there. */
-    fun byId(): List<Any?> = listOf(ids.indices.sortedBy { ids[it] }.map { k -> columns.map { it[k] } + crossed[k] }, ids.sorted(), digest, clock, counts)
+    fun byId(): List<Any?> {
+        val spheres = ids.indices.sortedBy { ids[it] }.map { k -> columns.map { it[k] } + crossed[k] }
+        return listOf(spheres, ids.sorted(), digest, clock, counts)
+    }
 
     fun assertIsStill(simulation: Simulation, story: String) {
         val now = BitState(simulation)
         assertEquals(ids.asList(), now.ids.asList()) { "order, $story" }
         for (c in columns.indices) assertEquals(columns[c], now.columns[c]) { "column $c, $story" }
-        assertEquals(listOf(crossed, digest, clock, counts, ways), listOf(now.crossed, now.digest, now.clock, now.counts, now.ways)) { story }
+        assertEquals(crossed, now.crossed) { "boxes crossed, $story" }
+        assertEquals(listOf(digest, clock, counts, ways), listOf(now.digest, now.clock, now.counts, now.ways)) { story }
         assertEquals(0, simulation.collisions?.record?.size ?: 0) { "record, $story" }
     }
 }

@@ -35,7 +35,7 @@ class FailingStepsTest {
     /** Engines that do not yet survive an [Error] within a collision. */
     private val mortal = setOf("pekko")
 
-    private fun each(check: (FailingCase, String, FailingSteps) -> Unit): List<DynamicTest> = FailingCase.entries.flatMap { case ->
+    private fun each(check: (FailingCase, String, FailingSteps) -> Unit) = FailingCase.entries.flatMap { case ->
         engines.map { (name, engine) ->
             dynamicTest("$case, $name") {
                 assertTimeoutPreemptively(Duration.ofMinutes(2)) {
@@ -65,7 +65,8 @@ class FailingStepsTest {
     @TestFactory
     fun `so does whatever else can be thrown`() = each { _, name, steps ->
         for ((k, kind) in kinds.withIndex()) {
-            if (name in mortal) steps.throwAroundEngine(every = 1 + k, kind) else steps.throwAtEachCall(every = 1 + k, kind)
+            val every = 1 + k
+            if (name in mortal) steps.throwAroundEngine(every, kind) else steps.throwAtEachCall(every, kind)
         }
         assertTrue(steps.failed > 0)
     }

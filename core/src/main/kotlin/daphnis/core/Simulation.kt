@@ -56,7 +56,10 @@ public class Simulation(
     private var opened = false
     private var busy = false
 
-    /** How many of the outputs have seen the state at hand; more than none at the start of a step that failed and is done again. */
+    /**
+     * How many of the outputs have seen the state at hand; more than none at the start of a step that failed and is
+     * done again.
+     */
     private var shown = 0
 
     init {
@@ -68,10 +71,10 @@ public class Simulation(
     /**
      * Carries the simulation on by one step.
      *
-     * A step is done whole or not at all. Whatever throws in it (time step, force, engine, boundary, output, an [Error] too) is thrown on,
-     * and all is as it was before: population with the order of its arrays, boxes crossed, counters, [time] and [step];
-     * the record of collisions is empty. The step may then be done again, to the same bits. Outputs that had seen it
-     * before another output threw are not asked again.
+     * A step is done whole or not at all. Whatever throws in it (time step, force, engine, boundary, output, an [Error]
+     * too) is thrown on, and all is as it was before: population with the order of its arrays, boxes crossed, counters,
+     * [time] and [step]; the record of collisions is empty. The step may then be done again, to the same bits. Outputs
+     * that had seen it before another output threw are not asked again.
      *
      * @throws IllegalStateException when the state is no longer finite, after [close], and from within a step
      */
@@ -101,7 +104,11 @@ public class Simulation(
         val duration = timeStep.next(population)
         if (forces.isNotEmpty()) undo.keepVelocities()
         for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
-        if (collisions != null) collisions.advance(population, boundary, start, duration) else population.drift(duration)
+        if (collisions != null) {
+            collisions.advance(population, boundary, start, duration)
+        } else {
+            population.drift(duration)
+        }
         step++
         time = if (timeStep is FixedTimeStep) runStart + step * duration else start + duration
         applyBoundary()
@@ -110,7 +117,10 @@ public class Simulation(
         show()
     }
 
-    /** Shows the initial state to the outputs; done by the first [advance] if nobody asked before. Each sees it once, though another throws. */
+    /**
+     * Shows the initial state to the outputs; done by the first [advance] if nobody asked before. Each sees it once,
+     * though another throws.
+     */
     public fun open() {
         if (opened || busy) return
         busy = true
@@ -132,8 +142,8 @@ public class Simulation(
 
     /**
      * Ends the threads of the engine; from then on [advance], and loops that forces have been given, throw
-     * [IllegalStateException]. A step under way, on another thread or around this call, ends well or throws and is as if it
-     * had not begun. Closing twice is allowed.
+     * [IllegalStateException]. A step under way, on another thread or around this call, ends well or throws and is as
+     * if it had not begun. Closing twice is allowed.
      */
     override fun close() {
         loop.close()

@@ -5,8 +5,8 @@ import daphnis.core.population.Population
 
 /**
  * What a simulation was before the step under way, so that the step can be taken back. The engine writes to the
- * population's second set of arrays, so that those of before only need their velocities, which forces change. Taking back
- * allocates nothing, asks nobody and uses no other thread.
+ * population's second set of arrays, so that those of before only need their velocities, which forces change. Taking
+ * back allocates nothing, asks nobody and uses no other thread.
  */
 internal class StepUndo(private val population: Population, private val counters: CollisionCounters?) {
     private var vx = DoubleArray(0)
@@ -40,7 +40,8 @@ internal class StepUndo(private val population: Population, private val counters
         hasVelocities = true
     }
 
-    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size == from.size) from.copyInto(into) else from.copyOf()
+    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray =
+        if (into.size == from.size) from.copyInto(into) else from.copyOf()
 
     /** The step stands. */
     fun commit() {

@@ -5,20 +5,14 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force
-import daphnis.core.force.Kick
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.parallel.ExecutorHandler
-import daphnis.core.parallel.FixedPool
-import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -28,51 +22,26 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.lang.management.ManagementFactory
-import java.util.concurrent.CountDownLatch
 import java.util.concurrent.Executor
 import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.atomic.AtomicInteger
 
-/** What is left of a step that fails, and of a simulation that is closed. The time limit is the watchdog. */
+/** What is left of a step that fails. The time limit is the watchdog. */
 @Timeout(120)
-class SimulationFaultsTest {
-    private val boundary = Periodic(Box.centred(12.0, 12.0, 12.0))
-    private val gas = randomSpheres(300, boundary, 2, 1.0) { 0.4 }
-
+class SimulationFaultsTest : FaultKit() {
     /** So many that the loops of a step are shared out. */
     private val wide = Periodic(Box.centred(40.0, 40.0, 40.0))
     private val large = randomSpheres(5000, wide, 1, 1.0) { 0.4 }
-    private val engines: List<() -> CollisionEngine?> = listOf(
-        { null },
-        { SerialEngine() },
-        { IslandsEngine(3) },
-        { IslandsEngine(FixedPool(3), fewest = 0) },
-        { ThreadPoolEngine(3) },
-        { IslandsEngine(ExecutorHandler({ it.run() }, 2), fewest = 0) },
-    )
-
-    private fun simulation(
-        engine: CollisionEngine?,
-        restitution: Restitution = ConstantRestitution(0.9),
-        forces: List<Force> = emptyList(),
-        outputs: List<Output> = emptyList(),
-    ): Simulation {
-        val collisions = engine?.let { CollisionForcing(restitution, engine = it) }
-        return Simulation(gas.copy(), boundary, collisions, FixedTimeStep(0.3), forces, outputs)
-    }
-
-    /** Digests after 0, 1, 2, … steps of an undisturbed simulation with [forces]. */
-    private fun digests(steps: Int, hasEngine: Boolean = true, forces: List<Force> = emptyList()): List<String> {
-        val s = simulation(if (hasEngine) SerialEngine() else null, forces = forces)
-        return List(steps + 1) { k -> if (k > 0) s.advance().let { stateDigest(s.population) } else stateDigest(s.population) }
-    }
 
     @Test
     fun `an executor that rejects any one task leaves the population as it was or the step is done`() {
         fun simulation(engine: CollisionEngine) = simulationOf(large.copy(), wide, 0.1, engine = engine)
-        val undisturbed = simulation(SerialEngine())
-        val expected = List(4) { k -> if (k > 0) undisturbed.advance().let { stateDigest(undisturbed.population) } else "" }
-        for (make in listOf<(Executor) -> CollisionEngine>({ IslandsEngine(ExecutorHandler(it, 3), 0) }, { ThreadPoolEngine(ExecutorHandler(it, 3)) })) {
+        val expected = listOf("") + digests(simulation(SerialEngine()), 3)
+        val makes = listOf<(Executor) -> CollisionEngine>(
+            { IslandsEngine(ExecutorHandler(it, 3), fewest = 0) },
+            { ThreadPoolEngine(ExecutorHandler(it, 3)) },
+        )
+        for (make in makes) {
             val calls = AtomicInteger()
             var nth = 0
             do {
@@ -107,7 +76,8 @@ class SimulationFaultsTest {
     fun `a store that fails leaves the population of an engine without a simulation as it was`() {
         for (nth in 1..200) {
             val calls = AtomicInteger()
-            val engine = IslandsEngine(ExecutorHandler({ if (calls.incrementAndGet() == nth) throw RejectedExecutionException() else it.run() }, 2), 0)
+            val executor = Executor { if (calls.incrementAndGet() == nth) throw RejectedExecutionException() else it.run() }
+            val engine = IslandsEngine(ExecutorHandler(executor, 2), fewest = 0)
             val population = large.copy()
             val step = CollisionStep(population, wide, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters())
             step.duration = 0.02
@@ -129,20 +99,25 @@ class SimulationFaultsTest {
             for (isAfter in listOf(false, true)) {
                 var isBroken = false
                 val broken = object : Force {
-                    override fun beforeDrift(population: Population, start: Double, duration: Double) = check(isAfter || !isBroken) { "on purpose" }
+                    override fun beforeDrift(population: Population, start: Double, duration: Double) {
+                        check(isAfter || !isBroken) { "on purpose" }
+                    }
 
-                    override fun afterDrift(population: Population, end: Double, duration: Double) = check(!isAfter || !isBroken) { "on purpose" }
+                    override fun afterDrift(population: Population, end: Double, duration: Double) {
+                        check(!isAfter || !isBroken) { "on purpose" }
+                    }
                 }
-                // The broken one acts last before the drift and first after it; the third acts before it there.
+                // Behind the first before the drift, behind the third after it.
                 val pull = UniformAcceleration(0.0, 0.0, -1.0)
-                val forces = listOf(pull, broken, UniformAcceleration(0.1, 0.0, 0.0))
+                val push = UniformAcceleration(0.1, 0.0, 0.0)
+                val forces = listOf(pull, broken, push)
                 val simulation = simulation(engine(), forces = forces)
-                val expected = digests(2, simulation.collisions != null, listOf(pull, UniformAcceleration(0.1, 0.0, 0.0)))
+                val expected = digests(2, simulation.collisions != null, listOf(pull, push))
                 simulation.advance()
                 assertEquals(expected[1], stateDigest(simulation.population))
                 isBroken = true
                 repeat(3) {
-                    assertEquals("on purpose", assertThrows(IllegalStateException::class.java) { simulation.advance() }.message)
+                    assertRefused("on purpose") { simulation.advance() }
                     assertEquals(expected[1], stateDigest(simulation.population))
                     assertEquals(1, simulation.step)
                     assertEquals(0.3, simulation.time)
@@ -152,88 +127,6 @@ class SimulationFaultsTest {
                 assertEquals(expected[2], stateDigest(simulation.population))
                 simulation.close()
             }
-        }
-    }
-
-    @Test
-    fun `a closed simulation refuses steps and loops, and so does its engine`() {
-        for (make in engines) {
-            var given: RangeLoop = InlineLoop
-            val force = object : Kick {
-                override fun useLoop(loop: RangeLoop) {
-                    given = loop
-                }
-
-                override fun kick(population: Population, time: Double, duration: Double) = Unit
-            }
-            val engine = make()
-            val simulation = simulation(engine, forces = listOf(force))
-            simulation.advance()
-            val before = stateDigest(simulation.population)
-            given.run(10) { _, _, _ -> }
-            repeat(2) { simulation.close() }
-            assertClosed("the simulation is closed") { simulation.advance() }
-            assertClosed("the simulation is closed") { given.run(10) { _, _, _ -> } }
-            assertEquals(before, stateDigest(simulation.population))
-            assertEquals(1, simulation.step)
-            if (engine == null) continue
-            val step = CollisionStep(simulation.population, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also { it.duration = 0.1 }
-            assertClosed("the engine is closed") { engine.advance(step) }
-            assertClosed("the engine is closed") { engine.loop.run(10) { _, _, _ -> } }
-        }
-    }
-
-    private fun assertClosed(message: String, action: () -> Unit) {
-        assertEquals(message, assertThrows(IllegalStateException::class.java, action).message)
-    }
-
-    @Test
-    fun `closing within a step lets it end, or leaves all as it was`() {
-        for (make in engines) {
-            for (place in listOf("restitution", "force", "output", "another thread")) {
-                var isArmed = false
-                var closing: Simulation? = null
-                fun closeAt(here: String) {
-                    if (!isArmed || here != place) return
-                    isArmed = false
-                    closing!!.close()
-                }
-                val restitution = Restitution { closeAt("restitution").let { 0.9 } }
-                val force = Kick { _, _, _ ->
-                    closeAt("force")
-                    if (isArmed && place == "another thread") Thread { closeAt(place) }.apply { start() }.join()
-                }
-                val simulation = simulation(make(), restitution, listOf(force), listOf(Output { closeAt("output") }))
-                val expected = digests(2, simulation.collisions != null)
-                closing = simulation
-                simulation.advance()
-                isArmed = true
-                val done = runCatching { simulation.advance() }.isSuccess
-                val story = "${simulation.collisions?.engine?.name}, $place"
-                assertEquals(expected[if (done) 2 else 1], stateDigest(simulation.population)) { story }
-                assertEquals(if (done) 2 else 1, simulation.step) { story }
-                if (!isArmed) assertClosed("the simulation is closed") { simulation.advance() }
-                simulation.close()
-            }
-        }
-    }
-
-    @Test
-    fun `closing from another thread at any moment lets the step end, or leaves all as it was`() {
-        val expected = digests(12)
-        for (make in engines) {
-            val simulation = simulation(make() ?: continue)
-            val started = CountDownLatch(1)
-            val closer = Thread {
-                started.await()
-                Thread.sleep(3)
-                simulation.close()
-            }.apply { start() }
-            started.countDown()
-            var isOpen = true
-            while (isOpen && simulation.step < 12) isOpen = runCatching { simulation.advance() }.isSuccess
-            closer.join()
-            assertEquals(expected[simulation.step.toInt()], stateDigest(simulation.population)) { simulation.collisions!!.engine.name }
         }
     }
 

@@ -14,8 +14,8 @@ import daphnis.core.population.Population
  * |---|---|---|---|---|
  * | | x y z | vx vy vz | local time, from the start of the step | radius |
  *
- * A sphere's position and velocity are those at its **local time**; both change only at its own collisions. The arrays of the
- * population are not written, so they are the copy from which a step is redone; [store] writes to a second set.
+ * A sphere's position and velocity are those at its **local time**; both change only at its own collisions. The arrays
+ * of the population are not written, so they are the copy from which a step is redone; [store] writes to a second set.
  */
 public class StepRows {
     /** See the table above. */
@@ -97,9 +97,9 @@ public class StepRows {
     }
 
     /**
-     * Brings every sphere to the end of a step of [duration] and writes all to new arrays of [population]: index k is slot
-     * k from now on. When this throws, the population is as it was. Allocates at the first store, and when the population
-     * has lost spheres.
+     * Brings every sphere to the end of a step of [duration] and writes all to new arrays of [population]: index k is
+     * slot k from now on. When this throws, the population is as it was. Allocates at the first store, and when the
+     * population has lost spheres.
      */
     public fun store(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
         val columns = population.columnsToWrite(tracksLastCollision)

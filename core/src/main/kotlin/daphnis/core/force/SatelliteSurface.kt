@@ -28,7 +28,10 @@ public class SatelliteSurface(private val inner: BoundaryConditions, private val
 
     override fun repeats(axis: Int): Boolean = inner.repeats(axis)
 
-    /** Spheres removed by this object so far. Those of a step that failed afterwards count once it is done again, and once. */
+    /**
+     * Spheres removed by this object so far. Those of a step that failed afterwards count once it is done again, and
+     * once.
+     */
     public var removed: Long = 0
         private set
     private var removedBefore = 0L

@@ -1,6 +1,9 @@
 package daphnis.core.parallel
 
-/** The [loop] of somebody who can be closed, after which it throws [IllegalStateException] with [message] and starts nothing. */
+/**
+ * The [loop] of somebody who can be closed, after which it throws [IllegalStateException] with [message] and starts
+ * nothing.
+ */
 internal class ClosableLoop(private val loop: RangeLoop, private val message: String) : RangeLoop {
     @Volatile
     private var closed = false

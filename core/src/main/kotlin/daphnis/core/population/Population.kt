@@ -7,8 +7,8 @@ package daphnis.core.population
  * memory; its **id** never does. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not copied: an
  * analysis may read them between two calls of `advance()`, and a force may write the velocities. **Read them anew after
  * each `advance()`**: a step is written to a second set of arrays, which then becomes the population's, while those of
- * before are kept for the step to be taken back if it fails. Not thread-safe; during `advance()` the population belongs to
- * the engine.
+ * before are kept for the step to be taken back if it fails. Not thread-safe; during `advance()` the population belongs
+ * to the engine.
  *
  * @param x positions, in the scenario's unit of length; likewise [y], [z]
  * @param vx velocities, unit of length per unit of time; likewise [vy], [vz]
@@ -97,7 +97,10 @@ public class Population(
         return indices
     }
 
-    /** Number of places for ids, about as many as spheres: for loops in the order of ids that allocate nothing, see [indexAt]. */
+    /**
+     * Number of places for ids, about as many as spheres: for loops in the order of ids that allocate nothing, see
+     * [indexAt].
+     */
     internal val places: Int get() = idPlaces.count
 
     /** The index now of the sphere at [place] in the order of ids, in 0 until [places]; −1 when there is none. */
@@ -197,7 +200,9 @@ public class Population(
         crossings.commit()
     }
 
-    /** Makes everything what it was at [beginStep], but for what was written to the arrays of that moment. Cannot fail. */
+    /**
+     * Makes everything what it was at [beginStep], but for what was written to the arrays of that moment. Cannot fail.
+     */
     internal fun takeStepBack() {
         now = before ?: return
         // Not to be written again, as a thread may be late with them.

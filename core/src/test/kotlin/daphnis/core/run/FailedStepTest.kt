@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
 import java.nio.file.Path
 
 /** The checkpoint of a run whose step fails. */
@@ -22,7 +23,8 @@ class FailedStepTest {
     private fun checkpoint(name: String): List<Any> = Checkpoint.read(RunDirectory(home.resolve(name)).checkpoint).run {
         val m = meta
         val crossed = List(population.size) { id -> List(3) { population.boxesCrossed(id, it) } }
-        listOf(stateDigest(population), crossed, m.step, m.time, m.collisions, m.wallCollisions, m.guardActivations, m.redoneSteps, m.fileLengths)
+        val counts = listOf(m.collisions, m.wallCollisions, m.guardActivations)
+        listOf(stateDigest(population), crossed, m.step, m.time, counts, m.fileLengths)
     }
 
     @Test
@@ -42,10 +44,11 @@ class FailedStepTest {
             }""",
             "test",
         )
-        val message = assertThrows(RunException::class.java) { Run.start(scenario, "test", home.resolve("half")).use { it.execute() } }.message!!
+        val run = Run.start(scenario, "test", home.resolve("half"))
+        val message = assertThrows(RunException::class.java) { run.use { it.execute() } }.message!!
         assertTrue("at most a quarter" in message) { message }
         val failed = checkpoint("half")
-        assertEquals(checkpointOfGoodStep("half"), failed) { "the good step before was kept, and again when the next failed" }
+        assertEquals(checkpointOfGoodStep("half"), failed) { "kept after the good step, and again when the next failed" }
         repeat(2) {
             assertThrows(RunException::class.java) { Run.resume(home.resolve("half")).use { it.execute() } }
             assertEquals(failed, checkpoint("half"))
@@ -55,8 +58,8 @@ class FailedStepTest {
     private fun checkpointOfGoodStep(name: String): List<Any> {
         val directory = RunDirectory(home.resolve(name))
         val good = home.resolve("$name.good")
-        java.nio.file.Files.createDirectories(good)
-        java.nio.file.Files.copy(directory.previousCheckpoint, RunDirectory(good).checkpoint)
+        Files.createDirectories(good)
+        Files.copy(directory.previousCheckpoint, RunDirectory(good).checkpoint)
         return checkpoint("$name.good")
     }
 
@@ -76,21 +79,23 @@ class FailedStepTest {
         val engines = object : EngineFactory {
             override val names = listOf("serial")
 
-            override fun create(name: String, threads: Int): CollisionEngine = object : CollisionEngine by SerialEngine() {
-                private val serial = SerialEngine()
-
-                override fun advance(step: CollisionStep) {
-                    serial.advance(step)
-                    if (step.start > 0.95) failure?.let { throw it }
+            override fun create(name: String, threads: Int): CollisionEngine {
+                val serial = SerialEngine()
+                return object : CollisionEngine by serial {
+                    override fun advance(step: CollisionStep) {
+                        serial.advance(step)
+                        if (step.start > 0.95) failure?.let { throw it }
+                    }
                 }
             }
         }
+        fun run(name: String) = Run.start(scenario, "test", home.resolve(name), engines = engines).use { it.execute() }
         failure = StackOverflowError("on purpose")
-        assertThrows(StackOverflowError::class.java) { Run.start(scenario, "test", home.resolve("error"), engines = engines).use { it.execute() } }
+        assertThrows(StackOverflowError::class.java) { run("error") }
         assertEquals(10L, checkpoint("error")[2])
         failure = null
-        val whole = Run.start(scenario, "test", home.resolve("whole"), engines = engines).use { it.execute() }
-        assertEquals(whole.stateDigest, Run.resume(home.resolve("error"), engines = engines).use { it.execute() }.stateDigest)
-        assertEquals(checkpoint("whole").take(7), checkpoint("error").take(7))
+        val resumed = Run.resume(home.resolve("error"), engines = engines).use { it.execute() }
+        assertEquals(run("whole").stateDigest, resumed.stateDigest)
+        assertEquals(checkpoint("whole"), checkpoint("error"))
     }
 }

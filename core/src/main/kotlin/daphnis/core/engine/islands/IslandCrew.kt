@@ -241,7 +241,10 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         counters.guardActivations += counted.guardActivations
     }
 
-    /** Writes the collisions of the step to [record], in order; before the population is stored, since it may need memory. */
+    /**
+     * Writes the collisions of the step to [record], in order; before the population is stored, since it may need
+     * memory.
+     */
     public fun writeTo(record: CollisionRecord?) {
         if (record == null) return
         record.clear()
