@@ -5,6 +5,7 @@ import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Drift
 import daphnis.core.force.Force
+import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 
@@ -50,9 +51,16 @@ public class Simulation(
      * after it.
      */
     public val forces: List<Force> = forces.sortedBy { it is Drift }
-    private val loop = collisions?.engine?.loop ?: InlineLoop
-    private val velocities = KeptVelocities()
+    private val loop = ClosableLoop(collisions?.engine?.loop ?: InlineLoop, CLOSED)
+    private val undo = StepUndo(population, collisions?.counters)
     private var opened = false
+    private var busy = false
+
+    /**
+     * How many of the outputs have seen the state at hand; more than none at the start of a step that failed and is
+     * done again.
+     */
+    private var shown = 0
 
     init {
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
@@ -63,40 +71,82 @@ public class Simulation(
     /**
      * Carries the simulation on by one step.
      *
-     * When the drift with its collisions fails, what it threw is thrown on and the population is as it was before the step.
+     * A step is done whole or not at all. Whatever throws in it (time step, force, engine, boundary, output, an [Error]
+     * too) is thrown on, and all is as it was before: population with the order of its arrays, boxes crossed, counters,
+     * [time] and [step]; the record of collisions is empty. The step may then be done again, to the same bits. Outputs
+     * that had seen it before another output threw are not asked again.
      *
-     * @throws IllegalStateException when the state is no longer finite
+     * @throws IllegalStateException when the state is no longer finite, after [close], and from within a step
      */
     public fun advance() {
+        loop.requireOpen()
+        check(!busy) { "a step is under way: advance() was called from within it" }
         open()
+        undo.begin(time, step)
+        busy = true
+        try {
+            carryOn()
+            undo.commit()
+            shown = 0
+        } catch (e: Throwable) {
+            undo.takeBack()
+            time = undo.time
+            step = undo.step
+            collisions?.record?.clear()
+            throw e
+        } finally {
+            busy = false
+        }
+    }
+
+    private fun carryOn() {
         val start = time
         val duration = timeStep.next(population)
-        if (forces.isNotEmpty()) velocities.keep(population)
+        if (forces.isNotEmpty()) undo.keepVelocities()
         for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
-        try {
-            if (collisions != null) collisions.advance(population, boundary, start, duration) else drift(duration)
-        } catch (e: Throwable) {
-            // The engine leaves the population as it got it; the kicks have to be taken back.
-            if (forces.isNotEmpty()) velocities.restore(population)
-            throw e
+        if (collisions != null) {
+            collisions.advance(population, boundary, start, duration)
+        } else {
+            population.drift(duration)
         }
         step++
         time = if (timeStep is FixedTimeStep) runStart + step * duration else start + duration
         applyBoundary()
         for (k in forces.indices.reversed()) forces[k].afterDrift(population, time, duration)
         checkFinite()
-        for (k in outputs.indices) outputs[k].write(this)
+        show()
     }
 
-    /** Shows the initial state to the outputs; done by the first [advance] if nobody asked before. */
+    /**
+     * Shows the initial state to the outputs; done by the first [advance] if nobody asked before. Each sees it once,
+     * though another throws.
+     */
     public fun open() {
-        if (opened) return
+        if (opened || busy) return
+        busy = true
+        try {
+            if (step == 0L) show()
+        } finally {
+            busy = false
+        }
         opened = true
-        if (step == 0L) for (k in outputs.indices) outputs[k].write(this)
+        shown = 0
     }
 
-    /** Ends the threads of the engine. */
+    private fun show() {
+        while (shown < outputs.size) {
+            outputs[shown].write(this)
+            shown++
+        }
+    }
+
+    /**
+     * Ends the threads of the engine; from then on [advance], and loops that forces have been given, throw
+     * [IllegalStateException]. A step under way, on another thread or around this call, ends well or throws and is as
+     * if it had not begun. Closing twice is allowed.
+     */
     override fun close() {
+        loop.close()
         collisions?.close()
     }
 
@@ -105,15 +155,6 @@ public class Simulation(
             loop.run(population.size) { _, from, to -> boundary.endStep(population, time, from, to) }
         } else {
             boundary.endStep(population, time)
-        }
-    }
-
-    private fun drift(duration: Double) {
-        val p = population
-        for (k in 0 until p.size) {
-            p.x[k] += p.vx[k] * duration
-            p.y[k] += p.vy[k] * duration
-            p.z[k] += p.vz[k] * duration
         }
     }
 
@@ -126,25 +167,8 @@ public class Simulation(
             check(sum == 0.0) { "the state is no longer finite after step $step at time $time" }
         }
     }
-}
 
-/** The velocities of a population before its forces acted. */
-private class KeptVelocities {
-    private var x = DoubleArray(0)
-    private var y = DoubleArray(0)
-    private var z = DoubleArray(0)
-
-    fun keep(population: Population) {
-        x = copy(population.vx, x)
-        y = copy(population.vy, y)
-        z = copy(population.vz, z)
+    private companion object {
+        const val CLOSED = "the simulation is closed"
     }
-
-    fun restore(population: Population) {
-        x.copyInto(population.vx)
-        y.copyInto(population.vy)
-        z.copyInto(population.vz)
-    }
-
-    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size == from.size) from.copyInto(into) else from.copyOf()
 }

@@ -53,7 +53,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     private fun scales(g: Double, omega: Double) {
-        val particles = population.radius.indices.filter { population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE) }
+        val particles = population.radius.indices.filter { !scenario.isBody(population.id[it]) }
         if (particles.isEmpty()) return
         val off = if (scenario.forces.none { it is ForceSpec.SelfGravity }) " (no self-gravity in this run)" else ""
         val mass = particles.sumOf { population.mass[it] } / particles.size

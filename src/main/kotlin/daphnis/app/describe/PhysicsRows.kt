@@ -18,7 +18,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     private val box = setup.boundary.box
 
     /** Rows of the population besides bodies. */
-    private val particles = population.radius.indices.filter { population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE) }
+    private val particles = population.radius.indices.filter { !scenario.isBody(population.id[it]) }
 
     fun write() {
         if (particles.isNotEmpty()) describeSpheres()
@@ -43,7 +43,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun bodies() {
         for (k in population.radius.indices) {
-            if (population.id[k] < (scenario.firstBody ?: Int.MAX_VALUE)) continue
+            if (!scenario.isBody(population.id[k])) continue
             val at = listOf(population.x[k], population.y[k], population.z[k]).joinToString { say.length(it) }
             rows.add("bodies", "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, at $at")
         }

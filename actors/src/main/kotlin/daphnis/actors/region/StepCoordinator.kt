@@ -153,9 +153,10 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
             }
         }
         val step = step!!
+        crew.writeTo(step.record)
         field.store(step, loop)
         step.counters.redoneSteps += redone
-        crew.finish(step.counters, step.record)
+        crew.addTo(step.counters)
         isFinished = true
     }
 

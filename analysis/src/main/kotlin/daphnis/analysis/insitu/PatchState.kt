@@ -9,7 +9,8 @@ import daphnis.core.population.Population
  *
  * @property omega angular speed of Hill's frame, or null when there is none
  * @property verticalFactor vertical over orbital frequency in Hill's frame
- * @property particles spheres with ids from this on are bodies, such as moonlets, which most quantities leave out
+ * @property particles spheres with ids from this on are bodies, such as moonlets, which most quantities leave out;
+ *   [Int.MAX_VALUE] for none
  */
 public class PatchState(
     public val population: Population,
@@ -23,7 +24,7 @@ public class PatchState(
     public val area: Double get() = boundary.box.length(0) * boundary.box.length(1)
 
     /** Whether the sphere at [index] is a particle and not a body. */
-    public fun isParticle(index: Int): Boolean = population.id[index] < particles
+    public fun isParticle(index: Int): Boolean = particles == Int.MAX_VALUE || population.id[index] < particles
 
     /**
      * Velocity component [axis] of the sphere at [index] against the straight flow of the boundary's rate. Not the

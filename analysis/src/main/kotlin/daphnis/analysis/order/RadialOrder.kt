@@ -94,9 +94,8 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
             for (k in 0 until size) order[k] = k
             return
         }
-        val bound = p.idBound
         for (rank in 0 until size) {
-            val k = if (lastIds[rank] < bound) p.indexOf(lastIds[rank]) else -1
+            val k = p.indexOf(lastIds[rank])
             if (k < 0) {
                 for (index in 0 until size) order[index] = index
                 return

@@ -28,9 +28,7 @@ public class PlotScale(public val units: UnitNames, omega: Double?, meanRadius: 
     public companion object {
         /** Of a [scenario] as a run resolved it, with the spheres it began with. */
         public fun of(scenario: Scenario, population: Population): PlotScale {
-            val particles = (0 until population.size).filter {
-                population.id[it] < (scenario.firstBody ?: Int.MAX_VALUE)
-            }
+            val particles = (0 until population.size).filter { !scenario.isBody(population.id[it]) }
             val radius = if (particles.isEmpty()) 1.0 else particles.map { population.radius[it] }.average()
             return PlotScale(UnitNames(scenario.units), FrameSetup.angularSpeed(scenario, scenario.name), radius)
         }

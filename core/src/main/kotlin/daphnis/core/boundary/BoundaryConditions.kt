@@ -32,6 +32,7 @@ public interface BoundaryConditions {
     /**
      * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and velocities and
      * may remove spheres. Must depend on each sphere's own state and [time] alone, so that the array order cannot matter.
+     * A step that fails may be done again, with the same [time].
      * A boundary that wraps says so with [Population.addCrossing], so that files can hold where a sphere has been.
      */
     public fun endStep(population: Population, time: Double)

@@ -19,4 +19,13 @@ public class CollisionCounters {
 
     /** Steps replayed because a parallel engine noticed a violation of the order of time. */
     public var causalityReplays: Long = 0
+
+    /** Takes over all that [other] counts. */
+    internal fun set(other: CollisionCounters) {
+        collisions = other.collisions
+        wallCollisions = other.wallCollisions
+        guardActivations = other.guardActivations
+        redoneSteps = other.redoneSteps
+        causalityReplays = other.causalityReplays
+    }
 }

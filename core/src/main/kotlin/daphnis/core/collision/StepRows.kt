@@ -2,6 +2,7 @@ package daphnis.core.collision
 
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Columns
 import daphnis.core.population.Population
 
 /**
@@ -13,8 +14,8 @@ import daphnis.core.population.Population
  * |---|---|---|---|---|
  * | | x y z | vx vy vz | local time, from the start of the step | radius |
  *
- * A sphere's position and velocity are those at its **local time**; both change only at its own collisions. The population
- * itself is not written before [store], so it is the copy from which a step is redone.
+ * A sphere's position and velocity are those at its **local time**; both change only at its own collisions. The arrays
+ * of the population are not written, so they are the copy from which a step is redone; [store] writes to a second set.
  */
 public class StepRows {
     /** See the table above. */
@@ -95,21 +96,26 @@ public class StepRows {
         }
     }
 
-    /** Brings every sphere to the end of a step of [duration] and writes all back: index k of [population] is slot k from now on. */
+    /**
+     * Brings every sphere to the end of a step of [duration] and writes all to new arrays of [population]: index k is
+     * slot k from now on. When this throws, the population is as it was. Allocates at the first store, and when the
+     * population has lost spheres.
+     */
     public fun store(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
-        loop.run(size) { _, from, to -> storeRange(population, duration, from, to) }
-        population.orderChanged()
+        val columns = population.columnsToWrite(tracksLastCollision)
+        loop.run(size) { _, from, to -> storeRange(columns, duration, from, to) }
+        population.take(columns)
     }
 
-    private fun storeRange(population: Population, duration: Double, from: Int, to: Int) {
+    private fun storeRange(columns: Columns, duration: Double, from: Int, to: Int) {
         val state = state
-        val x = population.x
-        val y = population.y
-        val z = population.z
-        val vx = population.vx
-        val vy = population.vy
-        val vz = population.vz
-        val r = population.radius
+        val x = columns.x
+        val y = columns.y
+        val z = columns.z
+        val vx = columns.vx
+        val vy = columns.vy
+        val vz = columns.vz
+        val r = columns.radius
         var p = from * STRIDE
         for (slot in from until to) {
             val rest = duration - state[p + TIME]
@@ -125,10 +131,10 @@ public class StepRows {
             r[slot] = state[p + RADIUS]
             p += STRIDE
         }
-        mass.copyInto(population.mass, from, from, to)
-        id.copyInto(population.id, from, from, to)
+        mass.copyInto(columns.mass, from, from, to)
+        id.copyInto(columns.id, from, from, to)
         if (tracksLastCollision) {
-            val last = population.lastCollision
+            val last = columns.lastCollision
             for (slot in from until to) last[slot] = lastCollision[slot] - duration
         }
     }
@@ -172,22 +178,24 @@ public class StepRows {
 
     private fun grow() {
         val n = maxOf(INITIAL, size * 2)
-        state = state.copyOf(n * STRIDE)
         mass = mass.copyOf(n)
         id = id.copyOf(n)
         origin = origin.copyOf(n)
         rank = rank.copyOf(n)
         lastCollision = lastCollision.copyOf(n)
+        // Last, as its length says how much there is room for: memory may have come to its end before.
+        state = state.copyOf(n * STRIDE)
     }
 
     private fun reserve(n: Int) {
         if (state.size >= n * STRIDE) return
-        state = DoubleArray(n * STRIDE)
         mass = DoubleArray(n)
         id = IntArray(n)
         origin = IntArray(n)
         rank = IntArray(n)
         lastCollision = DoubleArray(n)
+        // Last, as its length says how much there is room for: memory may have come to its end before.
+        state = DoubleArray(n * STRIDE)
     }
 
     public companion object {

@@ -21,20 +21,33 @@ public interface CollisionEngine : AutoCloseable {
     /** How many threads work. */
     public val threads: Int
 
-    /** Runs loops over spheres on the engine's threads; for what else a step has to do. Not while [advance] runs. */
+    /**
+     * Runs loops over spheres on the engine's threads; for what else a step has to do. Not while [advance] runs. Throws
+     * after [close].
+     */
     public val loop: RangeLoop get() = InlineLoop
 
     /**
      * Brings every sphere of the step's population from its start to its end. Boundaries are not applied at the end; that is
-     * the caller's. When this throws, the population is as it was before.
+     * the caller's. When this throws, population and counters are as they were before: an engine writes the population
+     * last, with [daphnis.core.collision.StepRows.store], which leaves the arrays of before alone, so that the caller
+     * too can take the step back.
      *
      * @throws CollapseException when collisions follow one another without time going on
      * @throws IllegalArgumentException when the boundary cannot be searched for so long a step
+     * @throws IllegalStateException after [close]
      */
     public fun advance(step: CollisionStep)
 
-    /** Ends the engine's threads, if it has any. Closing twice is allowed. */
+    /**
+     * Ends the engine's threads, if it has any; from then on [advance] and [loop] throw and start nothing. A step under
+     * way ends well, or throws with everything as before. Closing twice is allowed.
+     */
     override fun close(): Unit = Unit
+
+    public companion object {
+        internal const val CLOSED = "the engine is closed"
+    }
 }
 
 /**

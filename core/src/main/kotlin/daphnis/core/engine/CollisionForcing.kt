@@ -29,7 +29,7 @@ public class CollisionForcing(
     /** What has been counted since the start of the run. */
     public val counters: CollisionCounters = CollisionCounters()
 
-    /** The collisions of the last step, in order; null when they are not kept. */
+    /** The collisions of the last step, in order, none after one that failed; null when they are not kept. */
     public val record: CollisionRecord? = if (recordCollisions) CollisionRecord() else null
 
     /** Moves [population] from [start] over [duration]; boundaries at the end are the caller's. See [CollisionEngine.advance]. */

@@ -2,7 +2,9 @@ package daphnis.core.engine
 
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
+import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.queue.BucketEventQueue
 import daphnis.core.queue.EventQueue
 import daphnis.core.search.Grid
@@ -29,6 +31,8 @@ import daphnis.core.search.RowBounds
 public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : CollisionEngine {
     override val name: String get() = "serial"
     override val threads: Int get() = 1
+    private val gate = ClosableLoop(InlineLoop, CollisionEngine.CLOSED)
+    override val loop: RangeLoop get() = gate
 
     private val grid = Grid()
     private val rows = StepRows()
@@ -44,12 +48,13 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
     private var guarded = 0L
 
     override fun advance(step: CollisionStep) {
+        gate.requireOpen()
         reach.measure(step.population, step.duration)
         walls.prepare(step.boundary)
         var redone = 0
         while (!attempt(step)) redone++
-        rows.store(step.population, step.duration)
         step.record?.sort()
+        rows.store(step.population, step.duration)
         step.counters.collisions += collisions
         step.counters.wallCollisions += wallCollisions
         step.counters.guardActivations += guarded
@@ -117,6 +122,10 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
             val t = walls.time(rows, slot, face)
             if (t <= duration) queue.add(t, slot, WallContact.partner(face), 0)
         }
+    }
+
+    override fun close() {
+        gate.close()
     }
 
     private companion object {

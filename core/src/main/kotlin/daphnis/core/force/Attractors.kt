@@ -18,7 +18,7 @@ internal class Attractors {
     }
 
     fun add(x: Double, y: Double, z: Double, mass: Double) {
-        if (size == this.x.size) grow()
+        if (size == this.mass.size) grow()
         this.x[size] = x
         this.y[size] = y
         this.z[size] = z

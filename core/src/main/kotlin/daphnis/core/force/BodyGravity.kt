@@ -88,8 +88,8 @@ public class BodyGravity(private val bodies: IntArray, private val boundary: Bou
         var x = 0.0
         var y = 0.0
         var z = 0.0
-        for (id in 0 until p.idBound) {
-            val k = p.indexOf(id)
+        for (place in 0 until p.places) {
+            val k = p.indexAt(place)
             if (k < 0) continue
             x += pull[0][k]
             y += pull[1][k]

@@ -9,7 +9,8 @@ import daphnis.core.population.Population
  * after the drift, so paths that they bend are met with an error of the order of the step squared (docs/physics.md; kick–drift–kick, Quinn, Perrine, Richardson & Barnes 2010, AJ 139, 803).
  *
  * Most forces are a [Kick]; a rotating frame, which maps the state as a whole, is a [Drift]. Must not change positions, and must be a pure
- * function of the population and the time: the same bits for the same state, whatever the order of the arrays.
+ * function of the population and the time: the same bits for the same state, whatever the order of the arrays. A step
+ * that fails may be done again, so what a force adds up for itself must bear being told twice.
  */
 public interface Force {
     /** Called before the drift of a step that begins at [start] and lasts [duration]. */
@@ -18,7 +19,10 @@ public interface Force {
     /** Called after the drift and the boundary conditions of a step that ended at [end] and lasted [duration]. */
     public fun afterDrift(population: Population, end: Double, duration: Double)
 
-    /** Offers the threads of the engine for loops over spheres. Called once, before the first step. */
+    /**
+     * Offers the threads of the engine for loops over spheres. Called once, before the first step. The loop throws once
+     * the simulation is closed.
+     */
     public fun useLoop(loop: RangeLoop): Unit = Unit
 
     /**

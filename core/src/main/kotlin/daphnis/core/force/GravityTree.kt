@@ -74,7 +74,7 @@ internal class GravityTree {
     }
 
     private fun reserve(n: Int) {
-        if (order.size >= n) return
+        if (mass.size >= n) return
         order = IntArray(n)
         spareOrder = IntArray(n)
         keys = LongArray(n)
@@ -171,7 +171,7 @@ internal class GravityTree {
     private fun octant(key: Long, shift: Int): Int = (key ushr shift).toInt() and 7
 
     private fun newNode(first: Int, end: Int): Int {
-        if (nodes == skip.size) {
+        if (nodes * WIDTH == node.size) {
             skip = skip.copyOf(nodes * 2)
             from = from.copyOf(nodes * 2)
             to = to.copyOf(nodes * 2)

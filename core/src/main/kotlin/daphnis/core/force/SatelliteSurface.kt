@@ -28,9 +28,14 @@ public class SatelliteSurface(private val inner: BoundaryConditions, private val
 
     override fun repeats(axis: Int): Boolean = inner.repeats(axis)
 
-    /** Spheres removed by this object so far. */
+    /**
+     * Spheres removed by this object so far. Those of a step that failed afterwards count once it is done again, and
+     * once.
+     */
     public var removed: Long = 0
         private set
+    private var removedBefore = 0L
+    private var lastTime = Double.NaN
 
     override fun endStep(population: Population, time: Double) {
         inner.endStep(population, time)
@@ -43,6 +48,8 @@ public class SatelliteSurface(private val inner: BoundaryConditions, private val
             val reach = radius + population.radius[k]
             dx * dx + dy * dy + dz * dz > reach * reach
         }
-        removed += before - population.size
+        if (time != lastTime) removedBefore = removed
+        lastTime = time
+        removed = removedBefore + (before - population.size)
     }
 }

@@ -85,8 +85,8 @@ public class SelfGravity(
     public fun stressXY(population: Population, time: Double): Double {
         evaluate(population, time)
         var sum = 0.0
-        for (id in 0 until population.idBound) {
-            val k = population.indexOf(id)
+        for (place in 0 until population.places) {
+            val k = population.indexAt(place)
             if (k >= 0) sum -= 0.5 * population.mass[k] * stress[k]
         }
         return sum
@@ -104,11 +104,14 @@ public class SelfGravity(
 
     private fun evaluate(population: Population, time: Double) {
         if (seen.isSame(population, time)) return
-        if (ax.size < population.size) {
+        // What fails from here on leaves something of both.
+        seen.forget()
+        if (potential.size < population.size) {
             ax = DoubleArray(population.size)
             ay = DoubleArray(population.size)
             az = DoubleArray(population.size)
             stress = DoubleArray(population.size)
+            // Last, as its length says how much there is room for: memory may have come to its end before.
             potential = DoubleArray(population.size)
         }
         tree.build(population)
@@ -142,9 +145,12 @@ private class SeenPositions {
 
     fun isSame(p: Population, time: Double): Boolean = time == this.time && x.size == p.size && x.contentEquals(p.x) && y.contentEquals(p.y) && z.contentEquals(p.z)
 
+    fun forget() {
+        time = Double.NaN
+    }
+
     fun keep(p: Population, time: Double) {
-        this.time = time
-        if (x.size != p.size) {
+        if (z.size != p.size) {
             x = DoubleArray(p.size)
             y = DoubleArray(p.size)
             z = DoubleArray(p.size)
@@ -152,5 +158,6 @@ private class SeenPositions {
         p.x.copyInto(x)
         p.y.copyInto(y)
         p.z.copyInto(z)
+        this.time = time
     }
 }

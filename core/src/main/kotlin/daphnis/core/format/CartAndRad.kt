@@ -14,22 +14,21 @@ import java.nio.file.Path
 public object CartAndRad {
     /** Writes [population] to [path], replacing it. */
     public fun write(population: Population, path: Path) {
-        val ids = (0 until population.idBound).filter { population.indexOf(it) >= 0 }
+        val order = population.indicesById()
         Files.newOutputStream(path).buffered(1 shl 16).use { stream ->
             val channel = Channels.newChannel(stream)
             val buffer = ByteBuffer.allocate(ROW).order(ByteOrder.LITTLE_ENDIAN)
-            buffer.putInt(ids.size).flip()
+            buffer.putInt(order.size).flip()
             channel.write(buffer)
-            for (id in ids) {
-                val k = population.indexOf(id)
+            for (k in order) {
                 buffer.clear()
                 buffer.putDouble(population.x[k]).putDouble(population.y[k]).putDouble(population.z[k])
                 buffer.putDouble(population.vx[k]).putDouble(population.vy[k]).putDouble(population.vz[k])
                 channel.write(buffer.flip())
             }
-            for (id in ids) {
+            for (k in order) {
                 buffer.clear()
-                channel.write(buffer.putDouble(population.radius[population.indexOf(id)]).flip())
+                channel.write(buffer.putDouble(population.radius[k]).flip())
             }
         }
     }

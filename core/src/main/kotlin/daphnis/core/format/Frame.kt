@@ -59,12 +59,8 @@ public class Frame(
     public companion object {
         /** Copies [population] as it is at [step] and [time]. */
         public fun of(population: Population, boundary: BoundaryConditions, step: Long, time: Double, hasMass: Boolean = true): Frame {
-            val order = IntArray(population.size)
-            var n = 0
-            for (id in 0 until population.idBound) {
-                val k = population.indexOf(id)
-                if (k >= 0) order[n++] = k
-            }
+            val order = population.indicesById()
+            val n = order.size
             fun pick(a: DoubleArray) = DoubleArray(n) { a[order[it]] }
             val wrapped = boundary is ShearedPeriodic
             return Frame(

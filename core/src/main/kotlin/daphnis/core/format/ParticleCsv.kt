@@ -77,7 +77,8 @@ public object ParticleCsv {
             IntArray(rows.size) { it }
         } else {
             IntArray(rows.size) { k ->
-                ids[k].toInt().takeIf { it.toDouble() == ids[k] && it < MOST_ID } ?: throw FormatException("$path: id ${ids[k]} must be a whole number below $MOST_ID")
+                ids[k].toInt().takeIf { it >= 0 && it.toDouble() == ids[k] }
+                    ?: throw FormatException("$path: id ${ids[k]} must be a whole number in 0..${Int.MAX_VALUE}")
             }
         }
         return try {
@@ -90,7 +91,4 @@ public object ParticleCsv {
             throw FormatException("$path: ${e.message}")
         }
     }
-
-    /** Ids index arrays: those in a file stay below this. */
-    internal const val MOST_ID = 1_000_000_000
 }

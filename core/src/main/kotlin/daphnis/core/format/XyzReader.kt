@@ -29,8 +29,8 @@ internal class XyzReader(private val input: BufferedReader, private val path: Pa
             if (columns.radius >= 0) radius[k] = number(cells[columns.radius]).also { if (it <= 0) fail("radius is $it; it must be > 0") }
             if (columns.mass >= 0) mass[k] = number(cells[columns.mass]).also { if (it <= 0) fail("mass is $it; it must be > 0") }
             if (columns.id >= 0) {
-                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 && it < ParticleCsv.MOST_ID }
-                    ?: fail("id is '${cells[columns.id].take(MOST_SHOWN)}'; it must be a whole number in 0..${ParticleCsv.MOST_ID - 1}")
+                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 }
+                    ?: fail("id is '${cells[columns.id].take(MOST_SHOWN)}'; it must be a whole number, 0 to ${Int.MAX_VALUE}")
             }
         }
         unscale(keys, position, velocity, radius)

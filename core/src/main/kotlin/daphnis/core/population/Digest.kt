@@ -14,8 +14,8 @@ import java.util.HexFormat
 public fun stateDigest(population: Population): String {
     val sha = MessageDigest.getInstance("SHA-256")
     val block = ByteBuffer.allocate(BYTES_PER_SPHERE * SPHERES_PER_BLOCK)
-    for (id in 0 until population.idBound) {
-        val k = population.indexOf(id)
+    for (place in 0 until population.places) {
+        val k = population.indexAt(place)
         if (k < 0) continue
         block.putDouble(population.x[k]).putDouble(population.y[k]).putDouble(population.z[k])
         block.putDouble(population.vx[k]).putDouble(population.vy[k]).putDouble(population.vz[k])

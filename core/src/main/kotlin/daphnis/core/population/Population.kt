@@ -5,14 +5,16 @@ package daphnis.core.population
  *
  * The **index** `k` of a sphere changes from step to step, because engines keep neighbours in space next to one another in
  * memory; its **id** never does. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not copied: an
- * analysis may read them between two calls of `advance()`, and a force may write the velocities. Not thread-safe; during
- * `advance()` the population belongs to the engine.
+ * analysis may read them between two calls of `advance()`, and a force may write the velocities. **Read them anew after
+ * each `advance()`**: a step is written to a second set of arrays, which then becomes the population's, while those of
+ * before are kept for the step to be taken back if it fails. Not thread-safe; during `advance()` the population belongs
+ * to the engine.
  *
  * @param x positions, in the scenario's unit of length; likewise [y], [z]
  * @param vx velocities, unit of length per unit of time; likewise [vy], [vz]
  * @param radius radii, > 0
  * @param mass masses, > 0
- * @param id distinct, non-negative; 0, 1, 2, … when not given
+ * @param id distinct, in 0..[Int.MAX_VALUE], with gaps as they come; 0, 1, 2, … when not given
  * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not positive, or an
  *   id occurs twice
  */
@@ -27,40 +29,36 @@ public class Population(
     mass: DoubleArray,
     id: IntArray = IntArray(x.size) { it },
 ) {
-    public var x: DoubleArray = x
-        private set
-    public var y: DoubleArray = y
-        private set
-    public var z: DoubleArray = z
-        private set
-    public var vx: DoubleArray = vx
-        private set
-    public var vy: DoubleArray = vy
-        private set
-    public var vz: DoubleArray = vz
-        private set
-    public var radius: DoubleArray = radius
-        private set
-    public var mass: DoubleArray = mass
-        private set
-    public var id: IntArray = id
-        private set
+    private var now = Columns(x, y, z, vx, vy, vz, radius, mass, id, DoubleArray(x.size) { Double.NEGATIVE_INFINITY })
+
+    /** The second set of columns, for the next step to be written to. */
+    private var spare: Columns? = null
+
+    /** The columns at the start of the step under way, while it can be taken back. */
+    private var before: Columns? = null
+
+    public val x: DoubleArray get() = now.x
+    public val y: DoubleArray get() = now.y
+    public val z: DoubleArray get() = now.z
+    public val vx: DoubleArray get() = now.vx
+    public val vy: DoubleArray get() = now.vy
+    public val vz: DoubleArray get() = now.vz
+    public val radius: DoubleArray get() = now.radius
+    public val mass: DoubleArray get() = now.mass
+    public val id: IntArray get() = now.id
 
     /**
      * Time since each sphere's last collision, as a negative number counted from the end of the last step, or
      * −∞ when it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the digest.
      */
-    public var lastCollision: DoubleArray = DoubleArray(x.size) { Double.NEGATIVE_INFINITY }
-        private set
+    public val lastCollision: DoubleArray get() = now.lastCollision
 
     /** Number of spheres. */
     public val size: Int get() = x.size
 
-    /** Boxes crossed by axis and id; none as long as nothing has crossed a face. */
-    @Volatile
-    private var crossings: Array<IntArray>? = null
-
-    private var indexById = IntArray(0)
+    private val idPlaces: IdPlaces
+    private val crossings: Crossings
+    private var indexByPlace = IntArray(0)
     private var indexIsCurrent = false
 
     init {
@@ -78,22 +76,40 @@ public class Population(
         }
         val sorted = id.copyOf().apply { sort() }
         for (k in 1 until n) require(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
+        idPlaces = IdPlaces(sorted)
+        crossings = Crossings(idPlaces)
     }
 
     /** The index now of the sphere with the stable id [id], or −1 when there is none. Allocates nothing once warm. */
     public fun indexOf(id: Int): Int {
-        if (!indexIsCurrent) indexIds()
-        return if (id in indexById.indices) indexById[id] else -1
+        val place = idPlaces.of(id)
+        return if (place in 0 until idPlaces.count) indexAt(place) else -1
     }
 
-    /** One more than the largest id there is; 0 for an empty population. */
-    public val idBound: Int
-        get() {
-            if (!indexIsCurrent) indexIds()
-            return indexById.size
+    /** The indices of all spheres in the order of their ids. Allocates. */
+    public fun indicesById(): IntArray {
+        val indices = IntArray(size)
+        var n = 0
+        for (place in 0 until places) {
+            val k = indexAt(place)
+            if (k >= 0) indices[n++] = k
         }
+        return indices
+    }
 
-    /** To be called by whoever permuted the arrays (an engine at the end of a step). */
+    /**
+     * Number of places for ids, about as many as spheres: for loops in the order of ids that allocate nothing, see
+     * [indexAt].
+     */
+    internal val places: Int get() = idPlaces.count
+
+    /** The index now of the sphere at [place] in the order of ids, in 0 until [places]; −1 when there is none. */
+    internal fun indexAt(place: Int): Int {
+        if (!indexIsCurrent) indexIds()
+        return indexByPlace[place]
+    }
+
+    /** To be called by whoever permuted the arrays. */
     public fun orderChanged() {
         indexIsCurrent = false
     }
@@ -103,19 +119,15 @@ public class Population(
      * upward: it stands where it would without images, less this many lengths of the box. Where images slide, the count along
      * the slide is against images that were in line at time 0 and have slid since by velocity · time, not reduced to the box.
      */
-    public fun boxesCrossed(id: Int, axis: Int): Int = crossings?.get(axis)?.getOrNull(id) ?: 0
+    public fun boxesCrossed(id: Int, axis: Int): Int = crossings.of(id, axis)
 
     /**
      * Adds to [boxesCrossed] of the sphere at [index], for boundaries that put it that many boxes back. Threads may do this at
      * the same time for different spheres. Part of the state of a run, though not of the digest; only spheres that cross pay.
      */
     public fun addCrossing(index: Int, axis: Int, boxes: Int) {
-        val counts = crossings ?: countCrossings()
-        counts[axis][id[index]] += boxes
+        crossings.add(id[index], axis, boxes)
     }
-
-    @Synchronized
-    private fun countCrossings(): Array<IntArray> = crossings ?: (id.max() + 1).let { bound -> Array(3) { IntArray(bound) } }.also { crossings = it }
 
     /** Keeps the spheres whose index [keep] accepts, drops the others, keeps ids. Allocates; for boundaries that remove. */
     public fun retain(keep: IndexPredicate) {
@@ -123,17 +135,7 @@ public class Population(
         var n = 0
         for (k in 0 until size) if (keep.accepts(k)) kept[n++] = k
         if (n == size) return
-        fun pick(a: DoubleArray) = DoubleArray(n) { a[kept[it]] }
-        x = pick(x)
-        y = pick(y)
-        z = pick(z)
-        vx = pick(vx)
-        vy = pick(vy)
-        vz = pick(vz)
-        radius = pick(radius)
-        mass = pick(mass)
-        lastCollision = pick(lastCollision)
-        id = id.let { old -> IntArray(n) { old[kept[it]] } }
+        now = now.pick(kept.copyOf(n))
         indexIsCurrent = false
     }
 
@@ -142,15 +144,78 @@ public class Population(
         x.copyOf(), y.copyOf(), z.copyOf(), vx.copyOf(), vy.copyOf(), vz.copyOf(), radius.copyOf(), mass.copyOf(), id.copyOf(),
     ).also { copy ->
         lastCollision.copyInto(copy.lastCollision)
-        copy.crossings = crossings?.let { counts -> Array(3) { counts[it].copyOf() } }
+        if (crossings.isEmpty) return@also
+        for (k in 0 until size) for (axis in 0..2) copy.addCrossing(k, axis, boxesCrossed(id[k], axis))
+    }
+
+    /**
+     * Columns to write a whole step to, which [take] makes those of the population. Until then the population is as it
+     * was, whatever happens. Those that came to nothing are dropped, as a thread may be late with them.
+     *
+     * @param tracksLastCollision whether the step writes [lastCollision]
+     */
+    internal fun columnsToWrite(tracksLastCollision: Boolean): Columns {
+        val columns = spare?.takeIf { it.size == size } ?: Columns(size, lastCollision)
+        spare = null
+        if (tracksLastCollision) {
+            columns.separateLastCollision(now)
+            before?.let { columns.separateLastCollision(it) }
+        } else {
+            columns.shareLastCollision(now)
+        }
+        return columns
+    }
+
+    /** Makes [columns] those of the population. Cannot fail. */
+    internal fun take(columns: Columns) {
+        if (now !== before) spare = now
+        now = columns
+        indexIsCurrent = false
+    }
+
+    /** Brings every sphere along its straight path, where nobody collides. */
+    internal fun drift(duration: Double) {
+        val from = now
+        val to = columnsToWrite(tracksLastCollision = false)
+        from.copyAllButPositionsInto(to)
+        for (k in 0 until size) {
+            to.x[k] = from.x[k] + from.vx[k] * duration
+            to.y[k] = from.y[k] + from.vy[k] * duration
+            to.z[k] = from.z[k] + from.vz[k] * duration
+        }
+        take(to)
+    }
+
+    /** Begins a step that can be taken back until [commitStep]. */
+    internal fun beginStep() {
+        before = now
+        crossings.begin()
+    }
+
+    /** The step stands. Cannot fail. */
+    internal fun commitStep() {
+        val old = before
+        if (old !== now) spare = old
+        before = null
+        crossings.commit()
+    }
+
+    /**
+     * Makes everything what it was at [beginStep], but for what was written to the arrays of that moment. Cannot fail.
+     */
+    internal fun takeStepBack() {
+        now = before ?: return
+        // Not to be written again, as a thread may be late with them.
+        spare = null
+        before = null
+        indexIsCurrent = false
+        crossings.takeBack()
     }
 
     private fun indexIds() {
-        var bound = 0
-        for (k in 0 until size) bound = maxOf(bound, id[k] + 1)
-        if (indexById.size != bound) indexById = IntArray(bound)
-        indexById.fill(-1)
-        for (k in 0 until size) indexById[id[k]] = k
+        if (indexByPlace.size != places) indexByPlace = IntArray(places)
+        indexByPlace.fill(-1)
+        for (k in 0 until size) indexByPlace[idPlaces.of(id[k])] = k
         indexIsCurrent = true
     }
 }

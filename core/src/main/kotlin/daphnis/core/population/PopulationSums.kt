@@ -30,7 +30,7 @@ import kotlin.math.sqrt
  * @param flow the mean flow that the boundary drives, or null
  * @param omega angular speed of Hill's frame, or null
  * @param leastBody spheres with ids from this on are bodies, such as moonlets: they count for mass, momentum and
- *   energy, and for nothing else
+ *   energy, and for nothing else; [Int.MAX_VALUE] for none
  */
 public class PopulationSums(flow: MeanFlow?, private val omega: Double? = null, private val leastBody: Int = Int.MAX_VALUE) {
     private val table = IdRows()

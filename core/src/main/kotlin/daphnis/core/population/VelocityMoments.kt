@@ -46,7 +46,7 @@ public class VelocityMoments private constructor(
          * spheres.
          *
          * @param omega angular speed of Hill's frame, or null
-         * @param leastId spheres with ids from this on are left out, such as moonlets
+         * @param leastId spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none
          */
         public fun of(population: Population, flow: MeanFlow?, omega: Double? = null, leastId: Int = Int.MAX_VALUE): VelocityMoments {
             val sums = PopulationSums(flow, omega, leastId)

@@ -27,12 +27,7 @@ internal class Checkpoint(val meta: CheckpointMeta, val population: Population) 
         private val json = Json { encodeDefaults = true }
 
         fun write(meta: CheckpointMeta, population: Population, path: Path) {
-            val order = IntArray(population.size)
-            var n = 0
-            for (id in 0 until population.idBound) {
-                val k = population.indexOf(id)
-                if (k >= 0) order[n++] = k
-            }
+            val order = population.indicesById()
             DataOutputStream(Files.newOutputStream(path).buffered(1 shl 16)).use { out ->
                 out.writeLong(MAGIC)
                 out.writeInt(VERSION)

@@ -86,14 +86,21 @@ public class Run private constructor(
         }
     }
 
-    /** One step. When it fails and left the state as it was, that is kept as a checkpoint. */
+    /** One step. When it fails, the state before it is kept as a checkpoint. */
     private fun advance(outputs: RunOutputs, wallSeconds: () -> Double) {
-        val step = simulation.step
         try {
             simulation.advance()
         } catch (e: RuntimeException) {
-            if (simulation.step == step) checkpoint(outputs, wallSeconds())
-            throw RunException("step ${step + 1}: ${e.message ?: e.javaClass.name}")
+            checkpoint(outputs, wallSeconds())
+            throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}")
+        } catch (e: Error) {
+            // There may be no memory for it, and then the error is what matters.
+            try {
+                checkpoint(outputs, wallSeconds())
+            } catch (another: Throwable) {
+                e.addSuppressed(another)
+            }
+            throw e
         }
     }
 

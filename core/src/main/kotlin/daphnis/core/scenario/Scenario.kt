@@ -39,6 +39,9 @@ public data class Scenario(
     public val output: OutputSpec = OutputSpec(),
     public val firstBody: Int? = null,
 ) {
+    /** Whether the sphere with [id] is one of [bodies]; of a scenario as a run resolved it. */
+    public fun isBody(id: Int): Boolean = firstBody != null && id >= firstBody
+
     /** Time at which the run ends, of a scenario whose times are written out, see [FrameSetup.withTimes]. */
     public val end: Double get() = checkNotNull(until) { "times are not written out" }
 

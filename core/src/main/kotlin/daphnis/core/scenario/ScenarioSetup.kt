@@ -47,7 +47,7 @@ public class ScenarioSetup private constructor(
 ) {
     public companion object {
         /** Memory a sphere needs with population, packed rows, grid and queue: the most measured (docs/performance.md) and some room. */
-        public const val BYTES_PER_SPHERE: Double = 270.0
+        public const val BYTES_PER_SPHERE: Double = 340.0
 
         /**
          * Makes and checks everything.
@@ -195,8 +195,8 @@ public class ScenarioSetup private constructor(
 
         private fun rmsSpeed(population: Population): Double {
             var sum = 0.0
-            for (id in 0 until population.idBound) {
-                val k = population.indexOf(id)
+            for (place in 0 until population.places) {
+                val k = population.indexAt(place)
                 if (k < 0) continue
                 sum += population.vx[k] * population.vx[k] + population.vy[k] * population.vy[k] + population.vz[k] * population.vz[k]
             }

@@ -102,12 +102,12 @@ class FormatsTest {
     }
 
     @Test
-    fun `XYZ with ids beyond what arrays hold, or a box without an edge, is refused by line`() {
+    fun `XYZ with ids that are no whole numbers of 32 bits, or a box without an edge, is refused by line`() {
         fun problem(comment: String, id: String): String {
             val file = Files.writeString(home.resolve("odd.xyz"), "1\n$comment Properties=pos:R:3:radius:R:1:id:I:1\n0 0 0 1 $id\n")
             return assertThrows(FormatException::class.java) { ExtendedXyz.read(file) }.message!!
         }
-        for (id in listOf("2147483647", "1000000000", "-1", "1.5")) assertTrue("odd.xyz:3: id is '$id'" in problem("", id)) { id }
+        for (id in listOf("2147483648", "-1", "1.5")) assertTrue("odd.xyz:3: id is '$id'" in problem("", id)) { id }
         for (edge in listOf("0", "-5")) assertTrue("must be > 0" in problem("Lattice=\"$edge 0 0 0 4 0 0 0 4\"", "1")) { edge }
     }
 

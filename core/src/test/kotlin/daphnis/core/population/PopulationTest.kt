@@ -54,6 +54,17 @@ class PopulationTest {
     }
 
     @Test
+    fun `spheres are found by id after somebody permuted the arrays`() {
+        val q = p.copy()
+        assertEquals(0, q.indexOf(0))
+        for (a in listOf(q.x, q.y, q.z, q.vx, q.vy, q.vz, q.radius, q.mass)) a[0] = a[3].also { a[3] = a[0] }
+        q.id[0] = q.id[3].also { q.id[3] = q.id[0] }
+        q.orderChanged()
+        assertEquals(listOf(3, 0), listOf(q.indexOf(0), q.indexOf(3)))
+        assertEquals(stateDigest(p), stateDigest(q))
+    }
+
+    @Test
     fun `boxes crossed stay with the sphere when arrays are permuted, copied and thinned out`() {
         val q = p.permuted(3)
         for (k in 0 until q.size) for (axis in 0..2) q.addCrossing(k, axis, q.id[k] * (axis - 1))

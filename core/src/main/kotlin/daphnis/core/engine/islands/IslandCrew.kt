@@ -234,11 +234,18 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         }
     }
 
-    /** Adds what the step did to [counters] and, in order, to [record]. */
-    public fun finish(counters: CollisionCounters, record: CollisionRecord?) {
+    /** Adds what the step did to [counters]: last of all, once nothing can fail any more. */
+    public fun addTo(counters: CollisionCounters) {
         counters.collisions += counted.collisions
         counters.wallCollisions += counted.wallCollisions
         counters.guardActivations += counted.guardActivations
+    }
+
+    /**
+     * Writes the collisions of the step to [record], in order; before the population is stored, since it may need
+     * memory.
+     */
+    public fun writeTo(record: CollisionRecord?) {
         if (record == null) return
         record.clear()
         for (worker in workers) record.addAll(worker!!.record, 0, worker.record.size)

@@ -3,6 +3,7 @@ package daphnis.core.engine.islands
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
+import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -25,7 +26,8 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
 
     override val name: String get() = "islands"
     override val threads: Int get() = handler.threads
-    override val loop: RangeLoop = ParallelLoop(handler, LoopStrategy.DYNAMIC)
+    private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
+    override val loop: RangeLoop get() = gate
 
     private val field = IslandField(threads)
 
@@ -37,6 +39,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private var deadline = Long.MAX_VALUE
 
     override fun advance(step: CollisionStep) {
+        gate.requireOpen()
         if (isQuickerAlone(step)) {
             alone.advance(step)
             return
@@ -70,9 +73,10 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
             field.enlarge()
             redone++
         }
+        crew.writeTo(step.record)
         field.store(step, loop)
         step.counters.redoneSteps += redone
-        crew.finish(step.counters, step.record)
+        crew.addTo(step.counters)
         return true
     }
 
@@ -137,6 +141,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     }
 
     override fun close() {
+        gate.close()
         handler.close()
     }
 

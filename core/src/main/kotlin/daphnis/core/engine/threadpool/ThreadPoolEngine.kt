@@ -6,6 +6,7 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.threadpool.PoolWorker.Outcome
+import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -52,7 +53,8 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
 
     override val name: String get() = "thread-pool"
     override val threads: Int get() = handler.threads
-    override val loop: RangeLoop = ParallelLoop(handler, strategy)
+    private val gate = ClosableLoop(ParallelLoop(handler, strategy), CollisionEngine.CLOSED)
+    override val loop: RangeLoop get() = gate
     private val dynamic = ParallelLoop(handler, LoopStrategy.DYNAMIC)
 
     private val grid = Grid(gridSort)
@@ -70,6 +72,7 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
     private val failedWorker = AtomicInteger()
 
     override fun advance(step: CollisionStep) {
+        gate.requireOpen()
         reach.measure(step.population, step.duration, loop)
         walls.prepare(step.boundary)
         var redone = 0
@@ -88,6 +91,7 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
                 }
             }
         }
+        writeRecord(step)
         rows.store(step.population, step.duration, loop)
         step.counters.redoneSteps += redone
         for (worker in workers) {
@@ -95,6 +99,9 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
             step.counters.wallCollisions += worker.wallCollisions
             step.counters.guardActivations += worker.guarded
         }
+    }
+
+    private fun writeRecord(step: CollisionStep) {
         val record = step.record ?: return
         record.clear()
         for (worker in workers) record.addAll(worker.record, 0, worker.record.size)
@@ -137,6 +144,7 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
     }
 
     override fun close() {
+        gate.close()
         handler.close()
     }
 

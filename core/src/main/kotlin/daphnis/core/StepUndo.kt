@@ -1,0 +1,62 @@
+package daphnis.core
+
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.population.Population
+
+/**
+ * What a simulation was before the step under way, so that the step can be taken back. The engine writes to the
+ * population's second set of arrays, so that those of before only need their velocities, which forces change. Taking
+ * back allocates nothing, asks nobody and uses no other thread.
+ */
+internal class StepUndo(private val population: Population, private val counters: CollisionCounters?) {
+    private var vx = DoubleArray(0)
+    private var vy = DoubleArray(0)
+    private var vz = DoubleArray(0)
+    private var hasVelocities = false
+    private val counted = CollisionCounters()
+
+    /** Time before the step. */
+    var time = 0.0
+        private set
+
+    /** Number of steps before this one. */
+    var step = 0L
+        private set
+
+    /** A step begins at [time] after [step] others. */
+    fun begin(time: Double, step: Long) {
+        this.time = time
+        this.step = step
+        hasVelocities = false
+        if (counters != null) counted.set(counters)
+        population.beginStep()
+    }
+
+    /** To be called before forces change velocities. Allocates when the population has another size than last time. */
+    fun keepVelocities() {
+        vx = copy(population.vx, vx)
+        vy = copy(population.vy, vy)
+        vz = copy(population.vz, vz)
+        hasVelocities = true
+    }
+
+    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray =
+        if (into.size == from.size) from.copyInto(into) else from.copyOf()
+
+    /** The step stands. */
+    fun commit() {
+        population.commitStep()
+    }
+
+    /** All is as at [begin]. */
+    fun takeBack() {
+        population.takeStepBack()
+        // By the index of before, for the arrays of before.
+        if (hasVelocities) {
+            vx.copyInto(population.vx)
+            vy.copyInto(population.vy)
+            vz.copyInto(population.vz)
+        }
+        counters?.set(counted)
+    }
+}

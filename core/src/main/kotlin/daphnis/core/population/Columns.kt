@@ -1,0 +1,63 @@
+package daphnis.core.population
+
+/**
+ * The arrays of a [Population], all of one length. A population has two sets of them by turns: a step is written to the
+ * one and leaves the other as it was, so that it can be taken back by changing a reference.
+ */
+internal class Columns(
+    val x: DoubleArray,
+    val y: DoubleArray,
+    val z: DoubleArray,
+    val vx: DoubleArray,
+    val vy: DoubleArray,
+    val vz: DoubleArray,
+    val radius: DoubleArray,
+    val mass: DoubleArray,
+    val id: IntArray,
+    lastCollision: DoubleArray,
+) {
+    /** Of an empty set for [size] spheres, which has the [lastCollision] of another. */
+    constructor(size: Int, lastCollision: DoubleArray) : this(
+        DoubleArray(size), DoubleArray(size), DoubleArray(size),
+        DoubleArray(size), DoubleArray(size), DoubleArray(size),
+        DoubleArray(size), DoubleArray(size), IntArray(size),
+        lastCollision,
+    )
+
+    /** One array for both sets as long as no step writes it. */
+    var lastCollision: DoubleArray = lastCollision
+        private set
+
+    /** Number of spheres. */
+    val size: Int get() = x.size
+
+    /** Takes over the array of [other], for a step that does not write it. */
+    fun shareLastCollision(other: Columns) {
+        lastCollision = other.lastCollision
+    }
+
+    /** Makes sure of an array that is not that of [other], for a step that writes it. */
+    fun separateLastCollision(other: Columns) {
+        if (lastCollision === other.lastCollision) lastCollision = DoubleArray(size)
+    }
+
+    /** Copies all but positions to [to]. */
+    fun copyAllButPositionsInto(to: Columns) {
+        vx.copyInto(to.vx)
+        vy.copyInto(to.vy)
+        vz.copyInto(to.vz)
+        radius.copyInto(to.radius)
+        mass.copyInto(to.mass)
+        id.copyInto(to.id)
+        to.shareLastCollision(this)
+    }
+
+    /** New columns of the spheres at the indices [kept]. */
+    fun pick(kept: IntArray): Columns {
+        fun pick(a: DoubleArray) = DoubleArray(kept.size) { a[kept[it]] }
+        return Columns(
+            pick(x), pick(y), pick(z), pick(vx), pick(vy), pick(vz), pick(radius), pick(mass),
+            IntArray(kept.size) { id[kept[it]] }, pick(lastCollision),
+        )
+    }
+}

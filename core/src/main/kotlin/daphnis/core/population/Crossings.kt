@@ -1,0 +1,74 @@
+package daphnis.core.population
+
+/**
+ * How many boxes each sphere of a population has gone through along each axis, by [IdPlaces]. Counts are made by the
+ * first sphere that crosses a face at all. Within a step the first crossing keeps what was counted before; so a step
+ * without one pays nothing, and taking a step back is an exchange of references.
+ */
+internal class Crossings(private val places: IdPlaces) {
+    @Volatile
+    private var counts: Array<IntArray>? = null
+
+    /** What [counts] were before the step, once it has changed them; else a table to be used again, or none. */
+    private var kept: Array<IntArray>? = null
+    private var isTransaction = false
+
+    /** Whether a sphere has crossed in the step under way. */
+    @Volatile
+    private var isChanged = false
+
+    /** Whether any sphere has ever crossed. */
+    val isEmpty: Boolean get() = counts == null
+
+    fun of(id: Int, axis: Int): Int = counts?.get(axis)?.getOrElse(places.of(id)) { 0 } ?: 0
+
+    /** Threads may do this at the same time for different spheres. */
+    fun add(id: Int, axis: Int, boxes: Int) {
+        if (!isChanged && (isTransaction || isEmpty)) prepare()
+        counts!![axis][places.of(id)] += boxes
+    }
+
+    /** Nobody writes counts before this is done, and nobody after [begin] without it. */
+    @Synchronized
+    private fun prepare() {
+        if (isChanged) return
+        val now = counts
+        if (now == null) {
+            kept = null
+            counts = table()
+        } else if (isTransaction) {
+            val copy = kept ?: table()
+            for (axis in 0 until AXES) now[axis].copyInto(copy[axis])
+            kept = now
+            counts = copy
+        }
+        isChanged = isTransaction
+    }
+
+    private fun table() = Array(AXES) { IntArray(places.count) }
+
+    /** From now on [takeBack] is possible. */
+    fun begin() {
+        isTransaction = true
+        isChanged = false
+    }
+
+    fun commit() {
+        isTransaction = false
+        isChanged = false
+    }
+
+    /** Makes counts what they were at [begin]. Allocates nothing. */
+    fun takeBack() {
+        if (isChanged) {
+            val failed = counts
+            counts = kept
+            kept = failed
+        }
+        commit()
+    }
+
+    private companion object {
+        const val AXES = 3
+    }
+}

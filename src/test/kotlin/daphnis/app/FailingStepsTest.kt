@@ -1,0 +1,77 @@
+package daphnis.app
+
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.parallel.FixedPool
+import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DynamicTest
+import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.TestFactory
+import java.time.Duration
+import java.util.concurrent.CancellationException
+
+/** A step is done whole or not at all, in every engine, whatever throws wherever. */
+class FailingStepsTest {
+    private val engines: Map<String, () -> CollisionEngine?> = mapOf(
+        "no engine" to { null },
+        "serial" to { SerialEngine() },
+        "islands" to { IslandsEngine(FixedPool(3), fewest = 0) },
+        "thread-pool" to { ThreadPoolEngine(3) },
+        "actors" to { allEngines.create("actors", 3) },
+        "pekko" to { allEngines.create("pekko", 3) },
+    )
+
+    private val kinds: List<(Int) -> Throwable> = listOf(
+        { OutOfMemoryError("on purpose, $it") },
+        { StackOverflowError("on purpose, $it") },
+        { AssertionError("on purpose, $it") },
+        { CancellationException("on purpose, $it") },
+        { InterruptedException("on purpose, $it") },
+    )
+
+    /** Engines that do not yet survive an [Error] within a collision. */
+    private val mortal = setOf("pekko")
+
+    private fun each(check: (FailingCase, String, FailingSteps) -> Unit) = FailingCase.entries.flatMap { case ->
+        engines.map { (name, engine) ->
+            dynamicTest("$case, $name") {
+                assertTimeoutPreemptively(Duration.ofMinutes(2)) {
+                    for (seed in SEEDS) {
+                        FailingSteps(case, seed, engine).use {
+                            check(case, name, it)
+                            it.finish()
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    @TestFactory
+    fun `an exception at any call leaves all as it was, and the step can be done again`() = each { case, name, steps ->
+        steps.throwAtEachCall()
+        val expected = buildSet {
+            add("time step")
+            add("output")
+            if (name != "no engine") addAll(listOf("restitution", "guard"))
+            if (case != FailingCase.GAS) add("in a loop of a force")
+        }
+        assertTrue(steps.places.containsAll(expected)) { "thrown at ${steps.places} only" }
+    }
+
+    @TestFactory
+    fun `so does whatever else can be thrown`() = each { _, name, steps ->
+        for ((k, kind) in kinds.withIndex()) {
+            val every = 1 + k
+            if (name in mortal) steps.throwAroundEngine(every, kind) else steps.throwAtEachCall(every, kind)
+        }
+        assertTrue(steps.failed > 0)
+    }
+
+    private companion object {
+        val SEEDS = 11L..if (System.getProperty("daphnis.long") == "true") 40L else 12L
+    }
+}
