@@ -26,7 +26,7 @@ class BruteForceEngine : CollisionEngine {
     override fun advance(step: CollisionStep) {
         val n = step.population.size
         step.record?.clear()
-        rows.load(step.population, IntArray(n) { it }, step.law.guard.needsLastCollision)
+        rows.load(step.population, IntArray(n) { it }, step.duration, step.law.guard.needsLastCollision)
         images.prepare(step.boundary, step.start)
         walls.prepare(step.boundary)
         codes = imageCodes(step)
