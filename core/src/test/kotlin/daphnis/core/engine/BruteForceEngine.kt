@@ -57,6 +57,7 @@ class BruteForceEngine : CollisionEngine {
             queueWalls(step, a)
         }
         rows.store(step.population, step.duration)
+        step.record?.sort()
     }
 
     private fun queue(step: CollisionStep, a: Int, b: Int, code: Int) {
