@@ -184,7 +184,10 @@ class EnginesAgreeTest {
         val FIRST = Integer.getInteger("daphnis.firstDraw", 1).toLong()
         const val STEPS = 3
 
-        /** Engines that put what fails them before the serial one, so that they fail if and only if that one does, in the same words. */
+        /**
+         * Engines that put what fails them before the serial one, so that they fail if and only if that one does, in
+         * the same words.
+         */
         val JUDGED = setOf("islands", "thread-pool")
     }
 }

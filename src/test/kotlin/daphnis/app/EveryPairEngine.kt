@@ -13,8 +13,8 @@ import kotlin.math.abs
 import kotlin.math.ceil
 
 /**
- * Asks every pair and every image after every collision: no grid, no bound, nothing that could miss a contact. The oracle of core's own tests does the same; this one is
- * for drawn cases, and says which it is for.
+ * Asks every pair and every image after every collision: no grid, no bound, nothing that could miss a contact. The
+ * oracle of core's own tests does the same; this one is for drawn cases, and says which it is for.
  */
 class EveryPairEngine : CollisionEngine {
     override val name get() = "every-pair"

@@ -24,7 +24,10 @@ import daphnis.core.population.Population
 import daphnis.core.setup.SeededRandom
 import org.apache.pekko.actor.typed.ActorSystem
 
-/** A random case of the kinds that gases never are: exact, jammed, far too large or too small. Everything follows from [seed]. */
+/**
+ * A random case of the kinds that gases never are: exact, jammed, far too large or too small. Everything follows from
+ * [seed].
+ */
 class OddDraw(override val seed: Long) : Case {
     private val random = SeededRandom(seed)
     private val kind = Kind.entries[random.nextInt(Kind.entries.size)]

@@ -79,7 +79,8 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
         val m2 = rows.mass[second]
         val f1 = factor * (m2 / (m1 + m2))
         val f2 = factor * (m1 / (m1 + m2))
-        // Adding 0.0 makes −0.0 to +0.0. Else the sign of a component that no impulse changes would tell which of the two was named first.
+        // Adding 0.0 makes −0.0 to +0.0. Else the sign of a component that no impulse changes would tell which of the
+        // two was named first.
         state[p + VX] = (state[p + VX] + f1 * dx) + 0.0
         state[p + VX + 1] = (state[p + VX + 1] + f1 * dy) + 0.0
         state[p + VX + 2] = (state[p + VX + 2] + f1 * dz) + 0.0

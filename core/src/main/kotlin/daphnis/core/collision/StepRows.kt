@@ -51,18 +51,23 @@ public class StepRows {
     private var resolution = 0.0
 
     /**
-     * Place of the sphere's last collision among those at its local time that led to one another: 1 for one that no other at that
-     * time led to, one more than the higher of its two spheres' otherwise; 0 when the sphere has not collided at its local time.
+     * Place of the sphere's last collision among those at its local time that led to one another: 1 for one that no
+     * other at that time led to, one more than the higher of its two spheres' otherwise; 0 when the sphere has not
+     * collided at its local time.
      */
     public fun rank(slot: Int): Int = marks[slot * MARKS]
 
     /**
-     * How many collisions, with spheres and walls, the sphere in [slot] has had in a row without time going on: each at most 1e-13 of the step after the one
-     * before. It follows from the sphere's own path, so it is the same for every engine.
+     * How many collisions, with spheres and walls, the sphere in [slot] has had in a row without time going on: each at
+     * most 1e-13 of the step after the one before. It follows from the sphere's own path, so it is the same for every
+     * engine.
      */
     public fun streak(slot: Int): Int = marks[slot * MARKS + 1]
 
-    /** Takes [population] over in the given [order] (index by slot) for a step of [duration], every local time 0. Allocates only when the population grew. */
+    /**
+     * Takes [population] over in the given [order] (index by slot) for a step of [duration], every local time 0.
+     * Allocates only when the population grew.
+     */
     public fun load(population: Population, order: IntArray, duration: Double, tracksLastCollision: Boolean, loop: RangeLoop = InlineLoop) {
         reserve(population.size)
         size = population.size

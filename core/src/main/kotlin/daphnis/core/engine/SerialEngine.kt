@@ -23,8 +23,9 @@ import daphnis.core.search.RowBounds
  * would be at the end of the step. When that is beyond the bound, the step is abandoned, the bound enlarged and the step redone
  * from the population, which has not been written yet.
  *
- * **When a step fails** is part of the specification too: a collapse, too many collisions ([StepLimits]) and images too far away ([Reach]) are noticed at the first
- * collision, in order of time, at which they hold, by what belongs to the trajectory alone. Engines that guess put what fails them before this one.
+ * **When a step fails** is part of the specification too: a collapse, too many collisions ([StepLimits]) and images too
+ * far away ([Reach]) are noticed at the first collision, in order of time, at which they hold, by what belongs to the
+ * trajectory alone. Engines that guess put what fails them before this one.
  *
  * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere sees its
  * collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.

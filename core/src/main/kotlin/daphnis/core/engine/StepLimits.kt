@@ -3,8 +3,9 @@ package daphnis.core.engine
 import daphnis.core.collision.StepRows
 
 /**
- * Ends steps that would go on for ever, by what belongs to the trajectory alone, so that every engine that follows the same trajectory ends at the same collision:
- * a sphere that collides again and again without time going on has collapsed ([StepRows.streak]), and a step may have only so many collisions.
+ * Ends steps that would go on for ever, by what belongs to the trajectory alone, so that every engine that follows the
+ * same trajectory ends at the same collision: a sphere that collides again and again without time going on has
+ * collapsed ([StepRows.streak]), and a step may have only so many collisions.
  */
 internal class StepLimits {
     private var stepStart = 0.0

@@ -13,8 +13,9 @@ import kotlin.math.abs
  * along the axis times the duration, with some headroom for what collisions may add. An engine checks every velocity a
  * collision creates against it; when one exceeds it, the step is restored, [enlarge] is called and the step is redone.
  *
- * Along a periodic axis the bound ends where images too far away would matter. Headroom gives way there, so that a step is refused only when a sphere itself goes
- * so far: at its start, or by a collision. That depends on the state at the start and on the trajectory, not on what the bound happened to be.
+ * Along a periodic axis the bound ends where images too far away would matter. Headroom gives way there, so that a step
+ * is refused only when a sphere itself goes so far: at its start, or by a collision. That depends on the state at the
+ * start and on the trajectory, not on what the bound happened to be.
  */
 public class Reach {
     private val fastest = DoubleArray(AXES)
@@ -31,8 +32,8 @@ public class Reach {
     /**
      * Looks at all velocities and radii of [population] for a step of [duration] within [boundary].
      *
-     * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are looked for, or when sizes, speeds and duration
-     *   are beyond what can be computed
+     * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are looked for,
+     *   or when sizes, speeds and duration are beyond what can be computed
      */
     public fun measure(population: Population, boundary: BoundaryConditions, duration: Double, loop: RangeLoop = InlineLoop) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
@@ -74,8 +75,8 @@ public class Reach {
     }
 
     /**
-     * After sphere [first] or [second] (negative for none) of [rows], which collided with each other, turned out to outrun the bound: makes room for
-     * twice the excess of their speeds on each axis.
+     * After sphere [first] or [second] (negative for none) of [rows], which collided with each other, turned out to
+     * outrun the bound: makes room for twice the excess of their speeds on each axis.
      *
      * @throws IllegalArgumentException when there is no more room: images farther away than are looked for would matter
      */

@@ -21,12 +21,18 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 
-/** Whether and why a step fails belongs to the trajectory: the same from every engine, for every number of threads and every order of the arrays. */
+/**
+ * Whether and why a step fails belongs to the trajectory: the same from every engine, for every number of threads and
+ * every order of the arrays.
+ */
 @Timeout(120)
 class EndsAgreeTest {
     private val elastic = ConstantRestitution(1.0)
 
-    /** What one step of [start] comes to: a digest and counts, or what was thrown, in which case the population has to be as before. */
+    /**
+     * What one step of [start] comes to: a digest and counts, or what was thrown, in which case the population has to
+     * be as before.
+     */
     private fun end(start: Population, boundary: BoundaryConditions, dt: Double, restitution: Restitution, engine: CollisionEngine): String {
         val p = start.copy()
         val before = stateDigest(p)

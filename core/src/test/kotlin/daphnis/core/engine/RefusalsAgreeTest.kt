@@ -66,7 +66,8 @@ class RefusalsAgreeTest {
 
     @Test
     fun `a collision that sends a sphere too far is what refuses a step, and nothing less`() {
-        // A light sphere that a heavy one pushes has twice its speed: if nothing more happens, it goes 7.7 or 8.1 boxes.
+        // A light sphere that a heavy one pushes has twice its speed: if nothing more happens, it goes 7.7 or 8.1
+        // boxes.
         for ((speed, isRefused) in listOf(3.9 to false, 4.1 to true)) {
             val start = populationOf(
                 Sphere(x = -0.3, vx = speed, r = 0.1, m = 1e9),
@@ -82,7 +83,8 @@ class RefusalsAgreeTest {
 
     @Test
     fun `a path that only a guess has refuses nothing`() {
-        // 0 would push 1, light, at 0.09, so that it went 11 boxes. But 3 pushes 2 at 0.02, and 2 pushes 0 out of the way at 0.05.
+        // 0 would push 1, light, at 0.09, so that it went 11 boxes. But 3 pushes 2 at 0.02, and 2 pushes 0 out of the
+        // way at 0.05.
         val start = populationOf(
             Sphere(x = -0.3, vx = 6.0, r = 0.1),
             Sphere(x = 0.45, r = 0.1, m = 0.01),

@@ -107,7 +107,8 @@ public class IslandField(private val workers: Int) {
     /**
      * Makes room for the sphere that outran the bound.
      *
-     * @throws IllegalArgumentException when there is none, see [Reach.enlarge]; since the path of the sphere was a guess, that does not mean that the step is refused
+     * @throws IllegalArgumentException when there is none, see [Reach.enlarge]; since the path of the sphere was a
+     *   guess, that does not mean that the step is refused
      */
     public fun enlarge() {
         reach.enlarge(outrunRows, outrunner, FREE, population, duration)

@@ -1,8 +1,9 @@
 package daphnis.core.engine.islands
 
 /**
- * How much one worker may keep of a window in a step of [spheres] spheres. Ordinary windows keep some hundredths of it; where thousands of spheres touch, all hang together and
- * islands gain nothing, so then the serial engine takes the step.
+ * How much one worker may keep of a window in a step of [spheres] spheres. Ordinary windows keep some hundredths of it;
+ * where thousands of spheres touch, all hang together and islands gain nothing, so then the serial engine takes the
+ * step.
  */
 internal class IslandLimits(spheres: Int) {
     /** Pieces of path left behind, those of dropped attempts included: 68 bytes each. */

@@ -17,8 +17,9 @@ import daphnis.core.parallel.ThreadHandler
  * become free, so it does not matter where in space they lie. Where that is quicker it takes steps in the serial engine's
  * way: on one thread, and with few spheres.
  *
- * Islands are guesses until they are checked. Whatever a guess ends with, a collapse, a step that would be refused, too much memory, something that the laws of
- * the collision threw, is put before the serial engine; what that one does is what happens, and the step is counted in `causalityReplays`.
+ * Islands are guesses until they are checked. Whatever a guess ends with, a collapse, a step that would be refused, too
+ * much memory, something that the laws of the collision threw, is put before the serial engine; what that one does is
+ * what happens, and the step is counted in `causalityReplays`.
  *
  * @param handler the threads; closed with the engine
  * @param fewest spheres from which on islands are grown; 0 always grows them, also on one thread

@@ -41,8 +41,9 @@ import java.util.concurrent.atomic.AtomicInteger
  *
  * Simultaneous collisions are never busy together: they are done one after the other in the order of the queue.
  *
- * Hence in a step that is not void every collision saw the predecessors that it has in the serial order. In one that is void, whatever happens may be false; so what it throws,
- * a collapse or a refusal, is not thrown on but put before the serial engine likewise.
+ * Hence in a step that is not void every collision saw the predecessors that it has in the serial order. In one that is
+ * void, whatever happens may be false; so what it throws, a collapse or a refusal, is not thrown on but put before the
+ * serial engine likewise.
  *
  * @param handler the threads; closed with the engine
  * @param strategy of the loops over spheres; the first search is always dynamic, as in the paper
