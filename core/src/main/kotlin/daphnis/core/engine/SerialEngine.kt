@@ -113,7 +113,9 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
         limits.checkWork(collisions + wallCollisions)
         val population = step.population
         val duration = step.duration
-        if (!reach.isOutrun(rows, first, population, duration) && (second < 0 || !reach.isOutrun(rows, second, population, duration))) return true
+        val isOutrun = reach.isOutrun(rows, first, population, duration) ||
+            second >= 0 && reach.isOutrun(rows, second, population, duration)
+        if (!isOutrun) return true
         reach.enlarge(rows, first, second, population, duration)
         return false
     }

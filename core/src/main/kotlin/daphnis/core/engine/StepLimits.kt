@@ -23,7 +23,9 @@ internal class StepLimits {
      * @throws CollapseException when either has collided more than [MOST_IN_A_ROW] times without time going on
      */
     fun checkProgress(rows: StepRows, first: Int, second: Int, time: Double) {
-        if (rows.streak(first) > MOST_IN_A_ROW || second >= 0 && rows.streak(second) > MOST_IN_A_ROW) throw collapse(rows, first, second, time)
+        if (rows.streak(first) > MOST_IN_A_ROW || second >= 0 && rows.streak(second) > MOST_IN_A_ROW) {
+            throw collapse(rows, first, second, time)
+        }
     }
 
     private fun collapse(rows: StepRows, first: Int, second: Int, time: Double): CollapseException {
@@ -34,8 +36,8 @@ internal class StepLimits {
             "spheres ${minOf(id, rows.id[second])} and ${maxOf(id, rows.id[second])}"
         }
         return CollapseException(
-            "inelastic collapse at time ${stepStart + time}, of $who: more than $MOST_IN_A_ROW collisions in a row without time going on; " +
-                "set a collapse guard (floor speed or contact duration)",
+            "inelastic collapse at time ${stepStart + time}, of $who: more than $MOST_IN_A_ROW collisions in a row " +
+                "without time going on; set a collapse guard (floor speed or contact duration)",
         )
     }
 
@@ -46,8 +48,8 @@ internal class StepLimits {
      */
     fun checkWork(collisions: Long) {
         require(collisions <= mostCollisions) {
-            "the step from time $stepStart has more than $mostCollisions collisions: spheres are jammed, or the step is too long; " +
-                "take a smaller dt or a collapse guard"
+            "the step from time $stepStart has more than $mostCollisions collisions: spheres are jammed, or the step is " +
+                "too long; take a smaller dt or a collapse guard"
         }
     }
 

@@ -86,7 +86,9 @@ internal class GridLayout {
         ownMargin[k] = margin[k] - reach
         // What a pair can bridge at most.
         val range = 2 * margin[k]
-        require(!periodic[k] || range < extent[k] * ImageRange.boxes(boundary, axis, duration)) { ImageRange.refusal(axis) }
+        require(!periodic[k] || range < extent[k] * ImageRange.boxes(boundary, axis, duration)) {
+            ImageRange.refusal(axis)
+        }
         val perRange = if (k == 0) ROW_CELLS_A_RANGE else CELLS_A_RANGE
         cells[k] = if (range > 0) (extent[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt() else 1
     }

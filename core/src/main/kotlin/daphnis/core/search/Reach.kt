@@ -35,15 +35,23 @@ public class Reach {
      * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are looked for,
      *   or when sizes, speeds and duration are beyond what can be computed
      */
-    public fun measure(population: Population, boundary: BoundaryConditions, duration: Double, loop: RangeLoop = InlineLoop) {
+    public fun measure(
+        population: Population,
+        boundary: BoundaryConditions,
+        duration: Double,
+        loop: RangeLoop = InlineLoop,
+    ) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
         fastest[0] = extremes.of(population.vx, population.size, loop).magnitude
         fastest[1] = extremes.of(population.vy, population.size, loop).magnitude
         fastest[2] = extremes.of(population.vz, population.size, loop).magnitude
         extremes.of(population.radius, population.size, loop)
-        if (population.size > 0) Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)
+        if (population.size > 0) {
+            Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)
+        }
         for (axis in 0 until AXES) {
-            most[axis] = ImageRange.mostReach(boundary, axis, extremes.magnitude, duration) / duration * (1 - 4 * ROUNDING)
+            val mostReach = ImageRange.mostReach(boundary, axis, extremes.magnitude, duration)
+            most[axis] = mostReach / duration * (1 - 4 * ROUNDING)
             if (fastest[axis] > most[axis]) refuse(axis)
         }
         apply(duration)
@@ -71,7 +79,8 @@ public class Reach {
             1 -> population.y
             else -> population.z
         }
-        return abs(rows.state[p + axis] + v * (duration - rows.state[p + StepRows.TIME]) - from[rows.origin[slot]]) > bound[axis]
+        val to = rows.state[p + axis] + v * (duration - rows.state[p + StepRows.TIME])
+        return abs(to - from[rows.origin[slot]]) > bound[axis]
     }
 
     /**
@@ -83,7 +92,9 @@ public class Reach {
     public fun enlarge(rows: StepRows, first: Int, second: Int, population: Population, duration: Double) {
         for (axis in 0 until AXES) {
             if (speed[axis] < most[axis]) continue
-            if (isOutrunAlong(axis, rows, first, population, duration) || second >= 0 && isOutrunAlong(axis, rows, second, population, duration)) refuse(axis)
+            val isOutrun = isOutrunAlong(axis, rows, first, population, duration) ||
+                second >= 0 && isOutrunAlong(axis, rows, second, population, duration)
+            if (isOutrun) refuse(axis)
         }
         headroom *= 1.5
         for (axis in 0 until AXES) {
