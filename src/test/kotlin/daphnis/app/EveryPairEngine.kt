@@ -27,8 +27,7 @@ class EveryPairEngine : CollisionEngine {
     private var codes = IntArray(0)
 
     /** Whether [population] moves over few enough images of [case] to ask them all. */
-    fun canDo(case: Case, population: Population, dt: Double): Boolean =
-        population.size <= MOST_SPHERES && (0..2).all { boxes(case, population, dt, it) <= MOST_BOXES }
+    fun canDo(case: Case, population: Population, dt: Double): Boolean = population.size <= MOST_SPHERES && (0..2).all { boxes(case, population, dt, it) <= MOST_BOXES }
 
     private fun boxes(case: Case, p: Population, dt: Double, axis: Int): Int {
         if (case.boundary.contactFaces(axis) != ContactFaces.PERIODIC) return 0

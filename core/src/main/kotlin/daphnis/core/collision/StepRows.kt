@@ -68,13 +68,7 @@ public class StepRows {
      * Takes [population] over in the given [order] (index by slot) for a step of [duration], every local time 0.
      * Allocates only when the population grew.
      */
-    public fun load(
-        population: Population,
-        order: IntArray,
-        duration: Double,
-        tracksLastCollision: Boolean,
-        loop: RangeLoop = InlineLoop,
-    ) {
+    public fun load(population: Population, order: IntArray, duration: Double, tracksLastCollision: Boolean, loop: RangeLoop = InlineLoop) {
         reserve(population.size)
         size = population.size
         resolution = duration * RESOLUTION

@@ -114,7 +114,8 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
         val population = step.population
         val duration = step.duration
         val isOutrun = reach.isOutrun(rows, first, population, duration) ||
-            second >= 0 && reach.isOutrun(rows, second, population, duration)
+            second >= 0 &&
+            reach.isOutrun(rows, second, population, duration)
         if (!isOutrun) return true
         reach.enlarge(rows, first, second, population, duration)
         return false

@@ -35,12 +35,7 @@ public class Reach {
      * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are looked for,
      *   or when sizes, speeds and duration are beyond what can be computed
      */
-    public fun measure(
-        population: Population,
-        boundary: BoundaryConditions,
-        duration: Double,
-        loop: RangeLoop = InlineLoop,
-    ) {
+    public fun measure(population: Population, boundary: BoundaryConditions, duration: Double, loop: RangeLoop = InlineLoop) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
         fastest[0] = extremes.of(population.vx, population.size, loop).magnitude
         fastest[1] = extremes.of(population.vy, population.size, loop).magnitude
@@ -93,7 +88,8 @@ public class Reach {
         for (axis in 0 until AXES) {
             if (speed[axis] < most[axis]) continue
             val isOutrun = isOutrunAlong(axis, rows, first, population, duration) ||
-                second >= 0 && isOutrunAlong(axis, rows, second, population, duration)
+                second >= 0 &&
+                isOutrunAlong(axis, rows, second, population, duration)
             if (isOutrun) refuse(axis)
         }
         headroom *= 1.5
