@@ -42,8 +42,8 @@ import daphnis.core.setup.RandomPlacement
 import daphnis.core.setup.SeededRandom
 import org.apache.pekko.actor.typed.ActorSystem
 
-/** A random case for engines: everything follows from [seed]. */
-class Draw(val seed: Long) {
+/** A random gas for engines: everything follows from [seed]. */
+class Draw(override val seed: Long) : Case {
     private val random = SeededRandom(seed)
     private val filling = Math.exp(random.nextDouble(Math.log(0.01), Math.log(0.5)))
     private val clumped = random.nextInt(4) == 0
@@ -57,12 +57,12 @@ class Draw(val seed: Long) {
     private val radii = drawRadii()
     private val volume = radii.sumOf { 4.0 / 3 * Math.PI * it * it * it } / filling
     private val box = drawBox()
-    var boundary = drawBoundary()
+    override var boundary = drawBoundary()
         private set
-    val population = populate()
+    override val population = populate()
 
     /** Three decades, in units of the mean time between collisions, so that some steps have a collision a thousand spheres and some several each. */
-    val dt = Math.exp(random.nextDouble(Math.log(1e-3), Math.log(1.0))) * radii.average() / (6 * population.fillingNow())
+    override val dt = Math.exp(random.nextDouble(Math.log(1e-3), Math.log(1.0))) * radii.average() / (6 * population.fillingNow())
     private val restitution = listOf(ConstantRestitution(1.0), ConstantRestitution(0.6), BridgesRestitution())[random.nextInt(3)]
 
     // Inelastic spheres in dense heaps collapse without one.
@@ -141,7 +141,7 @@ class Draw(val seed: Long) {
         return Population(x, y, z, gauss(), gauss(), gauss(), radii, DoubleArray(n) { radii[it] * radii[it] * radii[it] })
     }
 
-    fun simulation(engine: CollisionEngine) =
+    override fun simulation(engine: CollisionEngine) =
         Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine, recordCollisions = true, search = search), FixedTimeStep(dt), forces())
 
     /** In the sheet: Hill's frame, a moon beside it, and in some gravity, whose sums engines spread over their threads. */
@@ -152,8 +152,7 @@ class Draw(val seed: Long) {
         return if (seed % 3 == 0L) listOf(frame, moon, SelfGravity(boundary, omega * omega / 50)) else listOf(moon, frame)
     }
 
-    /** One of each parallel engine, with random threads and settings. */
-    fun engines(host: ActorSystem<*>): List<CollisionEngine> {
+    override fun engines(host: ActorSystem<*>): List<CollisionEngine> {
         fun threads() = 1 + random.nextInt(8)
         val handler: ThreadHandler = if (random.nextInt(4) == 0) ThreadPerTask(1 + random.nextInt(3)) else FixedPool(threads())
         return listOf(

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.parallel.Execution
 import org.junit.jupiter.api.parallel.ExecutionMode
+import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicInteger
 
 /** What engines count and record: the same from each, whatever happens on the way. */
@@ -54,12 +55,15 @@ class EnginesCountTest {
             var thrown = 0
             for (call in 0..5) {
                 val calls = AtomicInteger()
-                val restitution = Restitution { if (calls.getAndIncrement() == call) throw ArithmeticException("on purpose") else 1.0 }
+                // Broken for good until it is mended: parallel engines put what it throws before the serial one.
+                val broken = AtomicBoolean(true)
+                val restitution = Restitution { if (broken.get() && calls.getAndIncrement() >= call) throw ArithmeticException("on purpose") else 1.0 }
                 simulation(engines()[kind], restitution).use {
                     try {
                         it.advance()
-                    } catch (e: ArithmeticException) {
+                    } catch (e: RuntimeException) {
                         thrown++
+                        broken.set(false)
                         assertEquals(List(5) { 0L }, counts(it.collisions!!)) { "${it.collisions!!.engine.name}, call $call" }
                         it.advance()
                     }
@@ -67,8 +71,7 @@ class EnginesCountTest {
                     assertEquals(counts(undisturbed.collisions!!), counts(it.collisions!!)) { "${it.collisions!!.engine.name}, call $call" }
                 }
             }
-            val retriesItself = engines()[kind].name in listOf("actors", "pekko")
-            assertTrue(retriesItself || thrown > 1) { "engine $kind threw $thrown times" }
+            assertTrue(thrown > 1) { "engine $kind threw $thrown times" }
         }
     }
 

@@ -66,7 +66,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun search() {
-        val reach = Reach().apply { measure(setup.population, dt) }
+        val reach = Reach().apply { measure(setup.population, setup.boundary, dt) }
         rows.add("reach in a step", reach.bound.joinToString(" x ") { number(it) })
         val grid = Grid().apply { build(setup.population, setup.boundary, scenario.startTime, dt, reach.bound, structure = scenario.search) }
         for (size in 0 until grid.classes) {

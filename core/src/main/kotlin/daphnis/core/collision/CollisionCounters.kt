@@ -17,7 +17,12 @@ public class CollisionCounters {
     /** Steps restored and redone because a sphere outran the bound on its reach. */
     public var redoneSteps: Long = 0
 
-    /** Steps replayed because a parallel engine noticed a violation of the order of time. */
+    /**
+     * Steps decided by the serial engine, because a parallel one could not finish its own attempt: it noticed a
+     * violation of the order of time, or what it guessed led to a collapse, to a step that would be refused, to too
+     * much work or memory, or to something the laws of the collision threw. A step that the serial engine does not
+     * finish either throws and is not counted.
+     */
     public var causalityReplays: Long = 0
 
     /** Takes over all that [other] counts. */

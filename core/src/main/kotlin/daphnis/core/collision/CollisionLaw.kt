@@ -1,6 +1,7 @@
 package daphnis.core.collision
 
 import daphnis.core.boundary.Images
+import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
 import kotlin.math.sqrt
@@ -78,12 +79,14 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
         val m2 = rows.mass[second]
         val f1 = factor * (m2 / (m1 + m2))
         val f2 = factor * (m1 / (m1 + m2))
-        state[p + VX] += f1 * dx
-        state[p + VX + 1] += f1 * dy
-        state[p + VX + 2] += f1 * dz
-        state[q + VX] -= f2 * dx
-        state[q + VX + 1] -= f2 * dy
-        state[q + VX + 2] -= f2 * dz
+        // Adding 0.0 makes −0.0 to +0.0. Else the sign of a component that no impulse changes would tell which of the
+        // two was named first.
+        state[p + VX] = (state[p + VX] + f1 * dx) + 0.0
+        state[p + VX + 1] = (state[p + VX + 1] + f1 * dy) + 0.0
+        state[p + VX + 2] = (state[p + VX + 2] + f1 * dz) + 0.0
+        state[q + VX] = (state[q + VX] - f2 * dx) + 0.0
+        state[q + VX + 1] = (state[q + VX + 1] - f2 * dy) + 0.0
+        state[q + VX + 2] = (state[q + VX + 2] - f2 * dz) + 0.0
         if (guard.needsLastCollision) {
             rows.lastCollision[first] = time
             rows.lastCollision[second] = time
@@ -93,9 +96,9 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
         separationX = dx
         separationY = dy
         separationZ = dz
-        rank = 1 + maxOf(rows.rank[first], rows.rank[second])
-        rows.rank[first] = rank
-        rows.rank[second] = rank
+        rank = 1 + maxOf(rows.rank(first), rows.rank(second))
+        rows.marks[first * MARKS] = rank
+        rows.marks[second * MARKS] = rank
         return true
     }
 }

@@ -60,9 +60,10 @@ public class CollisionRecord {
         data[p] = law.impactSpeed
         data[p + 1] = law.coefficient
         data[p + 2] = law.impulse
-        data[p + 3] = sign * law.separationX
-        data[p + 4] = sign * law.separationY
-        data[p + 5] = sign * law.separationZ
+        // 0.0 for zeros of either sign, whichever sphere was named first.
+        data[p + 3] = sign * law.separationX + 0.0
+        data[p + 4] = sign * law.separationY + 0.0
+        data[p + 5] = sign * law.separationZ + 0.0
     }
 
     /** Appends entries [from] until [to] of [other]. */

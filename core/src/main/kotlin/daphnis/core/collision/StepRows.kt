@@ -38,11 +38,8 @@ public class StepRows {
     public var lastCollision: DoubleArray = DoubleArray(0)
         private set
 
-    /**
-     * Place of the sphere's last collision among those at its local time that led to one another, by slot: 1 for one that no other at that
-     * time led to, one more than the higher of its two spheres' otherwise; 0 when the sphere has not collided at its local time.
-     */
-    public var rank: IntArray = IntArray(0)
+    /** Two numbers a slot, side by side since a collision changes both: [rank] and [streak]. */
+    internal var marks: IntArray = IntArray(0)
         private set
 
     /** Number of spheres. */
@@ -51,10 +48,31 @@ public class StepRows {
 
     private var tracksLastCollision = false
 
-    /** Takes [population] over in the given [order] (index by slot), every local time 0. Allocates only when the population grew. */
-    public fun load(population: Population, order: IntArray, tracksLastCollision: Boolean, loop: RangeLoop = InlineLoop) {
+    /** Collisions of one sphere no farther apart in time than this follow one another at once; see [streak]. */
+    private var resolution = 0.0
+
+    /**
+     * Place of the sphere's last collision among those at its local time that led to one another: 1 for one that no
+     * other at that time led to, one more than the higher of its two spheres' otherwise; 0 when the sphere has not
+     * collided at its local time.
+     */
+    public fun rank(slot: Int): Int = marks[slot * MARKS]
+
+    /**
+     * How many collisions, with spheres and walls, the sphere in [slot] has had in a row without time going on: each at
+     * most 1e-13 of the step after the one before. It follows from the sphere's own path, so it is the same for every
+     * engine.
+     */
+    public fun streak(slot: Int): Int = marks[slot * MARKS + 1]
+
+    /**
+     * Takes [population] over in the given [order] (index by slot) for a step of [duration], every local time 0.
+     * Allocates only when the population grew.
+     */
+    public fun load(population: Population, order: IntArray, duration: Double, tracksLastCollision: Boolean, loop: RangeLoop = InlineLoop) {
         reserve(population.size)
         size = population.size
+        resolution = duration * RESOLUTION
         this.tracksLastCollision = tracksLastCollision
         loop.run(size) { _, from, to -> loadRange(population, order, from, to) }
     }
@@ -88,8 +106,8 @@ public class StepRows {
             mass[slot] = m[k]
             id[slot] = ids[k]
             origin[slot] = k
-            rank[slot] = 0
         }
+        marks.fill(0, from * MARKS, to * MARKS)
         if (tracksLastCollision) {
             val last = population.lastCollision
             for (slot in from until to) lastCollision[slot] = last[order[slot]]
@@ -149,11 +167,12 @@ public class StepRows {
         val k = size++
         if (k * STRIDE == state.size) grow()
         tracksLastCollision = rows.tracksLastCollision
+        resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
         mass[k] = rows.mass[slot]
         id[k] = rows.id[slot]
         origin[k] = rows.origin[slot]
-        rank[k] = rows.rank[slot]
+        rows.marks.copyInto(marks, k * MARKS, slot * MARKS, (slot + 1) * MARKS)
         if (tracksLastCollision) lastCollision[k] = rows.lastCollision[slot]
         return k
     }
@@ -161,11 +180,11 @@ public class StepRows {
     /** Takes over the state of row [k] of [rows] as that of [slot]. */
     public fun put(slot: Int, rows: StepRows, k: Int) {
         rows.state.copyInto(state, slot * STRIDE, k * STRIDE, (k + 1) * STRIDE)
-        rank[slot] = rows.rank[k]
+        rows.marks.copyInto(marks, slot * MARKS, k * MARKS, (k + 1) * MARKS)
         if (tracksLastCollision) lastCollision[slot] = rows.lastCollision[k]
     }
 
-    /** Brings [slot] along its path to [time], from the start of the step. */
+    /** Brings [slot] along its path to [time], from the start of the step, where it has a collision. */
     internal fun advance(slot: Int, time: Double) {
         val p = slot * STRIDE
         val elapsed = time - state[p + TIME]
@@ -173,7 +192,8 @@ public class StepRows {
         state[p + 1] += state[p + VX + 1] * elapsed
         state[p + 2] += state[p + VX + 2] * elapsed
         state[p + TIME] = time
-        if (elapsed != 0.0) rank[slot] = 0
+        if (elapsed != 0.0) marks[slot * MARKS] = 0
+        if (elapsed > resolution) marks[slot * MARKS + 1] = 1 else marks[slot * MARKS + 1]++
     }
 
     private fun grow() {
@@ -181,7 +201,7 @@ public class StepRows {
         mass = mass.copyOf(n)
         id = id.copyOf(n)
         origin = origin.copyOf(n)
-        rank = rank.copyOf(n)
+        marks = marks.copyOf(n * MARKS)
         lastCollision = lastCollision.copyOf(n)
         // Last, as its length says how much there is room for: memory may have come to its end before.
         state = state.copyOf(n * STRIDE)
@@ -192,7 +212,7 @@ public class StepRows {
         mass = DoubleArray(n)
         id = IntArray(n)
         origin = IntArray(n)
-        rank = IntArray(n)
+        marks = IntArray(n * MARKS)
         lastCollision = DoubleArray(n)
         // Last, as its length says how much there is room for: memory may have come to its end before.
         state = DoubleArray(n * STRIDE)
@@ -200,6 +220,12 @@ public class StepRows {
 
     public companion object {
         private const val INITIAL = 64
+
+        /** Numbers a sphere in [marks]. */
+        internal const val MARKS: Int = 2
+
+        /** Of a step; some hundred times the rounding of times at its end. */
+        private const val RESOLUTION = 1e-13
 
         /** Doubles a sphere in [state]. */
         public const val STRIDE: Int = 8

@@ -50,7 +50,9 @@ public class WallContact {
     /** Reflects sphere [slot] at wall [face] at [time]. */
     public fun reflect(rows: StepRows, slot: Int, face: Int, time: Double) {
         rows.advance(slot, time)
-        rows.state[slot * STRIDE + VX + (face shr 1)] *= -restitution
+        val v = slot * STRIDE + VX + (face shr 1)
+        // +0.0 from a wall that takes all, whichever way the sphere came.
+        rows.state[v] = rows.state[v] * -restitution + 0.0
     }
 
     public companion object {

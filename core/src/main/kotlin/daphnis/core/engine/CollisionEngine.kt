@@ -33,8 +33,11 @@ public interface CollisionEngine : AutoCloseable {
      * last, with [daphnis.core.collision.StepRows.store], which leaves the arrays of before alone, so that the caller
      * too can take the step back.
      *
-     * @throws CollapseException when collisions follow one another without time going on
-     * @throws IllegalArgumentException when the boundary cannot be searched for so long a step
+     * @throws CollapseException when one sphere has more than 10,000 collisions in a row without time going on: each at
+     *   most 1e-13 of the step after the one before
+     * @throws IllegalArgumentException when a sphere meets images too far away, when the step has more than 10,000,000
+     *   collisions and 1000 for each sphere, or when sizes, speeds and duration are too far apart to compute contacts.
+     *   Like the state, whether and why a step fails is the same for every engine
      * @throws IllegalStateException after [close]
      */
     public fun advance(step: CollisionStep)
@@ -73,5 +76,5 @@ public class CollisionStep(
     public var record: CollisionRecord? = null
 }
 
-/** Inelastic collapse: very many collisions in no time. A collapse guard would have ended it. */
+/** Inelastic collapse: very many collisions of one sphere in no time. A collapse guard would have ended it. */
 public class CollapseException(message: String) : RuntimeException(message)

@@ -25,6 +25,10 @@ import daphnis.core.search.RowBounds
  * would be at the end of the step. When that is beyond the bound, the step is abandoned, the bound enlarged and the step redone
  * from the population, which has not been written yet.
  *
+ * **When a step fails** is part of the specification too: a collapse, too many collisions ([StepLimits]) and images too
+ * far away ([Reach]) are noticed at the first collision, in order of time, at which they hold, by what belongs to the
+ * trajectory alone. Engines that guess put what fails them before this one.
+ *
  * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere sees its
  * collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.
  */
@@ -40,7 +44,7 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
     private val walls = WallContact()
     private val bounds = RowBounds()
     private val search = NeighbourSearch(rows, grid, queue, bounds)
-    private val progress = ProgressWatch()
+    private val limits = StepLimits()
 
     // Counted within the step, added to the run's counters once it has succeeded.
     private var collisions = 0L
@@ -49,7 +53,7 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
-        reach.measure(step.population, step.duration)
+        reach.measure(step.population, step.boundary, step.duration)
         walls.prepare(step.boundary)
         var redone = 0
         while (!attempt(step)) redone++
@@ -69,21 +73,18 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
         guarded = 0
         step.record?.clear()
         grid.build(population, step.boundary, step.start, step.duration, reach.bound, structure = step.search)
-        rows.load(population, grid.order, step.law.guard.needsLastCollision)
+        rows.load(population, grid.order, step.duration, step.law.guard.needsLastCollision)
         bounds.measure(grid, rows, step.duration, InlineLoop)
         queue.reset(step.duration, rows.id, rows.size)
         search.prepare(step.duration)
-        progress.start(rows.size, step.duration)
+        limits.start(rows.size, step.start)
         search.queueStart()
         if (walls.present) for (slot in 0 until rows.size) queueWalls(slot, step.duration)
-        while (queue.pop()) {
-            progress.check(queue.time, step.start)
-            if (!process(step)) return false
-        }
+        while (queue.pop()) if (!process(step)) return false
         return true
     }
 
-    /** @return false when one of the two outran the bound */
+    /** @return false when one of the two outran the bound, which is now larger */
     private fun process(step: CollisionStep): Boolean {
         val time = queue.time
         val first = queue.first
@@ -92,7 +93,9 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
             walls.reflect(rows, first, WallContact.face(second), time)
             wallCollisions++
             queue.removeAllOf(first)
-            return requeue(step, first, time, NOBODY)
+            if (!isAllowed(step, first, second, time)) return false
+            requeue(step, first, time, NOBODY)
+            return true
         }
         val law = step.law
         if (law.collide(rows, first, second, queue.image, grid.images, time)) {
@@ -103,18 +106,30 @@ public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : 
         // The pair itself is searched once, from the first; the second leaves it out.
         queue.removeAllOf(first)
         queue.removeAllOf(second)
-        return requeue(step, first, time, NOBODY) && requeue(step, second, time, first)
+        if (!isAllowed(step, first, second, time)) return false
+        requeue(step, first, time, NOBODY)
+        requeue(step, second, time, first)
+        return true
     }
 
-    private fun requeue(step: CollisionStep, slot: Int, time: Double, except: Int): Boolean {
-        if (reach.isOutrun(rows, slot, step.population, step.duration)) {
-            reach.enlarge(rows, slot, step.duration)
-            return false
-        }
+    /** @return false when one of the two outran the bound, which is now larger */
+    private fun isAllowed(step: CollisionStep, first: Int, second: Int, time: Double): Boolean {
+        limits.checkProgress(rows, first, second, time)
+        limits.checkWork(collisions + wallCollisions)
+        val population = step.population
+        val duration = step.duration
+        val isOutrun = reach.isOutrun(rows, first, population, duration) ||
+            second >= 0 &&
+            reach.isOutrun(rows, second, population, duration)
+        if (!isOutrun) return true
+        reach.enlarge(rows, first, second, population, duration)
+        return false
+    }
+
+    private fun requeue(step: CollisionStep, slot: Int, time: Double, except: Int) {
         bounds.include(slot, rows, slot)
         search.queueAll(slot, time, except)
         if (walls.present) queueWalls(slot, step.duration)
-        return true
     }
 
     private fun queueWalls(slot: Int, duration: Double) {

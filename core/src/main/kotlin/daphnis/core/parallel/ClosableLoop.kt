@@ -6,7 +6,8 @@ package daphnis.core.parallel
  */
 internal class ClosableLoop(private val loop: RangeLoop, private val message: String) : RangeLoop {
     @Volatile
-    private var closed = false
+    var isClosed = false
+        private set
 
     override val workers: Int get() = loop.workers
 
@@ -17,11 +18,11 @@ internal class ClosableLoop(private val loop: RangeLoop, private val message: St
 
     /** @throws IllegalStateException after [close] */
     fun requireOpen() {
-        check(!closed) { message }
+        check(!isClosed) { message }
     }
 
     /** Loops under way are finished. Closing twice is allowed. */
     fun close() {
-        closed = true
+        isClosed = true
     }
 }

@@ -93,7 +93,8 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
      * @param reach bound along x, y, z; zeros find what touches at the start
      * @param loop runs the loops over spheres
      * @param structure whether sizes are told apart
-     * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond ±[GridLayout.MOST_BOXES] would matter
+     * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond
+     *   ±[ImageRange.MOST_BOXES] would matter
      */
     public fun build(
         population: Population,

@@ -4,7 +4,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.population.Population
-import kotlin.math.abs
 import kotlin.math.floor
 
 /**
@@ -64,7 +63,7 @@ internal class GridLayout {
         for (k in 0..2) {
             low[k] = from[axes[k]]
             extent[k] = size[axes[k]]
-            layOutAxis(k, boundary, reach[axes[k]])
+            layOutAxis(k, boundary, reach[axes[k]], duration)
         }
         limitCells()
         for (k in 0..2) {
@@ -80,17 +79,15 @@ internal class GridLayout {
         }
     }
 
-    private fun layOutAxis(k: Int, boundary: BoundaryConditions, reach: Double) {
+    private fun layOutAxis(k: Int, boundary: BoundaryConditions, reach: Double, duration: Double) {
         val axis = axes[k]
         periodic[k] = boundary.contactFaces(axis) == ContactFaces.PERIODIC
-        // Far from the origin the rounding of positions counts more than that of the range.
-        val rounding = ROUNDING_UNITS * Math.ulp(maxOf(abs(low[k]), abs(low[k] + extent[k])))
-        margin[k] = (largest + reach) * (1 + SLACK) + rounding
+        margin[k] = (largest + reach) * (1 + SLACK) + ImageRange.rounding(low[k], low[k] + extent[k])
         ownMargin[k] = margin[k] - reach
         // What a pair can bridge at most.
         val range = 2 * margin[k]
-        require(!periodic[k] || range < extent[k] * MOST_BOXES) {
-            "the fastest spheres meet images $MOST_BOXES boxes away along ${"xyz"[axis]} within a step; take a smaller dt"
+        require(!periodic[k] || range < extent[k] * ImageRange.boxes(boundary, axis, duration)) {
+            ImageRange.refusal(axis)
         }
         val perRange = if (k == 0) ROW_CELLS_A_RANGE else CELLS_A_RANGE
         cells[k] = if (range > 0) (extent[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt() else 1
@@ -160,18 +157,13 @@ internal class GridLayout {
     }
 
     companion object {
-        /** How many boxes away along an axis images are looked for; the work of a step grows with the cube of it. */
-        const val MOST_BOXES: Int = 16
-
         /** Cells in the length that a pair can bridge; finer rows fit the way more closely, more rows cost more than they save. */
         private const val ROW_CELLS_A_RANGE = 4.0
         private const val CELLS_A_RANGE = 1.0
         private const val MOST_CELLS_ALONG = 1e6
         private const val MOST_CELLS_A_SPHERE = 8
         private const val LEAST_CELLS = 64.0
-        private const val ROUNDING_UNITS = 16
 
-        /** Relative room for the rounding of cell numbers; round-off is some 1e-12 of it. */
-        private const val SLACK = 1e-9
+        private const val SLACK = ImageRange.SLACK
     }
 }

@@ -39,6 +39,7 @@ internal class GridLevels {
         for (axis in 0..2) measure(axis, population, boundary, loop)
         extremes.of(population.radius, population.size, loop)
         val largest = extremes.magnitude
+        for (axis in 0..2) Scales.requireLengths(axis, from[axis], from[axis] + size[axis], largest)
         classes.divide(population, extremes.least, largest, structure, reach, size)
         cellCount = 0
         rowCount = 0

@@ -1,5 +1,6 @@
 package daphnis.core.search
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.StepRows
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.InlineLoop
@@ -11,9 +12,14 @@ import kotlin.math.abs
  * How far a sphere may go along each axis within a step: a bound that the search relies on, not a guess. It is the largest speed
  * along the axis times the duration, with some headroom for what collisions may add. An engine checks every velocity a
  * collision creates against it; when one exceeds it, the step is restored, [enlarge] is called and the step is redone.
+ *
+ * Along a periodic axis the bound ends where images too far away would matter. Headroom gives way there, so that a step
+ * is refused only when a sphere itself goes so far: at its start, or by a collision. That depends on the state at the
+ * start and on the trajectory, not on what the bound happened to be.
  */
 public class Reach {
     private val fastest = DoubleArray(AXES)
+    private val most = DoubleArray(AXES)
     private val extremes = Extremes()
     private var headroom = LEAST_HEADROOM
 
@@ -23,12 +29,26 @@ public class Reach {
     /** Speeds along x, y, z: nobody who stays within them can outrun [bound]. */
     public val speed: DoubleArray = DoubleArray(AXES)
 
-    /** Looks at all velocities of [population] for a step of [duration]. */
-    public fun measure(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
+    /**
+     * Looks at all velocities and radii of [population] for a step of [duration] within [boundary].
+     *
+     * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are looked for,
+     *   or when sizes, speeds and duration are beyond what can be computed
+     */
+    public fun measure(population: Population, boundary: BoundaryConditions, duration: Double, loop: RangeLoop = InlineLoop) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
         fastest[0] = extremes.of(population.vx, population.size, loop).magnitude
         fastest[1] = extremes.of(population.vy, population.size, loop).magnitude
         fastest[2] = extremes.of(population.vz, population.size, loop).magnitude
+        extremes.of(population.radius, population.size, loop)
+        if (population.size > 0) {
+            Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)
+        }
+        for (axis in 0 until AXES) {
+            val mostReach = ImageRange.mostReach(boundary, axis, extremes.magnitude, duration)
+            most[axis] = mostReach / duration * (1 - 4 * ROUNDING)
+            if (fastest[axis] > most[axis]) refuse(axis)
+        }
         apply(duration)
     }
 
@@ -37,29 +57,51 @@ public class Reach {
      * [population] than the bound. Its path so far has been asked about before.
      */
     public fun isOutrun(rows: StepRows, slot: Int, population: Population, duration: Double): Boolean {
+        val v = slot * StepRows.STRIDE + StepRows.VX
         val state = rows.state
-        val p = slot * StepRows.STRIDE
-        val u = state[p + StepRows.VX]
-        val v = state[p + StepRows.VX + 1]
-        val w = state[p + StepRows.VX + 2]
         // Nearly always nobody is faster than the bound on speed, and where the sphere started need not be looked up.
-        if (abs(u) <= speed[0] && abs(v) <= speed[1] && abs(w) <= speed[2]) return false
-        val k = rows.origin[slot]
-        val rest = duration - state[p + StepRows.TIME]
-        return abs(state[p] + u * rest - population.x[k]) > bound[0] ||
-            abs(state[p + 1] + v * rest - population.y[k]) > bound[1] ||
-            abs(state[p + 2] + w * rest - population.z[k]) > bound[2]
+        if (abs(state[v]) <= speed[0] && abs(state[v + 1]) <= speed[1] && abs(state[v + 2]) <= speed[2]) return false
+        for (axis in 0 until AXES) if (isOutrunAlong(axis, rows, slot, population, duration)) return true
+        return false
     }
 
-    /** After sphere [slot] of [rows] turned out to outrun the bound: makes room for twice the excess of its speed on each axis. */
-    public fun enlarge(rows: StepRows, slot: Int, duration: Double) {
-        val v = slot * StepRows.STRIDE + StepRows.VX
+    private fun isOutrunAlong(axis: Int, rows: StepRows, slot: Int, population: Population, duration: Double): Boolean {
+        val p = slot * StepRows.STRIDE
+        val v = rows.state[p + StepRows.VX + axis]
+        if (abs(v) <= speed[axis]) return false
+        val from = when (axis) {
+            0 -> population.x
+            1 -> population.y
+            else -> population.z
+        }
+        val to = rows.state[p + axis] + v * (duration - rows.state[p + StepRows.TIME])
+        return abs(to - from[rows.origin[slot]]) > bound[axis]
+    }
+
+    /**
+     * After sphere [first] or [second] (negative for none) of [rows], which collided with each other, turned out to
+     * outrun the bound: makes room for twice the excess of their speeds on each axis.
+     *
+     * @throws IllegalArgumentException when there is no more room: images farther away than are looked for would matter
+     */
+    public fun enlarge(rows: StepRows, first: Int, second: Int, population: Population, duration: Double) {
+        for (axis in 0 until AXES) {
+            if (speed[axis] < most[axis]) continue
+            val isOutrun = isOutrunAlong(axis, rows, first, population, duration) ||
+                second >= 0 &&
+                isOutrunAlong(axis, rows, second, population, duration)
+            if (isOutrun) refuse(axis)
+        }
         headroom *= 1.5
-        for (axis in 0 until AXES) raise(axis, abs(rows.state[v + axis]))
+        for (axis in 0 until AXES) {
+            raise(axis, rows, first)
+            if (second >= 0) raise(axis, rows, second)
+        }
         apply(duration)
     }
 
-    private fun raise(axis: Int, speed: Double) {
+    private fun raise(axis: Int, rows: StepRows, slot: Int) {
+        val speed = abs(rows.state[slot * StepRows.STRIDE + StepRows.VX + axis])
         if (speed > fastest[axis]) fastest[axis] += 2 * (speed - fastest[axis])
     }
 
@@ -67,10 +109,12 @@ public class Reach {
         // A flow without motion along an axis can gain some from the others, so no axis gets less than a little of the fastest.
         val floor = maxOf(fastest[0], fastest[1], fastest[2]) * LEAST_SHARE
         for (axis in 0 until AXES) {
-            speed[axis] = maxOf(fastest[axis], floor) * (1 + headroom)
+            speed[axis] = minOf(maxOf(fastest[axis], floor) * (1 + headroom), most[axis])
             bound[axis] = speed[axis] * duration * (1 + ROUNDING)
         }
     }
+
+    private fun refuse(axis: Int): Nothing = throw IllegalArgumentException(ImageRange.refusal(axis))
 
     private companion object {
         const val AXES = 3

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test
 class CollisionLawTest {
     private val images = Images().apply { prepare(Open, 0.0) }
 
-    private fun rows(vararg s: Sphere) = StepRows().apply { load(populationOf(*s), IntArray(s.size) { it }, true) }
+    private fun rows(vararg s: Sphere) = StepRows().apply { load(populationOf(*s), IntArray(s.size) { it }, 1.0, true) }
 
     private fun StepRows.vx(slot: Int) = state[slot * StepRows.STRIDE + StepRows.VX]
 

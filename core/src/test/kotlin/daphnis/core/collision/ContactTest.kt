@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test
 class ContactTest {
     private val images = Images().apply { prepare(Open, 0.0) }
 
-    private fun rows(vararg s: Sphere) = StepRows().apply { load(populationOf(*s), IntArray(s.size) { it }, true) }
+    private fun rows(vararg s: Sphere) = StepRows().apply { load(populationOf(*s), IntArray(s.size) { it }, 1.0, true) }
 
     private fun time(a: Sphere, b: Sphere) = contactTime(rows(a, b), 0, 1, 0, images)
 

@@ -26,7 +26,7 @@ class BruteForceEngine : CollisionEngine {
     override fun advance(step: CollisionStep) {
         val n = step.population.size
         step.record?.clear()
-        rows.load(step.population, IntArray(n) { it }, step.law.guard.needsLastCollision)
+        rows.load(step.population, IntArray(n) { it }, step.duration, step.law.guard.needsLastCollision)
         images.prepare(step.boundary, step.start)
         walls.prepare(step.boundary)
         codes = imageCodes(step)
@@ -57,6 +57,7 @@ class BruteForceEngine : CollisionEngine {
             queueWalls(step, a)
         }
         rows.store(step.population, step.duration)
+        step.record?.sort()
     }
 
     private fun queue(step: CollisionStep, a: Int, b: Int, code: Int) {

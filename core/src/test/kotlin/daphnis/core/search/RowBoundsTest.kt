@@ -31,9 +31,9 @@ class RowBoundsTest {
             // A mean flow on top, which close bounds follow.
             for (k in 0 until p.size) p.vx[k] += 2 * p.y[k] / 10
             val duration = random.nextDouble(0.1, 1.5)
-            val reach = Reach().apply { measure(p, duration) }
+            val reach = Reach().apply { measure(p, boundary, duration) }
             val grid = Grid().apply { build(p, boundary, random.nextDouble(0.0, 9.0), duration, reach.bound) }
-            val rows = StepRows().apply { load(p, grid.order, false) }
+            val rows = StepRows().apply { load(p, grid.order, duration, false) }
             val bounds = RowBounds().apply { measure(grid, rows, duration, InlineLoop, fewest = 0.0) }
             val near = CellRuns(grid, bounds)
             val codes = codes(boundary.contactFaces(0), boundary.contactFaces(1), boundary.contactFaces(2))

@@ -17,9 +17,12 @@ internal class Hints : EventSink {
     private val counts = IntArray(SLICES)
     private var duration = 0.0
     private var slicesPerTime = 0.0
+    private var most = 0L
 
-    fun reset(duration: Double) {
+    /** Forgets all, for a step of [duration] with so many hints as [limits] say. */
+    fun reset(duration: Double, limits: IslandLimits) {
         this.duration = duration
+        most = limits.hints
         slicesPerTime = SLICES / duration
         size = 0
         heads.fill(NONE)
@@ -27,7 +30,7 @@ internal class Hints : EventSink {
     }
 
     override fun add(time: Double, first: Int, second: Int, image: Int) {
-        if ((size + 1) * WIDTH > store.size) store = store.copyOf(store.size * 2)
+        if ((size + 1) * WIDTH > store.size) grow()
         val slice = sliceOf(time)
         val p = size * WIDTH
         store[p] = time.toRawBits()
@@ -35,6 +38,11 @@ internal class Hints : EventSink {
         store[p + 2] = (image.toLong() shl 32) or (heads[slice].toLong() and LOW)
         heads[slice] = size++
         counts[slice]++
+    }
+
+    private fun grow() {
+        if (size >= most) throw IslandsTooLargeException("potential collisions to come", most)
+        store = store.copyOf(store.size * 2)
     }
 
     /** Number of hints in [slice]. */

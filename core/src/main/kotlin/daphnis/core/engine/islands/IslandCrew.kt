@@ -218,13 +218,18 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         roots[rootCount++] = root
     }
 
-    /** Counts what the window did and learns how long the next may be. */
+    /**
+     * Counts what the window did and learns how long the next may be.
+     *
+     * @throws IllegalArgumentException when the step has too many collisions
+     */
     public fun closeWindow() {
         var islandsInWindow = 0
         for (worker in workers) {
             worker!!.addTo(counted)
             islandsInWindow += worker.attempts.size
         }
+        field.stepLimits.checkWork(counted.collisions + counted.wallCollisions)
         islands += islandsInWindow
         redone += redoneInWindow
         if (redoneInWindow > islandsInWindow * MOST_REDONE) {

@@ -4,6 +4,7 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionStep
+import daphnis.core.engine.StepLimits
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
@@ -66,6 +67,9 @@ public class IslandField(private val workers: Int) {
     internal val walls = WallContact()
     internal val reach = Reach()
     internal val bounds = RowBounds()
+    internal val stepLimits = StepLimits()
+    internal var limits = IslandLimits(0)
+        private set
     internal lateinit var population: Population
     internal lateinit var law: CollisionLaw
     internal var start = 0.0
@@ -91,14 +95,23 @@ public class IslandField(private val workers: Int) {
     /** Number of spheres. */
     public val size: Int get() = rows.size
 
-    /** Bounds how far anybody can go in the step. Once before the first [prepare] of a step. */
+    /**
+     * Bounds how far anybody can go in the step. Once before the first [prepare] of a step.
+     *
+     * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
+     */
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
-        reach.measure(step.population, step.duration, loop)
+        reach.measure(step.population, step.boundary, step.duration, loop)
     }
 
-    /** Makes room for the sphere that outran the bound. */
+    /**
+     * Makes room for the sphere that outran the bound.
+     *
+     * @throws IllegalArgumentException when there is none, see [Reach.enlarge]; since the path of the sphere was a
+     *   guess, that does not mean that the step is refused
+     */
     public fun enlarge() {
-        reach.enlarge(outrunRows, outrunner, duration)
+        reach.enlarge(outrunRows, outrunner, FREE, population, duration)
     }
 
     /** Notes that row [k] of [local] outruns the bound, and tells all workers to stop. */
@@ -116,11 +129,13 @@ public class IslandField(private val workers: Int) {
         start = step.start
         duration = step.duration
         records = step.record != null
+        stepLimits.start(population.size, start)
+        limits = IslandLimits(population.size)
         outrunner = FREE
         stopped = false
         walls.prepare(step.boundary)
         grid.build(population, step.boundary, start, duration, reach.bound, loop, step.search)
-        rows.load(population, grid.order, law.guard.needsLastCollision, loop)
+        rows.load(population, grid.order, duration, law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, duration, loop)
         if (seedHead.size < rows.size) {
             ticket = IntArray(rows.size * TICKET)

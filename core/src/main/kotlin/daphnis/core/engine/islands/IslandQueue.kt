@@ -25,11 +25,13 @@ internal class IslandQueue(private val rows: StepRows) {
     private var heap = IntArray(INITIAL)
     private var count = 0
     private var heapSize = 0
+    private var most = 0L
 
-    /** Forgets all events. */
-    fun clear() {
+    /** Forgets all events; there may be so many as [limits] say, until they are forgotten. */
+    fun clear(limits: IslandLimits) {
         count = 0
         heapSize = 0
+        most = limits.events
     }
 
     /** Makes sphere [k] known. */
@@ -70,6 +72,7 @@ internal class IslandQueue(private val rows: StepRows) {
     }
 
     private fun grow() {
+        if (count >= most) throw IslandsTooLargeException("potential collisions of one island", most)
         times = times.copyOf(count * 2)
         data = data.copyOf(count * 2 * WIDTH)
         heap = heap.copyOf(count * 2)

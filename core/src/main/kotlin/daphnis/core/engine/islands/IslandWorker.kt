@@ -11,7 +11,6 @@ import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
 import daphnis.core.collision.timeToContact
 import daphnis.core.engine.NeighbourSearch
-import daphnis.core.engine.ProgressWatch
 import daphnis.core.engine.islands.IslandField.Companion.ATTEMPT
 import daphnis.core.engine.islands.IslandField.Companion.FREE
 import daphnis.core.engine.islands.IslandField.Companion.OWNER
@@ -47,7 +46,6 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     internal val seeder = Seeder(field, hints)
     internal val paths = PathCheck(field, members, attempts, suspects) { crew[it]!!.members }
     private val queue = IslandQueue(local)
-    private val progress = ProgressWatch()
     private var sourceLaw: CollisionLaw? = null
     private var law = CollisionLaw({ 1.0 })
 
@@ -65,7 +63,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
 
     /** For a new attempt at the step. */
     internal fun prepare() {
-        hints.reset(field.duration)
+        hints.reset(field.duration, field.limits)
         start.prepare(field.duration)
         record.clear()
         clearWindow()
@@ -78,7 +76,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     private fun clearWindow() {
         attempts.clear()
         suspects.clear()
-        members.clear()
+        members.clear(field.limits)
         tried.clear()
     }
 
@@ -145,8 +143,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         refused = FREE
         attemptIndex = attempts.begin(local.size, tried.size)
         attempt = field.attemptNumber(number, attemptIndex)
-        queue.clear()
-        progress.start(field.size, field.duration)
+        queue.clear(field.limits)
         val seeds = field.seeds
         var s = field.seedHead[root]
         while (s != FREE) {
@@ -156,7 +153,6 @@ public class IslandWorker internal constructor(private val field: IslandField, p
             s = seeds.next[s]
         }
         while (queue.pop()) {
-            progress.check(queue.time, field.start)
             if (field.stopped || !collide()) return false
             if (refused != FREE) {
                 attempts.drop(attemptIndex)
@@ -192,6 +188,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
             field.walls.reflect(local, first, WallContact.face(second), time)
             attempts.count(attemptIndex, Attempts.WALL_COLLISIONS)
             queue.removeAllOf(first)
+            field.stepLimits.checkProgress(local, first, second, time)
             return goOn(first, NOBODY)
         }
         members.leaveBehind(second)
@@ -202,6 +199,7 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         }
         queue.removeAllOf(first)
         queue.removeAllOf(second)
+        field.stepLimits.checkProgress(local, first, second, time)
         // The pair itself is searched once, from the first; the second leaves it out.
         return goOn(first, NOBODY) && goOn(second, members.slot(first))
     }

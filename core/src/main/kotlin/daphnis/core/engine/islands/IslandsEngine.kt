@@ -18,6 +18,10 @@ import daphnis.core.parallel.ThreadHandler
  * become free, so it does not matter where in space they lie. Where that is quicker it takes steps in the serial engine's
  * way: on one thread, and with few spheres.
  *
+ * Islands are guesses until they are checked. Whatever a guess ends with, a collapse, a step that would be refused, too
+ * much memory, something that the laws of the collision threw, is put before the serial engine; what that one does is
+ * what happens, and the step is counted in `causalityReplays`.
+ *
  * @param handler the threads; closed with the engine
  * @param fewest spheres from which on islands are grown; 0 always grows them, also on one thread
  */
@@ -37,6 +41,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private val alone = SerialEngine()
     private val quicker = QuickerWay()
     private var deadline = Long.MAX_VALUE
+    private var failed = false
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
@@ -45,7 +50,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
             return
         }
         if (fewest == 0) {
-            grow(step)
+            if (!grow(step)) goAlone(step)
             return
         }
         val begin = System.nanoTime()
@@ -60,24 +65,44 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
             quicker.grew(seconds())
         } else {
             quicker.gaveUp()
-            alone.advance(step)
+            goAlone(step)
         }
     }
 
-    /** @return false when it was given up because it takes too long; then nothing has happened */
+    /** The step after islands were given up. */
+    private fun goAlone(step: CollisionStep) {
+        alone.advance(step)
+        if (failed) step.counters.causalityReplays++
+    }
+
+    /** @return false when it was given up, because it takes too long or has failed; then nothing has happened */
     private fun grow(step: CollisionStep): Boolean {
-        var redone = 0
-        field.measure(step, loop)
-        while (!attempt(step)) {
-            if (isLate()) return false
-            field.enlarge()
-            redone++
+        failed = false
+        val redone = try {
+            growUntilNobodyOutruns(step)
+        } catch (e: Exception) {
+            if (gate.isClosed) throw e
+            failed = true
+            LATE
         }
+        if (redone == LATE) return false
         crew.writeTo(step.record)
         field.store(step, loop)
         step.counters.redoneSteps += redone
         crew.addTo(step.counters)
         return true
+    }
+
+    /** @return how often the step had to be begun again, or [LATE] */
+    private fun growUntilNobodyOutruns(step: CollisionStep): Int {
+        var redone = 0
+        field.measure(step, loop)
+        while (!attempt(step)) {
+            if (isLate()) return LATE
+            check(++redone <= MOST_REDONE) { "false paths outrun every bound" }
+            field.enlarge()
+        }
+        return redone
     }
 
     private fun isLate(): Boolean = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0
@@ -146,6 +171,8 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     }
 
     private companion object {
+        const val LATE = -1
+        const val MOST_REDONE = 30
         const val WORTH_SPHERES = 20_000
         const val SPHERES_A_PIECE = 512
         const val LEAST_IN_PARALLEL = 64

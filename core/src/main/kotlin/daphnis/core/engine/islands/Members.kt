@@ -16,9 +16,10 @@ internal class Members {
 
     val size: Int get() = rows.size
 
-    fun clear() {
+    /** Forgets all; there may be so many pieces of path as [limits] say. */
+    fun clear(limits: IslandLimits) {
         rows.clear()
-        paths.clear()
+        paths.clear(limits.pieces)
     }
 
     /** Takes over [slot] of [state]; its place. */

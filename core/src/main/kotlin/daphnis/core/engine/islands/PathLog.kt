@@ -10,14 +10,18 @@ internal class PathLog {
     private var rows = DoubleArray(INITIAL * STRIDE)
     private var links = IntArray(INITIAL)
     private var size = 0
+    private var most = 0L
 
-    fun clear() {
+    /** Forgets all; there may be [most] pieces from now on. */
+    fun clear(most: Long) {
         size = 0
+        this.most = most
     }
 
     /** Keeps the row at [p] of [state], which came after the piece [older]; its name. */
     fun add(state: DoubleArray, p: Int, older: Int): Int {
         if (size == links.size) {
+            if (size >= most) throw IslandsTooLargeException("pieces of path", most)
             links = links.copyOf(size * 2)
             rows = rows.copyOf(size * 2 * STRIDE)
         }

@@ -11,6 +11,7 @@ import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.NeighbourSearch
+import daphnis.core.engine.StepLimits
 import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
@@ -54,6 +55,7 @@ internal class PoolWorker(
     private val walls: WallContact,
     private val reach: Reach,
     private val trails: Trails,
+    private val limits: StepLimits,
 ) {
     val found = EventList()
     val taken = Taken()
@@ -107,6 +109,7 @@ internal class PoolWorker(
         if (second < 0) {
             walls.reflect(rows, first, WallContact.face(second), time)
             wallCollisions++
+            limits.checkProgress(rows, first, second, time)
             return goOn(step, first, time, NOBODY)
         }
         if (law.collide(rows, first, second, taken.image, grid.images, time)) {
@@ -114,6 +117,7 @@ internal class PoolWorker(
             if (law.guarded) guarded++
             if (step.record != null) record.add(time, rows.id[first], rows.id[second], law)
         }
+        limits.checkProgress(rows, first, second, time)
         val outcome = goOn(step, first, time, NOBODY)
         return if (outcome == Outcome.DONE) goOn(step, second, time, first) else outcome
     }

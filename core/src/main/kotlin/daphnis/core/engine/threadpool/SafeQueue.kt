@@ -1,6 +1,6 @@
 package daphnis.core.engine.threadpool
 
-import daphnis.core.engine.ProgressWatch
+import daphnis.core.engine.StepLimits
 import daphnis.core.queue.BucketEventQueue
 
 /** The potential collision that a worker has taken. */
@@ -21,12 +21,11 @@ internal class Taken {
  * The synchronised queue: hands out the next collision that is safe beside all that are being processed **and** beside every earlier one that was passed
  * over because it was not. All fields are guarded by [lock].
  */
-internal class SafeQueue(private val busy: BusyCells) {
+internal class SafeQueue(private val busy: BusyCells, private val limits: StepLimits) {
     private val lock = SpinLock()
     private val queue = BucketEventQueue()
-    private val progress = ProgressWatch()
-    private var stepStart = 0.0
     private var working = 0
+    private var takenInStep = 0L
 
     /** Latest time of those that were taken early. */
     private var latestEarly = NONE_TAKEN
@@ -41,11 +40,10 @@ internal class SafeQueue(private val busy: BusyCells) {
     var isOver = false
         private set
 
-    fun reset(stepStart: Double, duration: Double, ids: IntArray, count: Int) {
+    fun reset(duration: Double, ids: IntArray, count: Int) {
         queue.reset(duration, ids, count)
-        progress.start(count, duration)
-        this.stepStart = stepStart
         working = 0
+        takenInStep = 0
         latestEarly = NONE_TAKEN
         isOver = false
     }
@@ -59,7 +57,11 @@ internal class SafeQueue(private val busy: BusyCells) {
         isOver = true
     }
 
-    /** Takes the next safe collision into [taken], waiting while there is none; false when it is over. */
+    /**
+     * Takes the next safe collision into [taken], waiting while there is none; false when it is over.
+     *
+     * @throws IllegalArgumentException when there have been too many
+     */
     fun take(taken: Taken): Boolean {
         var spins = 0
         while (!isOver) {
@@ -107,7 +109,7 @@ internal class SafeQueue(private val busy: BusyCells) {
             if (working == 0 && passed == 0) isOver = true
             return false
         }
-        progress.check(taken.time, stepStart)
+        limits.checkWork(++takenInStep)
         taken.isLate = taken.time <= latestEarly
         if (taken.isEarly) latestEarly = maxOf(latestEarly, taken.time)
         busy.add(taken.first, taken.second, taken.time)

@@ -5,6 +5,7 @@ import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.StepLimits
 import daphnis.core.engine.threadpool.PoolWorker.Outcome
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
@@ -41,7 +42,9 @@ import java.util.concurrent.atomic.AtomicInteger
  *
  * Simultaneous collisions are never busy together: they are done one after the other in the order of the queue.
  *
- * Hence in a step that is not void every collision saw the predecessors that it has in the serial order.
+ * Hence in a step that is not void every collision saw the predecessors that it has in the serial order. In one that is
+ * void, whatever happens may be false; so what it throws, a collapse or a refusal, is not thrown on but put before the
+ * serial engine likewise.
  *
  * @param handler the threads; closed with the engine
  * @param strategy of the loops over spheres; the first search is always dynamic, as in the paper
@@ -63,37 +66,54 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
     private val bounds = RowBounds()
     private val walls = WallContact()
     private val busy = BusyCells(rows, grid)
-    private val queue = SafeQueue(busy)
+    private val limits = StepLimits()
+    private val queue = SafeQueue(busy, limits)
     private val trails = Trails()
-    private val workers = Array(threads) { PoolWorker(rows, grid, bounds, walls, reach, trails) }
+    private val workers = Array(threads) { PoolWorker(rows, grid, bounds, walls, reach, trails, limits) }
     private val replay = SerialEngine()
 
     private val failedWith = AtomicInteger(Outcome.DONE.ordinal)
     private val failedWorker = AtomicInteger()
 
+    private var redone = 0
+
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
-        reach.measure(step.population, step.duration, loop)
+        redone = 0
+        val isDone = try {
+            advanceTogether(step)
+        } catch (e: Exception) {
+            if (gate.isClosed) throw e
+            false
+        }
+        if (isDone) {
+            finish(step)
+        } else {
+            replay.advance(step)
+            step.counters.causalityReplays++
+        }
+        step.counters.redoneSteps += redone
+    }
+
+    /** @return false when the step is void; the population has not been written */
+    private fun advanceTogether(step: CollisionStep): Boolean {
+        reach.measure(step.population, step.boundary, step.duration, loop)
         walls.prepare(step.boundary)
-        var redone = 0
         while (true) {
             when (attempt(step)) {
-                Outcome.DONE -> break
+                Outcome.DONE -> return true
                 Outcome.OUTRUN -> {
-                    reach.enlarge(rows, workers[failedWorker.get()].outrunner, step.duration)
-                    redone++
+                    if (++redone > MOST_REDONE) return false
+                    reach.enlarge(rows, workers[failedWorker.get()].outrunner, NOBODY, step.population, step.duration)
                 }
-                Outcome.TOO_LATE -> {
-                    replay.advance(step)
-                    step.counters.causalityReplays++
-                    step.counters.redoneSteps += redone
-                    return
-                }
+                Outcome.TOO_LATE -> return false
             }
         }
+    }
+
+    private fun finish(step: CollisionStep) {
         writeRecord(step)
         rows.store(step.population, step.duration, loop)
-        step.counters.redoneSteps += redone
         for (worker in workers) {
             step.counters.collisions += worker.collisions
             step.counters.wallCollisions += worker.wallCollisions
@@ -111,10 +131,11 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
     private fun attempt(step: CollisionStep): Outcome {
         failedWith.set(Outcome.DONE.ordinal)
         grid.build(step.population, step.boundary, step.start, step.duration, reach.bound, loop, step.search)
-        rows.load(step.population, grid.order, step.law.guard.needsLastCollision, loop)
+        rows.load(step.population, grid.order, step.duration, step.law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, step.duration, loop)
         busy.prepare(step.population, step.boundary)
-        queue.reset(step.start, step.duration, rows.id, rows.size)
+        limits.start(rows.size, step.start)
+        queue.reset(step.duration, rows.id, rows.size)
         trails.reset(rows.size)
         for (worker in workers) worker.prepare(step)
         dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to -> workers[worker].searchStart(from, to, step.duration) }
@@ -150,5 +171,7 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
 
     private companion object {
         const val SPHERES_A_PIECE = 512
+        const val MOST_REDONE = 30
+        const val NOBODY = -1
     }
 }

@@ -73,6 +73,21 @@ class ThreadPoolEngineTest {
     }
 
     @Test
+    fun `what a law throws in an attempt is put before the serial engine`() {
+        val expected = row().also { simulationOf(it, Open, 1.0).advance() }
+        val picky = Restitution {
+            if (Thread.currentThread().stackTrace.none { it.className == SerialEngine::class.java.name }) throw ArithmeticException("on purpose")
+            1.0
+        }
+        val p = row()
+        val simulation = simulationOf(p, Open, 1.0, picky, engine = ThreadPoolEngine(2))
+        simulation.use { it.advance() }
+        assertEquals(stateDigest(expected), stateDigest(p))
+        assertEquals(1L, simulation.collisions!!.counters.causalityReplays)
+        assertThrows(IllegalStateException::class.java, { simulation.advance() }, "a closed engine is not replaced")
+    }
+
+    @Test
     fun `one thread never has to replay, and gives the same`() {
         val expected = row().also { simulationOf(it, Open, 1.0).advance() }
         val p = row()

@@ -1,0 +1,66 @@
+package daphnis.core.engine
+
+import daphnis.core.collision.StepRows
+
+/**
+ * Ends steps that would go on for ever, by what belongs to the trajectory alone, so that every engine that follows the
+ * same trajectory ends at the same collision: a sphere that collides again and again without time going on has
+ * collapsed ([StepRows.streak]), and a step may have only so many collisions.
+ */
+internal class StepLimits {
+    private var stepStart = 0.0
+    private var mostCollisions = 0L
+
+    /** For a step of [spheres] spheres that begins at [stepStart]. */
+    fun start(spheres: Int, stepStart: Double) {
+        this.stepStart = stepStart
+        mostCollisions = mostCollisions(spheres)
+    }
+
+    /**
+     * Looks at spheres [first] and [second], negative for a wall, which have just collided at [time].
+     *
+     * @throws CollapseException when either has collided more than [MOST_IN_A_ROW] times without time going on
+     */
+    fun checkProgress(rows: StepRows, first: Int, second: Int, time: Double) {
+        if (rows.streak(first) > MOST_IN_A_ROW || second >= 0 && rows.streak(second) > MOST_IN_A_ROW) {
+            throw collapse(rows, first, second, time)
+        }
+    }
+
+    private fun collapse(rows: StepRows, first: Int, second: Int, time: Double): CollapseException {
+        val id = rows.id[first]
+        val who = if (second < 0) {
+            "sphere $id and a wall"
+        } else {
+            "spheres ${minOf(id, rows.id[second])} and ${maxOf(id, rows.id[second])}"
+        }
+        return CollapseException(
+            "inelastic collapse at time ${stepStart + time}, of $who: more than $MOST_IN_A_ROW collisions in a row " +
+                "without time going on; set a collapse guard (floor speed or contact duration)",
+        )
+    }
+
+    /**
+     * Looks at how many [collisions] the step has had, those with walls included.
+     *
+     * @throws IllegalArgumentException when there are too many
+     */
+    fun checkWork(collisions: Long) {
+        require(collisions <= mostCollisions) {
+            "the step from time $stepStart has more than $mostCollisions collisions: spheres are jammed, or the step is " +
+                "too long; take a smaller dt or a collapse guard"
+        }
+    }
+
+    companion object {
+        /** Of one sphere. Honest heaps that come to rest at one moment have some thousand. */
+        const val MOST_IN_A_ROW = 10_000
+
+        private const val LEAST_WORK = 10_000_000L
+        private const val WORK_A_SPHERE = 1000L
+
+        /** How many collisions a step of [spheres] spheres may have. */
+        fun mostCollisions(spheres: Int): Long = LEAST_WORK + WORK_A_SPHERE * spheres
+    }
+}

@@ -1,0 +1,29 @@
+package daphnis.core.engine.islands
+
+/**
+ * How much one worker may keep of a window in a step of [spheres] spheres. Ordinary windows keep some hundredths of it;
+ * where thousands of spheres touch, all hang together and islands gain nothing, so then the serial engine takes the
+ * step.
+ */
+internal class IslandLimits(spheres: Int) {
+    /** Pieces of path left behind, those of dropped attempts included: 68 bytes each. */
+    val pieces: Long = LEAST_PIECES + PIECES_A_SPHERE * spheres
+
+    /** Potential collisions of one island, those that came to nothing included: 24 bytes each. */
+    val events: Long = LEAST_EVENTS + EVENTS_A_SPHERE * spheres
+
+    /** Potential collisions of the step that lie beyond the window: 24 bytes each. */
+    val hints: Long = LEAST_HINTS + HINTS_A_SPHERE * spheres
+
+    private companion object {
+        const val LEAST_PIECES = 500_000L
+        const val PIECES_A_SPHERE = 2L
+        const val LEAST_EVENTS = 1_000_000L
+        const val EVENTS_A_SPHERE = 8L
+        const val LEAST_HINTS = 2_000_000L
+        const val HINTS_A_SPHERE = 32L
+    }
+}
+
+/** Islands have grown beyond what [IslandLimits] allow; the step is to be taken in another way. */
+internal class IslandsTooLargeException(what: String, most: Long) : RuntimeException("islands need more than $most $what in a window")
