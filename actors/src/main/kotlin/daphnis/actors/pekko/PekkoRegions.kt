@@ -1,0 +1,49 @@
+package daphnis.actors.pekko
+
+import daphnis.actors.region.Answers
+import daphnis.actors.region.Region
+import daphnis.actors.region.RegionCommand
+import daphnis.actors.region.RegionHost
+import daphnis.actors.region.onFreshThread
+import daphnis.actors.region.uninterrupted
+import org.apache.pekko.actor.typed.ActorRef
+import org.apache.pekko.actor.typed.ActorSystem
+import org.apache.pekko.actor.typed.MailboxSelector
+import java.util.concurrent.atomic.AtomicInteger
+
+/** The regions of an engine as system actors of [system], on its default dispatcher. Only what the thread of the step does can fail it, so nobody is their parent. */
+internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Region>, answers: Answers) : RegionHost {
+    private val actors = ArrayList<ActorRef<RegionBehavior.Message>>(regions.size)
+
+    init {
+        check(!hasEnded) { "$name has ended" }
+        val number = ENGINES.incrementAndGet()
+        try {
+            onFreshThread { for (region in regions) actors += spawn(region, answers, number) }
+        } catch (e: Throwable) {
+            stop()
+            throw e
+        }
+    }
+
+    /** The mailbox holds two: the command at hand, and the request to stop. */
+    private fun spawn(region: Region, answers: Answers, number: Int): ActorRef<RegionBehavior.Message> =
+        system.systemActorOf(RegionBehavior.create(region, answers), "daphnis-$number-region-${region.number}", MailboxSelector.bounded(2))
+
+    override val name: String get() = "the actor system \"${system.name()}\""
+
+    override val hasEnded: Boolean get() = system.whenTerminated().isCompleted
+
+    /** An interrupt breaks a send off before anything has been sent: when the actor is just starting, or its mailbox is locked. */
+    override fun send(command: RegionCommand) {
+        uninterrupted { actors[command.region].tell(RegionBehavior.Handle(command)) }
+    }
+
+    override fun stop() {
+        for (actor in actors) uninterrupted { actor.tell(RegionBehavior.Stop) }
+    }
+
+    private companion object {
+        val ENGINES = AtomicInteger()
+    }
+}
