@@ -36,10 +36,14 @@ internal object FaultKit {
         return Simulation(p, boundary, CollisionForcing(restitution, engine = engine), FixedTimeStep(DURATION))
     }
 
-    fun step(): CollisionStep {
+    /** One step of the same gas, without the loop around it. */
+    fun step(restitution: Restitution = ConstantRestitution(1.0)): CollisionStep {
         val (p, boundary) = gas(400, 4)
-        return CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also { it.duration = DURATION }
+        return CollisionStep(p, boundary, CollisionLaw(restitution), CollisionCounters()).also { it.duration = DURATION }
     }
+
+    /** That step, done. */
+    val done: CollisionStep = step().also { SerialEngine().advance(it) }
 
     /** The digests after steps 1, 2, … */
     val expected = simulation(SerialEngine()).let { s ->
@@ -59,6 +63,13 @@ internal object FaultKit {
         }
     }
 
+    fun setPatience(engine: CollisionEngine, nanos: Long) {
+        when (engine) {
+            is RegionActorEngine -> engine.patience = nanos
+            is PekkoEngine -> engine.patience = nanos
+        }
+    }
+
     fun actorSystem(): ActorSystem<Void> {
         val config = ConfigFactory.parseString("pekko.loglevel=OFF, pekko.stdout-loglevel=OFF, pekko.daemonic=on").withFallback(ConfigFactory.load())
         return ActorSystem.create(Behaviors.empty<Void>(), "host", config)
@@ -69,7 +80,7 @@ internal object FaultKit {
 
     /** Waits until no engine has a thread. Who leaks one fails by the test's time limit, after saying so here. */
     fun awaitNoEngineThreads() {
-        val end = System.nanoTime() + 60_000_000_000
+        val end = System.nanoTime() + 20_000_000_000
         while (engineThreads().isNotEmpty() && System.nanoTime() < end) Thread.sleep(20)
         assertTrue(engineThreads().isEmpty()) { "left behind: ${engineThreads().map { it.name }}" }
     }

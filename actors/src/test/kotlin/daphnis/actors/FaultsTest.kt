@@ -151,8 +151,8 @@ class FaultsTest {
 
     @Test
     fun `a slow region is waited for, longer than the patience with regions that do not begin`() {
-        for (engine in engines { if (it.region == 2) Thread.sleep(250) }) {
-            if (engine is daphnis.actors.pekko.PekkoEngine) engine.patience = 100_000_000 else (engine as daphnis.actors.coroutine.RegionActorEngine).patience = 100_000_000
+        for (engine in engines { if (it.region == 2 && it.phase == Phase.WORK) Thread.sleep(250) }) {
+            FaultKit.setPatience(engine, 100_000_000)
             simulation(engine).use { simulation ->
                 simulation.advance()
                 assertEquals(expected[0], stateDigest(simulation.population))

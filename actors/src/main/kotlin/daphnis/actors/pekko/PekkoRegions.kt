@@ -26,15 +26,18 @@ internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Re
         }
     }
 
-    /** The mailbox holds two: the command at hand, and the request to stop. */
+    /**
+     * The protocol bounds the mailbox: the command at hand, and the request to stop. One with a capacity of its own would lock, and when the
+     * sender is interrupted while it waits for the lock, Pekko drops the message and says nothing.
+     */
     private fun spawn(region: Region, answers: Answers, number: Int): ActorRef<RegionBehavior.Message> =
-        system.systemActorOf(RegionBehavior.create(region, answers), "daphnis-$number-region-${region.number}", MailboxSelector.bounded(2))
+        system.systemActorOf(RegionBehavior.create(region, answers), "daphnis-$number-region-${region.number}", MailboxSelector.defaultMailbox())
 
     override val name: String get() = "the actor system \"${system.name()}\""
 
     override val hasEnded: Boolean get() = system.whenTerminated().isCompleted
 
-    /** An interrupt breaks a send off before anything has been sent: when the actor is just starting, or its mailbox is locked. */
+    /** While an actor is just starting, an interrupt breaks a send off, before anything has been sent. */
     override fun send(command: RegionCommand) {
         uninterrupted { actors[command.region].tell(RegionBehavior.Handle(command)) }
     }
