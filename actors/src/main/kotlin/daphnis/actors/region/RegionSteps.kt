@@ -148,13 +148,15 @@ internal class RegionSteps(
         }
     }
 
-    /** Once the engine is closed, by whoever leaves last. */
+    /** Once the engine is closed, by whoever leaves last. Throws nothing, since the step that has just been done stays done. */
     private fun takeDown() {
         if (!stepping.tryAcquire()) return
         try {
             exchange?.stop()
             exchange = null
             release()
+        } catch (e: Throwable) {
+            // Out of memory, say. Closing again tries again.
         } finally {
             stepping.release()
         }
