@@ -81,7 +81,11 @@ internal class StepExchange(val coordinator: StepCoordinator, private val answer
             if (out[region] == null) continue
             // In this order: who has left begins nothing more; who then is not at work has answered, or never will.
             val hasLeft = hasEnded || answers.hasLeft(region)
-            if (coordinator.regions[region].isAtWork) isAtWork = true else if (hasLeft && !answers.has(region)) isGone = true
+            if (coordinator.regions[region].isAtWork) {
+                isAtWork = true
+            } else if (hasLeft && !answers.has(region)) {
+                isGone = true
+            }
         }
         if (isAtWork) {
             idle = 0
