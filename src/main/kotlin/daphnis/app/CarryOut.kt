@@ -70,7 +70,8 @@ private fun report(summary: Summary) {
 
 /**
  * Turns Ctrl-C and a polite kill into a request that the run sees between two steps. The JVM ends as soon as its hooks have, so
- * the hook waits until the run has written its checkpoint, but not for ever: a step that does not end is given up, and the last checkpoint stands.
+ * the hook waits until the run has written its checkpoint, but not for ever: a step that does not end is given up, and
+ * the last checkpoint stands.
  */
 private class Interruption {
     @Volatile

@@ -25,7 +25,10 @@ import java.util.concurrent.CancellationException
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.atomic.AtomicInteger
 
-/** Engines closed and steps cancelled at every moment, from everywhere: the step happens wholly, or not at all and says so. The time limit is the watchdog. */
+/**
+ * Engines closed and steps cancelled at every moment, from everywhere: the step happens wholly, or not at all and says
+ * so. The time limit is the watchdog.
+ */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class CloseTest {
     private fun assertWhole(step: CollisionStep, isDone: Boolean, about: () -> String) {
@@ -33,7 +36,10 @@ class CloseTest {
         assertEquals(if (isDone) FaultKit.done.counters.collisions else 0, step.counters.collisions, about)
     }
 
-    /** One step of an engine that is closed meanwhile: all or nothing, and what it says is so. @return whether it was done */
+    /**
+     * One step of an engine that is closed meanwhile: all or nothing, and what it says is so. @return whether it was
+     * done
+     */
     private fun assertWhole(engine: CollisionEngine, step: CollisionStep, about: String): Boolean {
         val thrown = runCatching { engine.advance(step) }.exceptionOrNull()
         assertTrue(thrown == null || thrown is CancellationException) { "$about: $thrown" }
@@ -43,8 +49,10 @@ class CloseTest {
 
     private fun assertRefuses(engine: CollisionEngine) {
         val step = FaultKit.step()
-        assertEquals("the engine is closed", assertThrows(IllegalStateException::class.java) { engine.advance(step) }.message)
-        assertEquals("the engine is closed", assertThrows(IllegalStateException::class.java) { engine.loop.run(10_000) { _, _, _ -> } }.message)
+        val ways = listOf({ engine.advance(step) }, { engine.loop.run(10_000) { _, _, _ -> } })
+        for (way in ways) {
+            assertEquals("the engine is closed", assertThrows(IllegalStateException::class.java) { way() }.message)
+        }
         assertEquals(initial, stateDigest(step.population))
     }
 
@@ -76,7 +84,10 @@ class CloseTest {
 
     @Test
     fun `closed from within a function that a region calls, and from a thread that this waits for`() {
-        val ways = listOf<(CollisionEngine) -> Unit>({ it.close() }, { engine -> Thread { engine.close() }.apply { start() }.join() })
+        val ways = listOf<(CollisionEngine) -> Unit>(
+            { it.close() },
+            { engine -> Thread { engine.close() }.apply { start() }.join() },
+        )
         for (way in ways) {
             for (which in 0..1) {
                 lateinit var engine: CollisionEngine

@@ -71,12 +71,14 @@ internal object FaultKit {
     }
 
     fun actorSystem(): ActorSystem<Void> {
-        val config = ConfigFactory.parseString("pekko.loglevel=OFF, pekko.stdout-loglevel=OFF, pekko.daemonic=on").withFallback(ConfigFactory.load())
+        val settings = "pekko.loglevel=OFF, pekko.stdout-loglevel=OFF, pekko.daemonic=on"
+        val config = ConfigFactory.parseString(settings).withFallback(ConfigFactory.load())
         return ActorSystem.create(Behaviors.empty<Void>(), "host", config)
     }
 
     /** Threads that engines made. */
-    fun engineThreads(): List<Thread> = Thread.getAllStackTraces().keys.filter { it.isAlive && it.name.startsWith("daphnis") }
+    fun engineThreads(): List<Thread> =
+        Thread.getAllStackTraces().keys.filter { it.isAlive && it.name.startsWith("daphnis") }
 
     /** Waits until no engine has a thread. Who leaks one fails by the test's time limit, after saying so here. */
     fun awaitNoEngineThreads() {

@@ -7,6 +7,7 @@ import daphnis.actors.FaultKit.initial
 import daphnis.actors.FaultKit.simulation
 import daphnis.actors.region.Phase
 import daphnis.actors.region.RegionCommand
+import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Open
 import daphnis.core.collision.ConstantRestitution
@@ -35,14 +36,17 @@ class FaultsTest {
         @Suppress("DEPRECATION")
         ThreadDeath(),
     )
-    private val exceptions = listOf(IllegalStateException("on purpose"), InterruptedException("on purpose"), CancellationException("on purpose"))
+    private val exceptions =
+        listOf(IllegalStateException("on purpose"), InterruptedException("on purpose"), CancellationException("on purpose"))
 
     @Test
     fun `an exception in a region, in any phase, is put before the serial engine, which finds nothing wrong`() {
         for (phase in Phase.entries) {
             for (exception in exceptions) {
                 val failures = AtomicInteger()
-                val probe = { command: RegionCommand -> if (command.phase == phase && failures.getAndIncrement() < 2) throwAny(exception) }
+                val probe = { command: RegionCommand ->
+                    if (command.phase == phase && failures.getAndIncrement() < 2) throwAny(exception)
+                }
                 for (engine in engines(probe)) {
                     failures.set(0)
                     simulation(engine).use { simulation ->
@@ -73,7 +77,8 @@ class FaultsTest {
                             break
                         }
                         assertTrue(simulation.step < expected.size) { "${engine.name}: no $phase came by" }
-                        assertEquals(expected[simulation.step.toInt() - 1], stateDigest(simulation.population)) { "${engine.name}, $phase, $error" }
+                        val digest = expected[simulation.step.toInt() - 1]
+                        assertEquals(digest, stateDigest(simulation.population)) { "${engine.name}, $phase, $error" }
                         armed = false
                         assertWorksOn(simulation) { "${engine.name}, $phase, $error" }
                         assertEquals(0, simulation.collisions!!.counters.causalityReplays)
@@ -116,7 +121,10 @@ class FaultsTest {
     fun `of several failures an error counts, whichever region was first`() {
         val error = OutOfMemoryError("on purpose")
         for (region in 0..4) {
-            for (engine in engines { if (it.phase == Phase.SEARCH) throwAny(if (it.region == region) error else IllegalStateException("on purpose")) }) {
+            val probe = { command: RegionCommand ->
+                if (command.phase == Phase.SEARCH) throwAny(if (command.region == region) error else exceptions[0])
+            }
+            for (engine in engines(probe)) {
                 simulation(engine).use { assertSame(error, runCatching { it.advance() }.exceptionOrNull()) }
             }
         }
@@ -128,9 +136,11 @@ class FaultsTest {
         val x = DoubleArray(n) { 2.2 * it }
         val vx = DoubleArray(n) { 4.5 - it }
         for (engine in engines()) {
-            val p = Population(x.clone(), DoubleArray(n), DoubleArray(n), vx.clone(), DoubleArray(n), DoubleArray(n), DoubleArray(n) { 1.0 }, DoubleArray(n) { 1.0 })
+            fun zeros() = DoubleArray(n)
+            fun ones() = DoubleArray(n) { 1.0 }
+            val p = Population(x.clone(), zeros(), zeros(), vx.clone(), zeros(), zeros(), ones(), ones())
             val before = stateDigest(p)
-            Simulation(p, Open, CollisionForcing(ConstantRestitution(0.0), engine = engine), daphnis.core.FixedTimeStep(1.0)).use {
+            Simulation(p, Open, CollisionForcing(ConstantRestitution(0.0), engine = engine), FixedTimeStep(1.0)).use {
                 assertThrows(CollapseException::class.java) { it.advance() }
             }
             assertEquals(before, stateDigest(p))

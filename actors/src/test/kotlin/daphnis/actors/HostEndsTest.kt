@@ -24,7 +24,10 @@ import java.util.concurrent.Executors
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.coroutines.CoroutineContext
 
-/** What regions run on ends, or takes their work and does nothing: the step ends with a line that says so. The time limit is the watchdog. */
+/**
+ * What regions run on ends, or takes their work and does nothing: the step ends with a line that says so. The time
+ * limit is the watchdog.
+ */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class HostEndsTest {
     private fun executor(): ExecutorService = Executors.newFixedThreadPool(2) { Thread(it).apply { isDaemon = true } }

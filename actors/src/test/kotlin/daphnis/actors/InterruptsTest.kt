@@ -93,7 +93,10 @@ class InterruptsTest {
 
     @Test
     fun `a storm of interrupts of the threads on which regions run`() {
-        val disturb = { FaultKit.engineThreads().filter { "-actors-" in it.name || "default-dispatcher" in it.name }.forEach { it.interrupt() } }
+        val disturb = {
+            val workers = FaultKit.engineThreads().filter { "-actors-" in it.name || "default-dispatcher" in it.name }
+            workers.forEach { it.interrupt() }
+        }
         for (engine in engines()) {
             engine.use {
                 disturbed(3, 500_000, disturb) {

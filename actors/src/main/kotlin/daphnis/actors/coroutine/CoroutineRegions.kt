@@ -15,10 +15,15 @@ import kotlinx.coroutines.launch
 import java.util.concurrent.ExecutorService
 
 /**
- * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of commands. A region's state is touched by its coroutine alone while it
- * handles a command, and by the coordinator only when all have answered: what happens before a send on a channel is seen after the receive that gets it.
+ * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of commands. A region's state is
+ * touched by its coroutine alone while it handles a command, and by the coordinator only when all have answered: what
+ * happens before a send on a channel is seen after the receive that gets it.
  */
-internal class CoroutineRegions(private val dispatcher: CoroutineDispatcher, regions: List<Region>, answers: Answers) : RegionHost {
+internal class CoroutineRegions(
+    dispatcher: CoroutineDispatcher,
+    regions: List<Region>,
+    answers: Answers,
+) : RegionHost {
     // How a coroutine ends is told by its completion; there is nobody else to tell.
     private val scope = CoroutineScope(SupervisorJob() + dispatcher + CoroutineExceptionHandler { _, _ -> })
 
@@ -40,7 +45,9 @@ internal class CoroutineRegions(private val dispatcher: CoroutineDispatcher, reg
     override val name: String get() = "the dispatcher"
 
     /** An executor that was told to end at once drops coroutines without a word. */
-    override val hasEnded: Boolean get() = ((dispatcher as? ExecutorCoroutineDispatcher)?.executor as? ExecutorService)?.isTerminated == true
+    override val hasEnded: Boolean get() = executor?.isTerminated == true
+
+    private val executor = (dispatcher as? ExecutorCoroutineDispatcher)?.executor as? ExecutorService
 
     override fun send(command: RegionCommand) {
         check(mailboxes[command.region].trySend(command).isSuccess) { "region ${command.region} takes no command" }

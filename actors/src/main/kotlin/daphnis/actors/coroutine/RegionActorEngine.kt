@@ -9,7 +9,7 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.LoopStrategy.DYNAMIC
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
@@ -30,21 +30,28 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Regions of the grid owned by coroutines. Each region is a loop over a channel of commands; the coordinator's loop runs on the thread that calls [advance], or in
- * the coroutine that calls [advanceSuspending]. The step's logic and the reason why nothing deadlocks are in [StepCoordinator].
+ * Regions of the grid owned by coroutines. Each region is a loop over a channel of commands; the coordinator's loop
+ * runs on the thread that calls [advance], or in the coroutine that calls [advanceSuspending]. The step's logic and the
+ * reason why nothing deadlocks are in [StepCoordinator].
  *
- * **Failure.** However a step fails, [advance] says so, with the population as before: see [RegionSteps] for what an exception in a region means. When the
- * dispatcher ends, or gives the regions no thread for 30 s, it throws an [IllegalStateException].
- *
- * **Interrupts, cancelling, closing.** [advance] finishes its step though its thread is interrupted, and leaves the flag set. [close] returns at once; a step
- * under way ends with a [CancellationException] and the population as before, unless it is being written already. Afterwards [advance] and [loop] throw an
+ * **Failure.** However a step fails, [advance] says so, with the population as before. An exception in a region has the
+ * step decided by the serial engine, since regions work on guessed paths; an error is thrown on. When the dispatcher
+ * ends, or gives the regions no thread for 30 s, it throws an
  * [IllegalStateException].
+ *
+ * **Interrupts, cancelling, closing.** [advance] finishes its step though its thread is interrupted, and leaves the
+ * flag set. [close] returns at once; a step under way ends with a [CancellationException] and the population as before,
+ * unless it is being written already. Afterwards [advance] and [loop] throw an [IllegalStateException].
  *
  * @param threads of the engine's own pool; only the number of workers to plan for when [dispatcher] is given
  * @param layout regions; chosen from the number of spheres and threads at the first step when null
  * @param dispatcher where regions run; not closed with the engine
  */
-public class RegionActorEngine(override val threads: Int, layout: RegionLayout? = null, dispatcher: CoroutineDispatcher? = null) : CollisionEngine {
+public class RegionActorEngine(
+    override val threads: Int,
+    layout: RegionLayout? = null,
+    dispatcher: CoroutineDispatcher? = null,
+) : CollisionEngine {
     override val name: String get() = "actors"
 
     init {
@@ -56,7 +63,7 @@ public class RegionActorEngine(override val threads: Int, layout: RegionLayout? 
     private val steps = RegionSteps(
         layout,
         threads,
-        if (pool != null && threads > 1) ParallelLoop(ExecutorHandler(pool, threads), LoopStrategy.DYNAMIC) else InlineLoop,
+        if (pool == null || threads == 1) InlineLoop else ParallelLoop(ExecutorHandler(pool, threads), DYNAMIC),
         { regions, answers -> CoroutineRegions(regionThreads, regions, answers) },
         { pool?.shutdown() },
     )
@@ -73,13 +80,15 @@ public class RegionActorEngine(override val threads: Int, layout: RegionLayout? 
     }
 
     /**
-     * [advance] for a coroutine that may be cancelled. Then it ends soon with a [CancellationException] and the population as before, unless that is being written
-     * already: then the step is finished and this returns. One caller at a time. The coordinator's share of the work is done on [Dispatchers.Default].
+     * [advance] for a coroutine that may be cancelled. Then it ends soon with a [CancellationException] and the
+     * population as before, unless that is being written already: then the step is finished and this returns. One
+     * caller at a time. The coordinator's share of the work is done on [Dispatchers.Default].
      */
     public suspend fun advanceSuspending(step: CollisionStep) {
         currentCoroutineContext().ensureActive()
         val caller = currentCoroutineContext()[Job]
-        // Twice: a change of dispatcher asks on return whether the job around it is cancelled, and would throw away a step that is done.
+        // Twice: a change of dispatcher asks on return whether the job around it is cancelled, and would throw away a
+        // step that is done.
         withContext(NonCancellable) {
             withContext(Dispatchers.Default) {
                 val news = Channel<Unit>(Channel.CONFLATED)

@@ -6,7 +6,10 @@ import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.DispatcherSelector
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 
-/** An actor system with [threads] threads, started when it is first wanted, and anew when the last one has ended. From any thread. */
+/**
+ * An actor system with [threads] threads, started when it is first wanted, and anew when the last one has ended. From
+ * any thread.
+ */
 internal class OwnSystem(private val threads: Int) {
     private var system: ActorSystem<Void>? = null
     private var isEnded = false

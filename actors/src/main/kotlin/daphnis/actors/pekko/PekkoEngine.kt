@@ -8,7 +8,7 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionStep
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.LoopStrategy.DYNAMIC
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
@@ -16,22 +16,28 @@ import org.apache.pekko.actor.typed.ActorSystem
 import java.util.concurrent.CancellationException
 
 /**
- * The region protocol of [StepCoordinator] on Apache Pekko typed actors: each region is an actor; the coordinator's loop runs on the thread that calls
- * [advance].
+ * The region protocol of [StepCoordinator] on Apache Pekko typed actors: each region is an actor; the coordinator's
+ * loop runs on the thread that calls [advance].
  *
- * [advance] blocks its caller, so call it from a thread that no actor of the system needs. It finishes its step though its thread is interrupted, and
- * however a step fails, it says so: see [RegionSteps] for what an exception in a region means, and for [close]. When the actor system ends, or gives the regions no
- * thread for 30 s, [advance] throws an [IllegalStateException] with the population as before.
+ * [advance] blocks its caller, so call it from a thread that no actor of the system needs. It finishes its step though
+ * its thread is interrupted, and however a step fails, it says so, with the population as before. An exception in a
+ * region has the step decided by the serial engine, since regions work on guessed paths; an error is thrown on. When the
+ * actor system ends, or gives the regions no thread for 30 s, [advance] throws an [IllegalStateException].
  *
- * [close] returns at once; a step under way ends with a [CancellationException] and the population as before, unless it is being written already. The actors
- * stop and, if it is the engine's own, the actor system. Afterwards [advance] and [loop] throw an [IllegalStateException].
+ * [close] returns at once; a step under way ends with a [CancellationException] and the population as before, unless it
+ * is being written already. The actors stop and, if it is the engine's own, the actor system. Afterwards [advance] and
+ * [loop] throw an [IllegalStateException].
  *
  * @param threads of the engine's own actor system; only the number of workers to plan for when [host] is given
  * @param layout regions; chosen from the number of spheres and threads at the first step when null
  * @param host an actor system to live in; the engine's actors are system actors there and run on its default dispatcher. When null, the engine
  *   makes one of its own at the first step
  */
-public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null, host: ActorSystem<*>? = null) : CollisionEngine {
+public class PekkoEngine(
+    override val threads: Int,
+    layout: RegionLayout? = null,
+    host: ActorSystem<*>? = null,
+) : CollisionEngine {
     override val name: String get() = "pekko"
 
     init {
@@ -42,7 +48,7 @@ public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null
     private val steps = RegionSteps(
         layout,
         threads,
-        if (own != null && threads > 1) ParallelLoop(ExecutorHandler(own::execute, threads), LoopStrategy.DYNAMIC) else InlineLoop,
+        if (own == null || threads == 1) InlineLoop else ParallelLoop(ExecutorHandler(own::execute, threads), DYNAMIC),
         { regions, answers -> PekkoRegions(host ?: own!!.get(), regions, answers) },
         { own?.end() },
     )

@@ -11,7 +11,10 @@ import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.MailboxSelector
 import java.util.concurrent.atomic.AtomicInteger
 
-/** The regions of an engine as system actors of [system], on its default dispatcher. Only what the thread of the step does can fail it, so nobody is their parent. */
+/**
+ * The regions of an engine as system actors of [system], on its default dispatcher. They need no parent of their own to
+ * supervise them: whatever a region throws is its answer.
+ */
 internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Region>, answers: Answers) : RegionHost {
     private val actors = ArrayList<ActorRef<RegionBehavior.Message>>(regions.size)
 
@@ -27,11 +30,14 @@ internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Re
     }
 
     /**
-     * The protocol bounds the mailbox: the command at hand, and the request to stop. One with a capacity of its own would lock, and when the
-     * sender is interrupted while it waits for the lock, Pekko drops the message and says nothing.
+     * The protocol bounds the mailbox: the command at hand, and the request to stop. One with a capacity of its own
+     * would lock, and when the sender is interrupted while it waits for the lock, Pekko drops the message and says
+     * nothing.
      */
-    private fun spawn(region: Region, answers: Answers, number: Int): ActorRef<RegionBehavior.Message> =
-        system.systemActorOf(RegionBehavior.create(region, answers), "daphnis-$number-region-${region.number}", MailboxSelector.defaultMailbox())
+    private fun spawn(region: Region, answers: Answers, number: Int): ActorRef<RegionBehavior.Message> {
+        val name = "daphnis-$number-region-${region.number}"
+        return system.systemActorOf(RegionBehavior.create(region, answers), name, MailboxSelector.defaultMailbox())
+    }
 
     override val name: String get() = "the actor system \"${system.name()}\""
 

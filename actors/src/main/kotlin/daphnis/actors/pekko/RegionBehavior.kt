@@ -8,9 +8,11 @@ import org.apache.pekko.actor.typed.PostStop
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 
 /**
- * An actor that owns a region: it handles a command and answers, also when it fails. Its end, however it comes, is told to the coordinator.
+ * An actor that owns a region: it handles a command and answers, also when it fails. Its end, however it comes, is told
+ * to the coordinator.
  *
- * Pekko guarantees that what was done before a send is seen by the receiver, and what an actor did for one message when it handles the next.
+ * Pekko guarantees that what was done before a send is seen by the receiver, and what an actor did for one message when
+ * it handles the next.
  */
 internal object RegionBehavior {
     /** What a region's actor understands. */

@@ -5,8 +5,9 @@ import java.util.concurrent.atomic.AtomicIntegerArray
 import java.util.concurrent.atomic.AtomicReferenceArray
 
 /**
- * The coordinator's mailbox: room for one answer of each region, since a region gets its next command only after it has answered the last one.
- * Putting an answer in allocates nothing, waits for nobody and throws nothing, so a region can say even that it ran out of memory.
+ * The coordinator's mailbox: room for one answer of each region, since a region gets its next command only after it has
+ * answered the last one. Putting an answer in allocates nothing, waits for nobody and throws nothing, so a region can
+ * say even that it ran out of memory.
  *
  * Hand-over: reply filled → put in its place (volatile) → taken by the coordinator → read.
  */
@@ -48,8 +49,10 @@ internal class Answers(count: Int) {
     fun has(region: Int): Boolean = replies.get(region) != null || failures.get(region) != null
 
     /** Takes the answer of [region] to a command of [phase]; null when there is none. */
-    fun take(region: Int, phase: Phase): RegionReply? =
-        replies.getAndSet(region, null) ?: failures.getAndSet(region, null)?.let { RegionReply(region, phase, failure = it) }
+    fun take(region: Int, phase: Phase): RegionReply? {
+        replies.getAndSet(region, null)?.let { return it }
+        return failures.getAndSet(region, null)?.let { RegionReply(region, phase, failure = it) }
+    }
 
     private fun tell() {
         counted.incrementAndGet()

@@ -21,7 +21,10 @@ public class Region(public val number: Int, private val map: RegionMap, private 
     internal var isAtWork: Boolean = false
         private set
 
-    /** Does what [command] says and puts what comes of it into [answers], whatever that is: throws nothing, since who runs actors may lose what they throw. */
+    /**
+     * Does what [command] says and puts what comes of it into [answers], whatever that is: throws nothing, since who
+     * runs actors may lose what they throw.
+     */
     internal fun serve(command: RegionCommand, answers: Answers) {
         isAtWork = true
         try {

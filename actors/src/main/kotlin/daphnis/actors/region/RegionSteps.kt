@@ -11,13 +11,15 @@ import java.util.concurrent.locks.LockSupport
 /**
  * What the engines on regions have in common: a step from its beginning to its end, and the end of the engine.
  *
- * **How a step ends.** Regions grow islands on paths that are guesses until they have been checked, so an exception out of a region (a collapse, a step that is
- * refused, a law that throws) may come from something that never happens. It is put before the serial engine, which is the specification: what that makes
- * of the step, from the population that nobody has written, is the outcome. An [Error] is thrown on at once. After either, all regions are replaced by new
+ * **How a step ends.** Regions grow islands on paths that are guesses until they have been checked, so an exception out
+ * of a region (a collapse, a step that is refused, a law that throws) may come from something that never happens. It is
+ * put before the serial engine, which is the specification: what that makes of the step, from the population that
+ * nobody has written, is the outcome. An [Error] is thrown on at once. After either, all regions are replaced by new
  * ones, since the one that failed may have left what they share half done.
  *
- * **How the engine ends.** [close] marks and cancels, and waits for nobody, so that it may be called from anywhere, also from a function that a region is calling.
- * Whoever comes last, the step under way or [close], ends the regions and calls [release].
+ * **How the engine ends.** [close] marks and cancels, and waits for nobody, so that it may be called from anywhere,
+ * also from a function that a region is calling. Whoever comes last, the step under way or [close], ends the regions
+ * and calls [release].
  *
  * @param threads number of workers to plan for
  * @param inner the loop on the engine's threads
@@ -126,7 +128,8 @@ internal class RegionSteps(
         when {
             failure is Error -> throw failure
             lost is Error -> throw lost
-            exchange.coordinator.isCancelled -> throw CancellationException(if (isClosed) CLOSED else "the step was cancelled")
+            exchange.coordinator.isCancelled ->
+                throw CancellationException(if (isClosed) CLOSED else "the step was cancelled")
             lost != null -> throw lost
             failure != null -> {
                 judge.advance(step)
@@ -148,7 +151,10 @@ internal class RegionSteps(
         }
     }
 
-    /** Once the engine is closed, by whoever leaves last. Throws nothing, since the step that has just been done stays done. */
+    /**
+     * Once the engine is closed, by whoever leaves last. Throws nothing, since the step that has just been done stays
+     * done.
+     */
     private fun takeDown() {
         if (!stepping.tryAcquire()) return
         try {

@@ -44,7 +44,10 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     public var isFinished: Boolean = true
         private set
 
-    /** What a region threw, or the coordinator's own work: an [Error] if there was any, else the first exception; null when all went well. */
+    /**
+     * What a region threw, or the coordinator's own work: an [Error] if there was any, else the first exception; null
+     * when all went well.
+     */
     public var failure: Throwable? = null
         private set
 
@@ -86,8 +89,8 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     public fun poll(): RegionCommand? = outbox.removeFirstOrNull()
 
     /**
-     * Makes the step end as soon as the regions have answered what they were asked, with the population as before. From any thread. Once the population is
-     * being written the step has succeeded, and this does nothing.
+     * Makes the step end as soon as the regions have answered what they were asked, with the population as before. From
+     * any thread. Once the population is being written the step has succeeded, and this does nothing.
      */
     public fun cancel() {
         cancelled = true

@@ -3,15 +3,22 @@ package daphnis.actors.region
 import daphnis.core.engine.CollisionStep
 
 /**
- * The coordinator's loop, a [turn] at a time, on the thread or coroutine that takes the step: commands out to the regions, answers in. Between two turns it
- * waits until an answer has come, but no longer than a slice of time, since **no wait may rest on an answer alone**: whoever should give it may be dead.
+ * The coordinator's loop, a [turn] at a time, on the thread or coroutine that takes the step: commands out to the
+ * regions, answers in. Between two turns it waits until an answer has come, but no longer than a slice of time, since
+ * **no wait may rest on an answer alone**: whoever should give it may be dead.
  *
- * A region answers whatever it throws ([Region.serve]). What no answer can tell is seen from outside: the region's actor has ended, its host has ended,
- * or commands are out, no region is at work and none has begun for [patience]. Then the step ends as [lost].
+ * A region answers whatever it throws ([Region.serve]). What no answer can tell is seen from outside: the region's
+ * actor has ended, its host has ended, or commands are out, no region is at work and none has begun for [patience].
+ * Then the step ends as [lost].
  *
  * @param patience in nanoseconds of waiting; time in which the process itself was stopped does not count
  */
-internal class StepExchange(val coordinator: StepCoordinator, private val answers: Answers, private val host: RegionHost, private val patience: Long) {
+internal class StepExchange(
+    val coordinator: StepCoordinator,
+    private val answers: Answers,
+    private val host: RegionHost,
+    private val patience: Long,
+) {
     private val out = arrayOfNulls<RegionCommand>(coordinator.regions.size)
     private var seen = 0
     private var idle = 0L
@@ -35,7 +42,11 @@ internal class StepExchange(val coordinator: StepCoordinator, private val answer
         coordinator.begin(step)
     }
 
-    /** Takes the answers that have come and sends what follows from them. @return whether the step has come to an end */
+    /**
+     * Takes the answers that have come and sends what follows from them.
+     *
+     * @return whether the step has come to an end
+     */
     fun turn(): Boolean {
         val isNews = hasNews
         if (isNews) takeAnswers()
@@ -90,10 +101,13 @@ internal class StepExchange(val coordinator: StepCoordinator, private val answer
         if (isAtWork) {
             idle = 0
         } else if (isGone) {
-            lost = IllegalStateException("regions have ended in the middle of a step: ${host.name} was shut down, or ran out of memory")
+            lost = IllegalStateException(
+                "regions have ended in the middle of a step: ${host.name} was shut down, or ran out of memory",
+            )
         } else if (idle > patience) {
             lost = IllegalStateException(
-                "no region has begun its work for ${patience / NANOS_A_SECOND} s: the threads of ${host.name} are dead, or busy with something else",
+                "no region has begun its work for ${patience / NANOS_A_SECOND} s: " +
+                    "the threads of ${host.name} are dead, or busy with something else",
             )
         }
     }

@@ -5,9 +5,10 @@ import java.util.concurrent.Executor
 import java.util.concurrent.atomic.AtomicIntegerArray
 
 /**
- * A thread handler on somebody else's [executor], for who has threads already. Worker 0 is the caller, the others are tasks. What no thread of the executor
- * has begun when the caller has done its own part, the caller does too: so nothing is waited for but what is being done, and an executor that is busy,
- * rejects tasks, drops them or was shut down costs time and nothing else. Does not close the executor.
+ * A thread handler on somebody else's [executor], for who has threads already. Worker 0 is the caller, the others are
+ * tasks. What no thread of the executor has begun when the caller has done its own part, the caller does too: so
+ * nothing is waited for but what is being done, and an executor that is busy, rejects tasks, drops them or was shut
+ * down costs time and nothing else. Does not close the executor.
  */
 public class ExecutorHandler(private val executor: Executor, override val threads: Int) : ThreadHandler {
     init {

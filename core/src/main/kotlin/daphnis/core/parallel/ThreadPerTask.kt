@@ -1,12 +1,16 @@
 package daphnis.core.parallel
 
 /**
- * The first form of the paper's handler: a new thread for every task. Its cost, some 50 µs a thread, is what [FixedPool] saves. When the system gives no more
- * threads, the caller does the work of those that are missing after its own.
+ * The first form of the paper's handler: a new thread for every task. Its cost, some 50 µs a thread, is what
+ * [FixedPool] saves. When the system gives no more threads, the caller does the work of those that are missing after
+ * its own.
  *
  * @param start starts a thread; for tests in which it fails
  */
-public class ThreadPerTask internal constructor(override val threads: Int, private val start: (Thread) -> Unit) : ThreadHandler {
+public class ThreadPerTask internal constructor(
+    override val threads: Int,
+    private val start: (Thread) -> Unit,
+) : ThreadHandler {
     public constructor(threads: Int) : this(threads, Thread::start)
 
     @Volatile
@@ -22,7 +26,8 @@ public class ThreadPerTask internal constructor(override val threads: Int, priva
         val others = ArrayList<Thread>(threads - 1)
         try {
             for (worker in 1 until threads) {
-                val thread = Thread({ failure.guard { task.work(worker) } }, "daphnis-task-$worker").apply { isDaemon = true }
+                val thread = Thread({ failure.guard { task.work(worker) } }, "daphnis-task-$worker")
+                thread.isDaemon = true
                 start(thread)
                 others += thread
             }

@@ -26,7 +26,10 @@ import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicIntegerArray
 
-/** Threads that cannot be had, die, are interrupted or busy: every part of a task is done once, and nobody waits for ever. The time limit is the watchdog. */
+/**
+ * Threads that cannot be had, die, are interrupted or busy: every part of a task is done once, and nobody waits for
+ * ever. The time limit is the watchdog.
+ */
 @Timeout(60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class HandlersInTroubleTest {
     private fun pool(threads: Int): ExecutorService = Executors.newFixedThreadPool(threads) { Thread(it).apply { isDaemon = true } }
