@@ -70,7 +70,8 @@ private fun report(summary: Summary) {
 
 /**
  * Turns Ctrl-C and a polite kill into a request that the run sees between two steps. The JVM ends as soon as its hooks have, so
- * the hook waits until the run has written its checkpoint.
+ * the hook waits until the run has written its checkpoint, but not for ever: a step that does not end is given up, and
+ * the last checkpoint stands.
  */
 private class Interruption {
     @Volatile
@@ -83,7 +84,7 @@ private class Interruption {
     private val finished = CountDownLatch(1)
     private val hook = Thread {
         requested = true
-        if (armed && finished.await(LONGEST_WAIT_MINUTES, TimeUnit.MINUTES)) Runtime.getRuntime().halt(EXIT_INTERRUPTED)
+        if (armed && finished.await(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS)) Runtime.getRuntime().halt(EXIT_INTERRUPTED)
     }
 
     init {
@@ -102,6 +103,6 @@ private class Interruption {
     }
 
     private companion object {
-        const val LONGEST_WAIT_MINUTES = 10L
+        const val LONGEST_WAIT_SECONDS = 60L
     }
 }

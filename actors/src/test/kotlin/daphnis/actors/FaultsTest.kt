@@ -1,200 +1,188 @@
 package daphnis.actors
 
-import com.typesafe.config.ConfigFactory
-import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.pekko.PekkoEngine
+import daphnis.actors.FaultKit.assertWorksOn
+import daphnis.actors.FaultKit.engines
+import daphnis.actors.FaultKit.expected
+import daphnis.actors.FaultKit.initial
+import daphnis.actors.FaultKit.simulation
 import daphnis.actors.region.Phase
 import daphnis.actors.region.RegionCommand
-import daphnis.actors.region.RegionFailedException
-import daphnis.actors.region.RegionLayout
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
-import daphnis.core.collision.CollisionCounters
-import daphnis.core.collision.CollisionLaw
+import daphnis.core.boundary.Open
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
-import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollapseException
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.CollisionStep
+import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import kotlinx.coroutines.delay
-import kotlinx.coroutines.launch
-import kotlinx.coroutines.runBlocking
-import org.apache.pekko.actor.typed.ActorSystem
-import org.apache.pekko.actor.typed.javadsl.Behaviors
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
-import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.CancellationException
-import java.util.concurrent.CountDownLatch
 import java.util.concurrent.atomic.AtomicInteger
 
-/** Actors that throw, dawdle, are cancelled, closed, interrupted: no hang, no half-advanced state. The time limit is the watchdog. */
-@Timeout(120)
+/** Regions that throw or dawdle: no hang, no half-advanced state. The time limit is the watchdog. */
+@Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FaultsTest {
-    private val layout = RegionLayout.Stretches(5)
-
-    private fun engines(probe: (RegionCommand) -> Unit): List<CollisionEngine> = listOf(
-        RegionActorEngine(2, layout).also { it.probe = probe },
-        PekkoEngine(2, layout).also { it.probe = probe },
+    private val errors = listOf(
+        AssertionError("on purpose"),
+        StackOverflowError("on purpose"),
+        OutOfMemoryError("on purpose"),
+        NoClassDefFoundError("on purpose"),
+        ExceptionInInitializerError("on purpose"),
+        @Suppress("DEPRECATION")
+        ThreadDeath(),
     )
-
-    private fun simulation(engine: CollisionEngine, restitution: Restitution = ConstantRestitution(1.0)): Simulation {
-        val (p, boundary) = gas(400, 4)
-        return Simulation(p, boundary, CollisionForcing(restitution, engine = engine), FixedTimeStep(0.2))
-    }
-
-    private val expected = simulation(daphnis.core.engine.SerialEngine()).let { s ->
-        List(4) {
-            s.advance()
-            stateDigest(s.population)
-        }
-    }
+    private val exceptions =
+        listOf(IllegalStateException("on purpose"), InterruptedException("on purpose"), CancellationException("on purpose"))
 
     @Test
-    fun `a region that throws once costs a second try, in every phase`() {
+    fun `an exception in a region, in any phase, is put before the serial engine, which finds nothing wrong`() {
         for (phase in Phase.entries) {
-            val failures = AtomicInteger()
-            val probe = { command: RegionCommand -> if (command.phase == phase && command.region == 0 && failures.getAndIncrement() == 0) error("on purpose") }
-            for (engine in engines(probe)) {
-                failures.set(0)
-                simulation(engine).use { simulation ->
-                    for (digest in expected) {
-                        simulation.advance()
-                        assertEquals(digest, stateDigest(simulation.population)) { "${engine.name}, $phase" }
+            for (exception in exceptions) {
+                val failures = AtomicInteger()
+                val probe = { command: RegionCommand ->
+                    if (command.phase == phase && failures.getAndIncrement() < 2) throwAny(exception)
+                }
+                for (engine in engines(probe)) {
+                    failures.set(0)
+                    simulation(engine).use { simulation ->
+                        assertWorksOn(simulation) { "${engine.name}, $phase, $exception" }
+                        assertTrue(failures.get() > 1) { "${engine.name}: no $phase came by" }
+                        assertTrue(simulation.collisions!!.counters.causalityReplays in 1..2) { "${engine.name}, $phase, $exception" }
                     }
                 }
-                assertTrue(failures.get() > 1) { "${engine.name}: no $phase came by" }
             }
         }
     }
 
     @Test
-    fun `a region that keeps throwing ends the step after the second try, and the population is as before`() {
-        var broken = false
-        for (engine in engines { if (broken && it.region == 3) error("on purpose") }) {
-            broken = false
-            simulation(engine).use { simulation ->
-                simulation.advance()
-                broken = true
-                val e = assertThrows(RegionFailedException::class.java) { simulation.advance() }
-                assertEquals("on purpose", e.cause?.message)
-                assertEquals(expected[0], stateDigest(simulation.population))
-                assertEquals(1, simulation.step)
-                broken = false
-                simulation.advance()
-                assertEquals(expected[1], stateDigest(simulation.population))
+    fun `an error in a region, in any phase, is thrown at once, the population is as before, and the engine works on`() {
+        for (phase in Phase.entries) {
+            for (error in errors) {
+                var armed = false
+                for (engine in engines { if (armed && it.phase == phase && it.region <= 3) throwAny(error) }) {
+                    simulation(engine).use { simulation ->
+                        simulation.advance()
+                        armed = true
+                        // A step may come without this phase, such as that which looks ahead.
+                        while (simulation.step < expected.size) {
+                            val before = simulation.step
+                            val thrown = runCatching { simulation.advance() }.exceptionOrNull() ?: continue
+                            assertSame(error, thrown) { "${engine.name}, $phase" }
+                            assertEquals(before, simulation.step)
+                            break
+                        }
+                        assertTrue(simulation.step < expected.size) { "${engine.name}: no $phase came by" }
+                        val digest = expected[simulation.step.toInt() - 1]
+                        assertEquals(digest, stateDigest(simulation.population)) { "${engine.name}, $phase, $error" }
+                        armed = false
+                        assertWorksOn(simulation) { "${engine.name}, $phase, $error" }
+                        assertEquals(0, simulation.collisions!!.counters.causalityReplays)
+                    }
+                }
             }
         }
     }
 
     @Test
-    fun `a slow region is waited for`() {
-        for (engine in engines { if (it.region == 2) Thread.sleep(3) }) {
-            simulation(engine).use { simulation ->
-                simulation.advance()
-                assertEquals(expected[0], stateDigest(simulation.population))
-            }
-        }
-    }
-
-    @Test
-    fun `an interrupted host gets its step, and its interrupt`() {
-        for (engine in engines { }) {
-            simulation(engine).use { simulation ->
-                for (digest in expected) {
-                    Thread.currentThread().interrupt()
+    fun `what a law throws comes out of the step as it is, the population is as before, and the engine works on`() {
+        for (thrown in exceptions + errors) {
+            for (engine in engines()) {
+                var armed = false
+                simulation(engine) { if (armed) throwAny(thrown) else 1.0 }.use { simulation ->
                     simulation.advance()
-                    assertTrue(Thread.interrupted())
-                    assertEquals(digest, stateDigest(simulation.population))
+                    armed = true
+                    assertSame(thrown, runCatching { simulation.advance() }.exceptionOrNull()) { engine.name }
+                    assertEquals(expected[0], stateDigest(simulation.population)) { "${engine.name}, $thrown" }
+                    armed = false
+                    assertWorksOn(simulation) { "${engine.name}, $thrown" }
                 }
             }
         }
     }
 
     @Test
-    fun `a step that is closed from another thread ends, with the population as before`() {
-        for (make in 0..1) {
-            val inside = CountDownLatch(1)
-            val engine = engines {
-                if (it.phase == Phase.WORK) {
-                    inside.countDown()
-                    Thread.sleep(20)
-                }
-            }[make]
-            val simulation = simulation(engine)
-            val before = stateDigest(simulation.population)
-            val closer = Thread {
-                inside.await()
-                engine.close()
-            }.apply { start() }
-            assertThrows(CancellationException::class.java) { simulation.advance() }
-            closer.join()
-            assertEquals(before, stateDigest(simulation.population))
-            engine.close()
-            assertThrows(IllegalStateException::class.java) { simulation.advance() }
+    fun `a law that fails once, on a path that may be a guess, costs nothing but a replay`() {
+        for (engine in engines()) {
+            val calls = AtomicInteger()
+            val law = { _: Double -> if (calls.incrementAndGet() == 30) throw ArithmeticException("on purpose") else 1.0 }
+            simulation(engine, law).use { simulation ->
+                assertWorksOn(simulation) { engine.name }
+                assertEquals(1, simulation.collisions!!.counters.causalityReplays)
+            }
         }
     }
 
     @Test
-    fun `a coroutine that is cancelled in the middle of a step leaves the population as before, and the engine works on`() {
-        var slow = true
-        val engine = RegionActorEngine(2, layout).also { it.probe = { if (slow) Thread.sleep(5) } }
-        val (p, boundary) = gas(400, 4)
-        val step = CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also { it.duration = 0.2 }
-        val before = stateDigest(p)
-        runBlocking {
-            val job = launch { engine.advanceSuspending(step) }
-            delay(30)
-            job.cancel()
-            job.join()
-            assertTrue(job.isCancelled)
+    fun `of several failures an error counts, whichever region was first`() {
+        val error = OutOfMemoryError("on purpose")
+        for (region in 0..4) {
+            val probe = { command: RegionCommand ->
+                if (command.phase == Phase.SEARCH) throwAny(if (command.region == region) error else exceptions[0])
+            }
+            for (engine in engines(probe)) {
+                simulation(engine).use { assertSame(error, runCatching { it.advance() }.exceptionOrNull()) }
+            }
+        }
+    }
+
+    @Test
+    fun `a collapse is the serial engine's to declare`() {
+        val n = 10
+        val x = DoubleArray(n) { 2.2 * it }
+        val vx = DoubleArray(n) { 4.5 - it }
+        for (engine in engines()) {
+            fun zeros() = DoubleArray(n)
+            fun ones() = DoubleArray(n) { 1.0 }
+            val p = Population(x.clone(), zeros(), zeros(), vx.clone(), zeros(), zeros(), ones(), ones())
+            val before = stateDigest(p)
+            Simulation(p, Open, CollisionForcing(ConstantRestitution(0.0), engine = engine), FixedTimeStep(1.0)).use {
+                assertThrows(CollapseException::class.java) { it.advance() }
+            }
             assertEquals(before, stateDigest(p))
-            slow = false
-            engine.advanceSuspending(step)
         }
-        assertNotEquals(before, stateDigest(p))
-        engine.close()
     }
 
     @Test
-    fun `a restitution that throws is a failing region`() {
-        for (engine in engines { }) {
-            simulation(engine, { throw ArithmeticException("on purpose") }).use { simulation ->
-                val before = stateDigest(simulation.population)
-                assertThrows(RegionFailedException::class.java) { simulation.advance() }
-                assertEquals(before, stateDigest(simulation.population))
+    fun `a step that fails in the coordinator's own work leaves an engine that works on`() {
+        for (engine in engines()) {
+            simulation(engine).use { simulation ->
+                val step = FaultKit.step().also { it.duration = 1e9 }
+                assertThrows(IllegalArgumentException::class.java) { engine.advance(step) }
+                assertEquals(initial, stateDigest(step.population))
+                assertWorksOn(simulation) { engine.name }
             }
         }
     }
 
     @Test
-    fun `closing twice, and without a single step`() {
-        for (engine in engines { }) {
-            engine.close()
-            engine.close()
+    fun `a slow region is waited for, longer than the patience with regions that do not begin`() {
+        for (engine in engines { if (it.region == 2 && it.phase == Phase.WORK) Thread.sleep(250) }) {
+            FaultKit.setPatience(engine, 100_000_000)
+            simulation(engine).use { simulation ->
+                simulation.advance()
+                assertEquals(expected[0], stateDigest(simulation.population))
+            }
         }
     }
 
     @Test
-    fun `inside a host with an actor system of its own, engines come and go and the system stays`() {
-        val config = ConfigFactory.parseString("pekko.loglevel=WARNING").withFallback(ConfigFactory.load())
-        val host = ActorSystem.create(Behaviors.empty<Void>(), "host", config)
-        try {
-            repeat(5) {
-                PekkoEngine(2, layout, host).use { engine ->
-                    val simulation = simulation(engine)
-                    simulation.advance()
-                    assertEquals(expected[0], stateDigest(simulation.population))
-                }
-                assertFalse(host.whenTerminated().isCompleted)
+    fun `one step at a time, and none from within another`() {
+        for (engine in engines()) {
+            var inner: Throwable? = null
+            val law = { _: Double ->
+                if (inner == null) inner = runCatching { engine.advance(FaultKit.step()) }.exceptionOrNull()
+                1.0
             }
-        } finally {
-            host.terminate()
+            simulation(engine, law).use { simulation ->
+                simulation.advance()
+                assertEquals("a step is under way", inner?.message)
+                assertEquals(expected[0], stateDigest(simulation.population))
+            }
         }
     }
 }

@@ -13,6 +13,8 @@ import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.parallel.ExecutorHandler
+import daphnis.core.parallel.ThreadHandler
+import daphnis.core.parallel.WorkerTask
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -76,8 +78,16 @@ class SimulationFaultsTest : FaultKit() {
     fun `a store that fails leaves the population of an engine without a simulation as it was`() {
         for (nth in 1..200) {
             val calls = AtomicInteger()
-            val executor = Executor { if (calls.incrementAndGet() == nth) throw RejectedExecutionException() else it.run() }
-            val engine = IslandsEngine(ExecutorHandler(executor, 2), fewest = 0)
+            val handler = object : ThreadHandler {
+                override val threads get() = 2
+
+                override fun run(task: WorkerTask) {
+                    for (worker in 0 until threads) if (calls.incrementAndGet() == nth) throw OutOfMemoryError() else task.work(worker)
+                }
+
+                override fun close() = Unit
+            }
+            val engine = IslandsEngine(handler, fewest = 0)
             val population = large.copy()
             val step = CollisionStep(population, wide, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters())
             step.duration = 0.02

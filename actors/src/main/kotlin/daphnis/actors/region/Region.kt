@@ -16,6 +16,27 @@ public class Region(public val number: Int, private val map: RegionMap, private 
     /** Called before each command; for tests that make a region fail or dawdle. */
     public var probe: (RegionCommand) -> Unit = {}
 
+    /** Whether [serve] is at work. */
+    @Volatile
+    internal var isAtWork: Boolean = false
+        private set
+
+    /**
+     * Does what [command] says and puts what comes of it into [answers], whatever that is: throws nothing, since who
+     * runs actors may lose what they throw.
+     */
+    internal fun serve(command: RegionCommand, answers: Answers) {
+        isAtWork = true
+        try {
+            answers.put(handle(command))
+        } catch (e: Throwable) {
+            answers.fail(number, e)
+        } finally {
+            // After the answer: who sees neither knows that there will be none.
+            isAtWork = false
+        }
+    }
+
     /** Does what [command] says and answers it. Throws what goes wrong. */
     public fun handle(command: RegionCommand): RegionReply {
         probe(command)

@@ -49,6 +49,3 @@ public class RegionReply(public val region: Int, public val phase: Phase, public
         val NOTHING = IntArray(0)
     }
 }
-
-/** A region threw twice at the same step. The population is as it was before the step. */
-public class RegionFailedException(message: String, cause: Throwable) : RuntimeException(message, cause)

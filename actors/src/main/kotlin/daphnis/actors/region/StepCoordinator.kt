@@ -43,15 +43,19 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     public var isFinished: Boolean = true
         private set
 
-    /** What the first region that failed threw; null when none did. */
+    /**
+     * What a region threw, or the coordinator's own work: an [Error] if there was any, else the first exception; null
+     * when all went well.
+     */
     public var failure: Throwable? = null
         private set
 
     @Volatile
     private var cancelled = false
+    private var isStored = false
 
-    /** Whether [cancel] ended the step. */
-    public val isCancelled: Boolean get() = cancelled
+    /** Whether [cancel] keeps the step from succeeding, or did. */
+    public val isCancelled: Boolean get() = cancelled && !isStored
 
     /** Begins [step]; may be called again for the same step after a failure. */
     public fun begin(step: CollisionStep) {
@@ -59,10 +63,13 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
         this.step = step
         failure = null
         cancelled = false
+        isStored = false
         isFinished = false
         redone = 0
-        field.measure(step, loop)
-        attempt()
+        guarded {
+            field.measure(step, loop)
+            attempt()
+        }
     }
 
     private fun attempt() {
@@ -77,25 +84,28 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     /** The next command to send, null when there is none now. */
     public fun poll(): RegionCommand? = outbox.removeFirstOrNull()
 
-    /** Makes the step end as soon as the regions have answered what they were asked. From any thread. */
+    /**
+     * Makes the step end as soon as the regions have answered what they were asked, with the population as before. From
+     * any thread. Once the population is being written the step has succeeded, and this does nothing.
+     */
     public fun cancel() {
         cancelled = true
+        field.stop()
+    }
+
+    /** Makes the regions stop what they are at; for a step that has failed. From any thread. */
+    internal fun stopWork() {
         field.stop()
     }
 
     /** Takes the answer of a region. */
     public fun accept(reply: RegionReply) {
         outstanding--
-        if (reply.failure != null) {
-            failure?.addSuppressed(reply.failure) ?: run { failure = reply.failure }
-            field.stop()
-        }
-        if (failure != null || cancelled) {
-            outstanding -= outbox.size
-            outbox.clear()
-            if (outstanding == 0) isFinished = true
-            return
-        }
+        if (reply.failure != null) fail(reply.failure)
+        if (failure != null || cancelled) giveUp() else guarded { follow(reply) }
+    }
+
+    private fun follow(reply: RegionReply) {
         when (reply.phase) {
             Phase.WORK -> for (k in 0 until reply.border.size / 2) border.add(reply.border[2 * k], reply.border[2 * k + 1], null)
             Phase.GRANT -> {
@@ -105,6 +115,28 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
             else -> Unit
         }
         if (outstanding == 0) goOn()
+    }
+
+    /** What the coordinator's own work throws ends the step as what a region throws does: when all have answered. */
+    private inline fun guarded(work: () -> Unit) {
+        try {
+            work()
+        } catch (e: Throwable) {
+            fail(e)
+            giveUp()
+        }
+    }
+
+    private fun fail(e: Throwable) {
+        if (failure == null || e is Error && failure !is Error) failure = e
+        field.stop()
+    }
+
+    /** Sends nothing more; the step has ended when all have answered. */
+    private fun giveUp() {
+        outstanding -= outbox.size
+        outbox.clear()
+        if (outstanding == 0) isFinished = true
     }
 
     /** All have answered. */
@@ -152,11 +184,18 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
                 return
             }
         }
-        val step = step!!
+        finish(step!!)
+    }
+
+    /** The population is written last. Nothing after it can fail, and nothing after it looks at [cancel]. */
+    private fun finish(step: CollisionStep) {
         crew.writeTo(step.record)
-        field.store(step, loop)
-        step.counters.redoneSteps += redone
-        crew.addTo(step.counters)
+        if (!cancelled) {
+            field.store(step, loop)
+            isStored = true
+            step.counters.redoneSteps += redone
+            crew.addTo(step.counters)
+        }
         isFinished = true
     }
 

@@ -35,7 +35,7 @@ public interface CollisionEngine : AutoCloseable {
      *
      * @throws CollapseException when one sphere has more than 10,000 collisions in a row without time going on: each at
      *   most 1e-13 of the step after the one before
-     * @throws IllegalArgumentException when a sphere meets images too far away, when the step has more than 10,000,000
+     * @throws IllegalArgumentException when a sphere meets images too far away, when the step has more than 2,000,000
      *   collisions and 1000 for each sphere, or when sizes, speeds and duration are too far apart to compute contacts.
      *   Like the state, whether and why a step fails is the same for every engine
      * @throws IllegalStateException after [close]

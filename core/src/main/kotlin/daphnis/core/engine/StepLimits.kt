@@ -57,7 +57,7 @@ internal class StepLimits {
         /** Of one sphere. Honest heaps that come to rest at one moment have some thousand. */
         const val MOST_IN_A_ROW = 10_000
 
-        private const val LEAST_WORK = 10_000_000L
+        private const val LEAST_WORK = 2_000_000L
         private const val WORK_A_SPHERE = 1000L
 
         /** How many collisions a step of [spheres] spheres may have. */

@@ -16,7 +16,12 @@ internal class FirstFailure {
 
     fun add(e: Throwable) {
         val earlier = first.compareAndExchange(null, e)
-        if (earlier != null && earlier !== e) earlier.addSuppressed(e)
+        if (earlier == null || earlier === e) return
+        try {
+            earlier.addSuppressed(e)
+        } catch (noMemory: OutOfMemoryError) {
+            // The first is kept. A worker that threw here would not be counted as done.
+        }
     }
 
     /** Throws what was kept, if anything, and forgets it. */

@@ -10,13 +10,26 @@ import java.util.concurrent.locks.LockSupport
  * Hand-over: [run] writes [task] and [remaining], then [generation] (volatile) → a worker sees the new generation, then reads the task and
  * works → it decrements [remaining] (atomic) → the caller sees 0 and returns. A sleeper sets its flag and looks at the generation once
  * more before it parks, and [run] looks at the flags after it has written the generation, so one of the two sees the other.
+ *
+ * When the system gives no more threads, the caller does the work of those that are missing after its own. An interrupt
+ * of a worker means nothing and is cleared, since a thread with the flag set could not sleep.
+ *
+ * @param start starts a thread; for tests in which it fails
  */
-public class FixedPool(override val threads: Int) : ThreadHandler {
+public class FixedPool internal constructor(
+    override val threads: Int,
+    private val start: (Thread) -> Unit,
+) : ThreadHandler {
+    public constructor(threads: Int) : this(threads, Thread::start)
+
     private val workers = arrayOfNulls<Thread>(threads)
     private val asleep = Array(threads) { AtomicInteger() }
     private val remaining = AtomicInteger()
     private val failure = FirstFailure()
     private var task: WorkerTask = WorkerTask { }
+
+    /** Workers that have a thread, the caller among them; 0 before the first run. */
+    private var running = 0
 
     @Volatile
     private var generation = 0
@@ -41,13 +54,14 @@ public class FixedPool(override val threads: Int) : ThreadHandler {
             check(!closed) { CLOSED }
             check(caller == null) { "the thread handler is running a task already" }
             caller = Thread.currentThread()
-            if (workers[1] == null) startThreads()
+            if (running == 0) startThreads()
             this.task = task
-            remaining.set(threads - 1)
+            remaining.set(running - 1)
             generation++
         }
-        for (k in 1 until threads) if (asleep[k].get() != 0) LockSupport.unpark(workers[k])
+        for (k in 1 until running) if (asleep[k].get() != 0) LockSupport.unpark(workers[k])
         failure.guard { task.work(0) }
+        for (k in running until threads) failure.guard { task.work(k) }
         awaitOthers()
         caller = null
         failure.rethrow()
@@ -71,11 +85,16 @@ public class FixedPool(override val threads: Int) : ThreadHandler {
     }
 
     private fun startThreads() {
-        for (k in 1 until threads) {
-            workers[k] = Thread({ serve(k) }, "daphnis-pool-$k").apply {
-                isDaemon = true
-                start()
+        running = 1
+        try {
+            for (k in 1 until threads) {
+                val thread = Thread({ serve(k) }, "daphnis-pool-$k").apply { isDaemon = true }
+                start(thread)
+                workers[k] = thread
+                running++
             }
+        } catch (e: OutOfMemoryError) {
+            // Of memory or of threads: the pool makes do with what it has.
         }
     }
 
@@ -103,6 +122,7 @@ public class FixedPool(override val threads: Int) : ThreadHandler {
                 asleep[worker].set(1)
                 if (generation == seen && !closed) LockSupport.park(this)
                 asleep[worker].set(0)
+                Thread.interrupted()
             }
         }
         return true

@@ -36,8 +36,11 @@ public class ParallelLoop(private val handler: ThreadHandler, public val strateg
         this.grain = grain
         this.body = body
         next.set(0)
-        handler.run(this)
-        this.body = null
+        try {
+            handler.run(this)
+        } finally {
+            this.body = null
+        }
     }
 
     override fun work(worker: Int) {

@@ -1,7 +1,18 @@
 package daphnis.core.parallel
 
-/** The first form of the paper's handler: a new thread for every task. Its cost, some 50 µs a thread, is what [FixedPool] saves. */
-public class ThreadPerTask(override val threads: Int) : ThreadHandler {
+/**
+ * The first form of the paper's handler: a new thread for every task. Its cost, some 50 µs a thread, is what
+ * [FixedPool] saves. When the system gives no more threads, the caller does the work of those that are missing after
+ * its own.
+ *
+ * @param start starts a thread; for tests in which it fails
+ */
+public class ThreadPerTask internal constructor(
+    override val threads: Int,
+    private val start: (Thread) -> Unit,
+) : ThreadHandler {
+    public constructor(threads: Int) : this(threads, Thread::start)
+
     @Volatile
     private var closed = false
 
@@ -12,13 +23,19 @@ public class ThreadPerTask(override val threads: Int) : ThreadHandler {
     override fun run(task: WorkerTask) {
         check(!closed) { "the thread handler is closed" }
         val failure = FirstFailure()
-        val others = Array(threads - 1) { k ->
-            Thread({ failure.guard { task.work(k + 1) } }, "daphnis-task-${k + 1}").apply {
-                isDaemon = true
-                start()
+        val others = ArrayList<Thread>(threads - 1)
+        try {
+            for (worker in 1 until threads) {
+                val thread = Thread({ failure.guard { task.work(worker) } }, "daphnis-task-$worker")
+                thread.isDaemon = true
+                start(thread)
+                others += thread
             }
+        } catch (e: OutOfMemoryError) {
+            // Of memory or of threads.
         }
         failure.guard { task.work(0) }
+        for (worker in others.size + 1 until threads) failure.guard { task.work(worker) }
         var interrupted = false
         for (thread in others) {
             while (thread.isAlive) {

@@ -50,16 +50,16 @@ class StepLimitsTest {
     }
 
     @Test
-    fun `ten million collisions and a thousand for each sphere pass, one more is refused`() {
-        limits.checkWork(10_002_000)
-        val e = assertThrows(IllegalArgumentException::class.java) { limits.checkWork(10_002_001) }
+    fun `two million collisions and a thousand for each sphere pass, one more is refused`() {
+        limits.checkWork(2_002_000)
+        val e = assertThrows(IllegalArgumentException::class.java) { limits.checkWork(2_002_001) }
         assertTrue("smaller dt" in e.message.orEmpty()) { e.message }
     }
 
     @Test
     fun `a step with more collisions than that is refused, and the population is as it was`() {
-        // Between two walls, less than a ten-millionth of a step apart.
-        val p = populationOf(Sphere(vz = 1.0006e7))
+        // Between two walls, less than a two-millionth of a step apart.
+        val p = populationOf(Sphere(vz = 2.0016e6))
         val simulation = simulationOf(p, Walls(Box.centred(4.0, 4.0, 3.0)), 1.0)
         assertThrows(IllegalArgumentException::class.java) { simulation.advance() }
         assertEquals(0.0, p.x[0])

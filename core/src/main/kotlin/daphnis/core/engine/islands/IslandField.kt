@@ -83,6 +83,7 @@ public class IslandField(private val workers: Int) {
     @Volatile
     internal var outrunner = FREE
     private var outrunRows = rows
+    private var enlarged = 0
 
     /** Whether somebody has given up: processing goes on no further. */
     @Volatile
@@ -101,6 +102,7 @@ public class IslandField(private val workers: Int) {
      * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
      */
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
+        enlarged = 0
         reach.measure(step.population, step.boundary, step.duration, loop)
     }
 
@@ -109,8 +111,10 @@ public class IslandField(private val workers: Int) {
      *
      * @throws IllegalArgumentException when there is none, see [Reach.enlarge]; since the path of the sphere was a
      *   guess, that does not mean that the step is refused
+     * @throws IllegalStateException when that has helped too often: only false paths go on and on like that
      */
     public fun enlarge() {
+        check(++enlarged <= MOST_ENLARGED) { "false paths outrun every bound" }
         reach.enlarge(outrunRows, outrunner, FREE, population, duration)
     }
 
@@ -224,6 +228,9 @@ public class IslandField(private val workers: Int) {
 
     internal companion object {
         const val FREE = -1
+
+        /** Times that a step is begun again with a larger bound. */
+        private const val MOST_ENLARGED = 30
 
         const val TICKET = 4
 

@@ -99,7 +99,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         field.measure(step, loop)
         while (!attempt(step)) {
             if (isLate()) return LATE
-            check(++redone <= MOST_REDONE) { "false paths outrun every bound" }
+            redone++
             field.enlarge()
         }
         return redone
@@ -172,7 +172,6 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
 
     private companion object {
         const val LATE = -1
-        const val MOST_REDONE = 30
         const val WORTH_SPHERES = 20_000
         const val SPHERES_A_PIECE = 512
         const val LEAST_IN_PARALLEL = 64

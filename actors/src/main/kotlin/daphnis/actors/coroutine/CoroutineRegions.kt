@@ -1,0 +1,60 @@
+package daphnis.actors.coroutine
+
+import daphnis.actors.region.Answers
+import daphnis.actors.region.Region
+import daphnis.actors.region.RegionCommand
+import daphnis.actors.region.RegionHost
+import kotlinx.coroutines.CoroutineDispatcher
+import kotlinx.coroutines.CoroutineExceptionHandler
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.ExecutorCoroutineDispatcher
+import kotlinx.coroutines.SupervisorJob
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.channels.Channel
+import kotlinx.coroutines.launch
+import java.util.concurrent.ExecutorService
+
+/**
+ * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of commands. A region's state is
+ * touched by its coroutine alone while it handles a command, and by the coordinator only when all have answered: what
+ * happens before a send on a channel is seen after the receive that gets it.
+ */
+internal class CoroutineRegions(
+    dispatcher: CoroutineDispatcher,
+    regions: List<Region>,
+    answers: Answers,
+) : RegionHost {
+    // How a coroutine ends is told by its completion; there is nobody else to tell.
+    private val scope = CoroutineScope(SupervisorJob() + dispatcher + CoroutineExceptionHandler { _, _ -> })
+
+    /** One command at most: a region has answered the last before it gets the next. */
+    private val mailboxes = List(regions.size) { Channel<RegionCommand>(1) }
+
+    init {
+        try {
+            for (region in regions) {
+                scope.launch { for (command in mailboxes[region.number]) region.serve(command, answers) }
+                    .invokeOnCompletion { answers.leave(region.number) }
+            }
+        } catch (e: Throwable) {
+            stop()
+            throw e
+        }
+    }
+
+    override val name: String get() = "the dispatcher"
+
+    /** An executor that was told to end at once drops coroutines without a word. */
+    override val hasEnded: Boolean get() = executor?.isTerminated == true
+
+    private val executor = (dispatcher as? ExecutorCoroutineDispatcher)?.executor as? ExecutorService
+
+    override fun send(command: RegionCommand) {
+        check(mailboxes[command.region].trySend(command).isSuccess) { "region ${command.region} takes no command" }
+    }
+
+    override fun stop() {
+        for (mailbox in mailboxes) mailbox.close()
+        scope.cancel()
+    }
+}

@@ -1,0 +1,180 @@
+package daphnis.actors.region
+
+import daphnis.core.engine.CollisionStep
+import daphnis.core.engine.SerialEngine
+import daphnis.core.parallel.RangeBody
+import daphnis.core.parallel.RangeLoop
+import java.util.concurrent.CancellationException
+import java.util.concurrent.Semaphore
+import java.util.concurrent.locks.LockSupport
+
+/**
+ * What the engines on regions have in common: a step from its beginning to its end, and the end of the engine.
+ *
+ * **How a step ends.** Regions grow islands on paths that are guesses until they have been checked, so an exception out
+ * of a region (a collapse, a step that is refused, a law that throws) may come from something that never happens. It is
+ * put before the serial engine, which is the specification: what that makes of the step, from the population that
+ * nobody has written, is the outcome. An [Error] is thrown on at once. After either, all regions are replaced by new
+ * ones, since the one that failed may have left what they share half done.
+ *
+ * **How the engine ends.** [close] marks and cancels, and waits for nobody, so that it may be called from anywhere,
+ * also from a function that a region is calling. Whoever comes last, the step under way or [close], ends the regions
+ * and calls [release].
+ *
+ * @param threads number of workers to plan for
+ * @param inner the loop on the engine's threads
+ * @param open starts the regions
+ * @param release ends the engine's threads
+ */
+internal class RegionSteps(
+    private val layout: RegionLayout?,
+    private val threads: Int,
+    private val inner: RangeLoop,
+    private val open: (List<Region>, Answers) -> RegionHost,
+    private val release: () -> Unit,
+) : AutoCloseable {
+    /** Held while a step is under way, or the engine is being taken down. */
+    private val stepping = Semaphore(1)
+    private val judge = SerialEngine()
+    private var exchange: StepExchange? = null
+
+    @Volatile
+    private var current: StepCoordinator? = null
+
+    @Volatile
+    private var isClosed = false
+
+    /** Called by every region before each command; for tests. Set before the first step. */
+    var probe: ((RegionCommand) -> Unit)? = null
+
+    /** See [StepExchange]; tests shorten it. Set before the first step. */
+    var patience: Long = StepExchange.PATIENCE
+
+    /** The loop on the engine's threads, until it is closed. */
+    val loop: RangeLoop = object : RangeLoop {
+        override val workers: Int get() = inner.workers
+
+        override fun run(size: Int, grain: Int, body: RangeBody) {
+            requireOpen()
+            inner.run(size, grain, body)
+        }
+    }
+
+    fun requireOpen() {
+        check(!isClosed) { CLOSED }
+    }
+
+    /** Takes [step] on this thread. An interrupt does not end it; the flag is set again afterwards. */
+    fun advance(step: CollisionStep) {
+        val thread = Thread.currentThread()
+        var isInterrupted = false
+        try {
+            take(step, { LockSupport.unpark(thread) }, { true }) { exchange ->
+                // A wake-up that was used up while a loop waited is not needed: then there is news.
+                if (!exchange.hasNews) LockSupport.parkNanos(this, StepExchange.SLICE)
+                if (Thread.interrupted()) isInterrupted = true
+            }
+        } finally {
+            if (isInterrupted) thread.interrupt()
+        }
+    }
+
+    /**
+     * Takes [step].
+     *
+     * @param waker ends [await]
+     * @param isWanted asked at every turn; false cancels the step
+     * @param await waits until there is news, but no longer than a slice
+     */
+    inline fun take(step: CollisionStep, waker: Waker, isWanted: () -> Boolean, await: (StepExchange) -> Unit) {
+        val exchange = enter(step, waker)
+        try {
+            while (!exchange.turn()) {
+                await(exchange)
+                if (!isWanted()) exchange.coordinator.cancel()
+            }
+            conclude(exchange, step)
+        } finally {
+            leave(exchange)
+        }
+    }
+
+    fun enter(step: CollisionStep, waker: Waker): StepExchange {
+        requireOpen()
+        check(stepping.tryAcquire()) { "a step is under way" }
+        try {
+            val exchange = exchange ?: newExchange(step.population.size).also { exchange = it }
+            exchange.begin(step, waker)
+            current = exchange.coordinator
+            // Who closes before it sees the coordinator has set the mark before this line.
+            if (isClosed) exchange.coordinator.cancel()
+            return exchange
+        } catch (e: Throwable) {
+            leave(exchange)
+            throw e
+        }
+    }
+
+    private fun newExchange(spheres: Int): StepExchange {
+        val coordinator = StepCoordinator(RegionMap(layout ?: RegionLayout.of(spheres, threads)), inner)
+        for (region in coordinator.regions) probe?.let { region.probe = it }
+        val answers = Answers(coordinator.regions.size)
+        return StepExchange(coordinator, answers, open(coordinator.regions, answers), patience)
+    }
+
+    fun conclude(exchange: StepExchange, step: CollisionStep) {
+        val failure = exchange.coordinator.failure
+        val lost = exchange.lost
+        when {
+            failure is Error -> throw failure
+            lost is Error -> throw lost
+            exchange.coordinator.isCancelled ->
+                throw CancellationException(if (isClosed) CLOSED else "the step was cancelled")
+            lost != null -> throw lost
+            failure != null -> {
+                judge.advance(step)
+                step.counters.causalityReplays++
+            }
+        }
+    }
+
+    fun leave(exchange: StepExchange?) {
+        current = null
+        try {
+            if (exchange != null && !exchange.isReusable) {
+                this.exchange = null
+                exchange.stop()
+            }
+        } finally {
+            stepping.release()
+            if (isClosed) takeDown()
+        }
+    }
+
+    /**
+     * Once the engine is closed, by whoever leaves last. Throws nothing, since the step that has just been done stays
+     * done.
+     */
+    private fun takeDown() {
+        if (!stepping.tryAcquire()) return
+        try {
+            exchange?.stop()
+            exchange = null
+            release()
+        } catch (e: Throwable) {
+            // Out of memory, say. Closing again tries again.
+        } finally {
+            stepping.release()
+        }
+    }
+
+    override fun close() {
+        isClosed = true
+        current?.cancel()
+        takeDown()
+    }
+
+    private companion object {
+        const val CLOSED = "the engine is closed"
+    }
+}
