@@ -45,14 +45,8 @@ enum class FailingCase {
  *
  * @param engine makes the engine, null for none
  */
-class FailingSteps(private val case: FailingCase, private val seed: Long, engine: () -> CollisionEngine?) :
-    AutoCloseable {
-    private class Made(
-        val simulation: Simulation,
-        val wire: Tripwire,
-        val outputs: List<WiredOutput>,
-        val moon: SatelliteSurface?,
-    )
+class FailingSteps(private val case: FailingCase, private val seed: Long, engine: () -> CollisionEngine?) : AutoCloseable {
+    private class Made(val simulation: Simulation, val wire: Tripwire, val outputs: List<WiredOutput>, val moon: SatelliteSurface?)
 
     private val made = make(engine())
     private val undisturbed = make(if (made.simulation.collisions == null) null else SerialEngine())
@@ -134,8 +128,7 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         assertEquals(BitState(undisturbed.simulation).byId(), BitState(simulation).byId()) { story }
     }
 
-    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean =
-        generateSequence(caught) { it.cause }.any { it === thrown || thrown in it.suppressed }
+    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean = generateSequence(caught) { it.cause }.any { it === thrown || thrown in it.suppressed }
 
     private fun make(engine: CollisionEngine?): Made {
         val wire = Tripwire()

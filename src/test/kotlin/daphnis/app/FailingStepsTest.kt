@@ -7,7 +7,6 @@ import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.FixedPool
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 import java.time.Duration
