@@ -77,8 +77,7 @@ internal object FaultKit {
     }
 
     /** Threads that engines made. */
-    fun engineThreads(): List<Thread> =
-        Thread.getAllStackTraces().keys.filter { it.isAlive && it.name.startsWith("daphnis") }
+    fun engineThreads(): List<Thread> = Thread.getAllStackTraces().keys.filter { it.isAlive && it.name.startsWith("daphnis") }
 
     /** Waits until no engine has a thread. Who leaks one fails by the test's time limit, after saying so here. */
     fun awaitNoEngineThreads() {

@@ -19,11 +19,7 @@ import java.util.concurrent.ExecutorService
  * touched by its coroutine alone while it handles a command, and by the coordinator only when all have answered: what
  * happens before a send on a channel is seen after the receive that gets it.
  */
-internal class CoroutineRegions(
-    dispatcher: CoroutineDispatcher,
-    regions: List<Region>,
-    answers: Answers,
-) : RegionHost {
+internal class CoroutineRegions(dispatcher: CoroutineDispatcher, regions: List<Region>, answers: Answers) : RegionHost {
     // How a coroutine ends is told by its completion; there is nobody else to tell.
     private val scope = CoroutineScope(SupervisorJob() + dispatcher + CoroutineExceptionHandler { _, _ -> })
 

@@ -33,11 +33,7 @@ import java.util.concurrent.CancellationException
  * @param host an actor system to live in; the engine's actors are system actors there and run on its default dispatcher. When null, the engine
  *   makes one of its own at the first step
  */
-public class PekkoEngine(
-    override val threads: Int,
-    layout: RegionLayout? = null,
-    host: ActorSystem<*>? = null,
-) : CollisionEngine {
+public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null, host: ActorSystem<*>? = null) : CollisionEngine {
     override val name: String get() = "pekko"
 
     init {

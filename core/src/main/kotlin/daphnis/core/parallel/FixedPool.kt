@@ -16,10 +16,7 @@ import java.util.concurrent.locks.LockSupport
  *
  * @param start starts a thread; for tests in which it fails
  */
-public class FixedPool internal constructor(
-    override val threads: Int,
-    private val start: (Thread) -> Unit,
-) : ThreadHandler {
+public class FixedPool internal constructor(override val threads: Int, private val start: (Thread) -> Unit) : ThreadHandler {
     public constructor(threads: Int) : this(threads, Thread::start)
 
     private val workers = arrayOfNulls<Thread>(threads)
