@@ -10,14 +10,14 @@ import java.nio.file.Path
  */
 public class RunRecord private constructor(private val directory: RunDirectory, private val head: Checkpoint.Head?, private val isLast: Boolean) {
     /**
-     * What is wrong with [files] of the directory, a line each with the file's name; rows that were written after the
-     * checkpoint are not looked at. Summary and impacts are known once the run has ended.
+     * What is wrong with [files] of the directory, missing ones among them, a line each with the file's name; rows that were
+     * written after the checkpoint are not looked at. Summary and impacts are known once the run has ended.
      */
     public fun problems(vararg files: Path): List<String> {
         val meta = head?.meta ?: return emptyList()
         // While a run goes on, impacts are written before the checkpoint that knows them.
         val whole = if (isLast && RunDirectory.SUMMARY in meta.whole && Files.exists(directory.summary)) meta.whole else emptyMap()
-        return files.filter { Files.exists(it) }.mapNotNull { file ->
+        return files.mapNotNull { file ->
             val name = file.fileName.toString()
             val problem = meta.appended[name]?.problem(file) ?: whole[name]?.problem(file, whole = true)
             problem?.let { "$file: $it" }
