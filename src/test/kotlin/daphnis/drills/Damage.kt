@@ -83,7 +83,7 @@ internal class Damage(private val home: Path, seed: Long) {
         val worker = thread(isDaemon = true) { result = commands.run(command, directory) }
         worker.join(LONGEST_MILLISECONDS)
         val verdict = verdict(command, directory, Path.of(file).name, result)
-        if (verdict.isGood) delete(directory)
+        if (verdict.isGood) for (done in listOf(directory, Path.of("$directory-out"))) delete(done)
         return DamageCase(number, file, damage, command, verdict, result?.let { it.err.trim().take(300) }.orEmpty())
     }
 
@@ -101,7 +101,7 @@ internal class Damage(private val home: Path, seed: Long) {
     }
 
     private fun delete(directory: Path) {
-        Files.walk(directory).use { all -> all.sorted(Comparator.reverseOrder()).forEach { Files.delete(it) } }
+        if (Files.exists(directory)) Files.walk(directory).use { all -> all.sorted(Comparator.reverseOrder()).forEach { Files.delete(it) } }
     }
 
     companion object {
