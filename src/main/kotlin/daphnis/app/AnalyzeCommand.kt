@@ -17,7 +17,6 @@ import daphnis.analysis.report.AnalysisProgress
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
 class AnalyzeCommand : CliktCommand(name = "analyze") {

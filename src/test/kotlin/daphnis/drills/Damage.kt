@@ -51,7 +51,9 @@ internal class Damage(private val home: Path, seed: Long) {
 
     init {
         commands.makeRun(home)
-        files = Files.walk(base).use { all -> all.filter { Files.isRegularFile(it) }.map { base.relativize(it).toString() }.sorted().toList() }
+        files = Files.walk(base).use { all ->
+            all.filter { Files.isRegularFile(it) }.map { base.relativize(it).toString() }.sorted().toList()
+        }
         expected = RunCommands.NAMES.associateWith { name ->
             val copy = copy("expected-$name")
             val result = commands.run(name, copy)
@@ -93,8 +95,12 @@ internal class Damage(private val home: Path, seed: Long) {
         if ("\tat " in result.err || "fault of daphnis" in result.err) return Verdict.TRACE
         val isNamed = file in result.err
         if (result.code == 0) {
-            val same = expected.getValue(command).filterKeys { it != file } == commands.results(command, directory, result).filterKeys { it != file }
-            return if (same) Verdict.SAME else if (isNamed) Verdict.NOTICED else Verdict.WRONG
+            val results = commands.results(command, directory, result)
+            return when {
+                results - file == expected.getValue(command) - file -> Verdict.SAME
+                isNamed -> Verdict.NOTICED
+                else -> Verdict.WRONG
+            }
         }
         if (result.code !in 1..2 || !isNamed) return Verdict.WRONG
         return if (lines.size == 1) Verdict.TOLD else Verdict.TRACE
@@ -112,7 +118,7 @@ internal class Damage(private val home: Path, seed: Long) {
         fun main(args: Array<String>) {
             val home = Files.createTempDirectory("daphnis-damage")
             val cases = Damage(home, args[1].toLong()).run(args[0].toInt())
-            for (verdict in Verdict.entries) println("%8s %5d".format(java.util.Locale.ROOT, verdict, cases.count { it.verdict == verdict }))
+            for (verdict in Verdict.entries) println("$verdict ${cases.count { it.verdict == verdict }}")
             val bad = cases.filterNot { it.verdict.isGood }
             for (case in bad) println("$case\n    in $home/case-${case.number}")
             exitProcess(if (bad.isEmpty()) 0 else 1)

@@ -19,8 +19,7 @@ internal class Records private constructor(val version: Int, private val bytes: 
 
     fun integers(name: String): IntArray = ByteBuffer.wrap(get(name)).asIntBuffer().let { b -> IntArray(b.remaining()).also { b.get(it) } }
 
-    fun doubles(name: String): DoubleArray =
-        ByteBuffer.wrap(get(name)).asDoubleBuffer().let { b -> DoubleArray(b.remaining()).also { b.get(it) } }
+    fun doubles(name: String): DoubleArray = ByteBuffer.wrap(get(name)).asDoubleBuffer().let { b -> DoubleArray(b.remaining()).also { b.get(it) } }
 
     companion object {
         const val VERSION = 3

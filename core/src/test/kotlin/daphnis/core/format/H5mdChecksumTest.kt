@@ -98,6 +98,5 @@ class H5mdChecksumTest {
         assertArrayEquals(frame.velocity[2], read.velocity[2])
     }
 
-    private fun placesOf(bytes: ByteArray, part: ByteArray): List<Int> =
-        (0..bytes.size - part.size).filter { at -> part.indices.all { bytes[at + it] == part[it] } }
+    private fun placesOf(bytes: ByteArray, part: ByteArray): List<Int> = (0..bytes.size - part.size).filter { at -> part.indices.all { bytes[at + it] == part[it] } }
 }

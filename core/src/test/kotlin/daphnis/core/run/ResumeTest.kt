@@ -131,7 +131,11 @@ class ResumeTest {
 
     @Test
     fun `a scenario changed in what touches no bit goes on, and says so`() {
-        val changes = listOf("\"name\": \"serial\"" to "\"name\": \"islands\"", "\"name\": \"tables\"" to "\"name\": \"chairs\"", "\"checkpointEvery\": 3" to "\"checkpointEvery\": 4")
+        val changes = listOf(
+            "\"name\": \"serial\"" to "\"name\": \"islands\"",
+            "\"name\": \"tables\"" to "\"name\": \"chairs\"",
+            "\"checkpointEvery\": 3" to "\"checkpointEvery\": 4",
+        )
         for ((k, change) in changes.withIndex()) {
             val directory = edited("harmless-$k", change.first, change.second)
             val notices = resume(directory)
