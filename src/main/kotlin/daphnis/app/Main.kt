@@ -36,7 +36,8 @@ fun main(args: Array<String>) {
     val code = runDaphnis(args)
     System.out.flush()
     val problem = output.problem ?: exitProcess(code)
-    exitProcess(complain("standard output: $problem; not all that was said has arrived", if (code == EXIT_DONE) EXIT_FAILED else code))
+    val failed = if (code == EXIT_DONE) EXIT_FAILED else code
+    exitProcess(complain("standard output: $problem; not all that was said has arrived", failed))
 }
 
 /**

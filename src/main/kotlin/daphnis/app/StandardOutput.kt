@@ -9,9 +9,9 @@ import java.io.PrintStream
 import java.nio.charset.Charset
 
 /**
- * Standard output that remembers its first failure, which `System.out` swallows. A reader that has gone (`| head -1`) is no
- * failure: what nobody reads is dropped and the work goes on to its end, because files are what most commands are for. A
- * full device is one, and is said when the command has done its work.
+ * Standard output that remembers its first failure, which `System.out` swallows. A reader that has gone (`| head -1`)
+ * is no failure: what nobody reads is dropped and the work goes on to its end, because files are what most commands are
+ * for. A full device is one, and is said when the command has done its work.
  */
 internal class StandardOutput(private val target: OutputStream) : OutputStream() {
     private var failure: IOException? = null

@@ -4,8 +4,8 @@ import daphnis.core.scenario.InputException
 import java.nio.file.Path
 
 /**
- * The path that [word] of the command line means. An empty one, as of a variable that is not set, would mean the working
- * directory, which nobody wants.
+ * The path that [word] of the command line means. An empty one, as of a variable that is not set, would mean the
+ * working directory, which nobody wants.
  *
  * @param what the option or argument
  */

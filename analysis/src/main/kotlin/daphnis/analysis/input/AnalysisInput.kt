@@ -98,7 +98,8 @@ public class AnalysisInput private constructor(
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
             val bounds = { population: Population -> bounded(setup.boundary, population) }
             return AnalysisInput(
-                scenario.name, setup.scenario, summary, times, ::frame, bounds, setup.angularSpeed, transport, series, impacts, run, notices,
+                scenario.name, setup.scenario, summary, times, ::frame, bounds, setup.angularSpeed,
+                transport, series, impacts, run, notices,
             )
         }
 

@@ -12,7 +12,8 @@ import java.nio.file.Path
  * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView read. One
  * particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius as plain datasets,
  * radius being an addition of ours; `box/edges` of a box centred on the origin. Units are the scenario's and have no names, or SI
- * by H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a checksum over all that is read ([H5mdChecksum]).
+ * by H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a checksum over all that is read
+ * ([H5mdChecksum]).
  */
 public object H5md {
     /**
@@ -116,7 +117,8 @@ public object H5md {
         DatasetCreationOptions.builder().chunkDimensions(1, minOf(frames.first().size, CHUNK), 3).shuffle().deflate(DEFLATE).build()
 
     /**
-     * Reads every frame of a file that [write] wrote. One without a checksum, of an older version or another program, is taken as it is.
+     * Reads every frame of a file that [write] wrote. One without a checksum, of an older version or another program, is
+     * taken as it is.
      *
      * @throws FormatException when it is no such file, or is damaged
      */
@@ -157,7 +159,9 @@ public object H5md {
                 )
             }
             val checksum = (file.getByPath("/parameters") as io.jhdf.api.Group).getAttribute(H5mdChecksum.ATTRIBUTE)?.data
-            if (checksum != null && frames.isNotEmpty() && checksum != H5mdChecksum.of(frames)) throw FormatException("$path: is damaged: its checksum is wrong")
+            if (checksum != null && frames.isNotEmpty() && checksum != H5mdChecksum.of(frames)) {
+                throw FormatException("$path: is damaged: its checksum is wrong")
+            }
             frames
         }
     } catch (e: FormatException) {

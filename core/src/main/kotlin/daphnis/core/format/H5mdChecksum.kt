@@ -4,8 +4,8 @@ import java.nio.ByteBuffer
 import java.util.zip.CRC32C
 
 /**
- * CRC-32C over all that [H5md.read] takes from a file, in the order of [of]: numbers big-endian, doubles by their bits. HDF5
- * has checksums of its own for parts of a file only.
+ * CRC-32C over all that [H5md.read] takes from a file, in the order of [of]: numbers big-endian, doubles by their bits.
+ * HDF5 has checksums of its own for parts of a file only.
  */
 internal object H5mdChecksum {
     /** Name of the attribute of the group `parameters` that holds it, as a 64-bit integer. */

@@ -41,8 +41,11 @@ internal class AppendedCheck(private val directory: RunDirectory, private val me
     private fun accept(name: String, path: Path, mark: FileMark): String {
         val end = if (Files.exists(path)) endOfLine(path, minOf(mark.length, Files.size(path))) else 0
         if (end > 0) beginnings[name] = Beginning.of(path, end)
-        val lost = if (end == 0L) "all rows up to step ${meta.step} are lost" else "${mark.length - end} of its ${mark.length} bytes are lost"
-        return if (end == mark.length) "$path: its checksum is wrong; its rows are kept as they are" else "$path: $lost"
+        return when (end) {
+            0L -> "$path: all rows up to step ${meta.step} are lost"
+            mark.length -> "$path: its checksum is wrong; its rows are kept as they are"
+            else -> "$path: ${mark.length - end} of its ${mark.length} bytes are lost"
+        }
     }
 
     /** Where the last line that ends at [length] or before does; 0 when there is none. */

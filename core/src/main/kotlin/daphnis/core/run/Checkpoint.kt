@@ -10,11 +10,11 @@ import java.nio.file.Path
 /**
  * All that a run needs to go on to the same bits, and to know its other files again.
  *
- * The file: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name, a
- * long with the length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON
- * ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are arrays in the order of ids; `END.` is
- * empty and last. A file cut short or with flipped bytes does not pass. Format 2 has no `SCEN`, and of other files their
- * lengths only.
+ * The file: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name,
+ * a long with the length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON
+ * ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are arrays in the order of ids;
+ * `END.` is empty and last. A file cut short or with flipped bytes does not pass. Format 2 has no `SCEN`, and of other
+ * files their lengths only.
  *
  * @property scenario null in format 2
  */

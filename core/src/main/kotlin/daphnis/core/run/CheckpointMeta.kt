@@ -5,9 +5,10 @@ import kotlinx.serialization.Serializable
 /**
  * What a checkpoint knows beside the spheres.
  *
- * @property appended each file that is only appended to, by name in the run directory, as far as it is the run's: what lies
- *   beyond was written after the checkpoint and is cut off on resume
- * @property whole likewise files that are written anew with each checkpoint; `summary.json` among them in the last of a run
+ * @property appended each file that is only appended to, by name in the run directory, as far as it is the run's: what
+ *   lies beyond was written after the checkpoint and is cut off on resume
+ * @property whole likewise files that are written anew with each checkpoint; `summary.json` among them in the last of a
+ *   run
  * @property collisionSums of the statistics of collisions, when they are kept; likewise [impactSpeeds]
  */
 @Serializable

@@ -9,9 +9,9 @@ import java.nio.file.Path
 internal class GoodCheckpoint(val checkpoint: Checkpoint, val beginnings: Map<String, Beginning>)
 
 /**
- * The two checkpoints of a run directory. A new one is written whole beside them; then the last becomes the previous one,
- * then the new one the last. At every moment one of them is good: killed between the two moves, there is the previous one.
- * One that was found damaged is not kept in place of the previous one.
+ * The two checkpoints of a run directory. A new one is written whole beside them; then the last becomes the previous
+ * one, then the new one the last. At every moment one of them is good: killed between the two moves, there is the
+ * previous one. One that was found damaged is not kept in place of the previous one.
  */
 internal class Checkpoints(private val directory: RunDirectory) {
     private val files = directory.files
@@ -47,10 +47,12 @@ internal class Checkpoints(private val directory: RunDirectory) {
             whole += file to checkpoint
             val appended = AppendedCheck(directory, checkpoint.meta)
             problems += appended.problems
-            if (appended.problems.isEmpty()) return taken(file, GoodCheckpoint(checkpoint, appended.beginnings), problems, notices)
+            if (appended.problems.isNotEmpty()) continue
+            return taken(file, GoodCheckpoint(checkpoint, appended.beginnings), problems, notices)
         }
         if (whole.isEmpty()) {
-            throw InputException("", null, problems.joinToString("; ") + "; no checkpoint is left to go on from, run the scenario again")
+            val mend = "no checkpoint is left to go on from, run the scenario again"
+            throw InputException("", null, "${problems.joinToString("; ")}; $mend")
         }
         if (!acceptLoss) {
             val mend = "bring the file back, or go on with what is there: resume --accept-loss"
@@ -65,7 +67,9 @@ internal class Checkpoints(private val directory: RunDirectory) {
     private fun taken(file: Path, good: GoodCheckpoint, problems: List<String>, notices: MutableList<String>): GoodCheckpoint {
         notices += problems
         if (notices.isNotEmpty()) notices += "going on from $file, step ${good.checkpoint.meta.step}"
-        if (good.checkpoint.scenario == null) notices += "$file: is of format 2, without checksums of scenario and tables; they are not checked"
+        if (good.checkpoint.scenario == null) {
+            notices += "$file: is of format 2, without checksums of scenario and tables; they are not checked"
+        }
         isLastGood = file == directory.checkpoint
         return good
     }

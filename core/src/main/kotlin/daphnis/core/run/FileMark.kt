@@ -7,8 +7,8 @@ import java.nio.file.Path
 import java.util.zip.CRC32C
 
 /**
- * What a checkpoint knows of a file, or of its beginning: [length] in bytes, and [checksum], the CRC-32C of these, null in
- * checkpoints of format 2.
+ * What a checkpoint knows of a file, or of its beginning: [length] in bytes, and [checksum], the CRC-32C of these, null
+ * in checkpoints of format 2.
  */
 @Serializable
 internal class FileMark(val length: Long, val checksum: Long? = null) {

@@ -13,10 +13,10 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /**
- * Takes a directory for a new run: one that is not there or is empty, or with [force] one that holds a run. First [claim]
- * looks and locks, then [begin] writes; the run that was there goes only when all that the new one needs has been written
- * beside it. A process killed in between leaves the old run, or a start that was cut short: `scenario.json.tmp` without
- * `scenario.json`, which anyone may start over.
+ * Takes a directory for a new run: one that is not there or is empty, or with [force] one that holds a run. First
+ * [claim] looks and locks, then [begin] writes; the run that was there goes only when all that the new one needs has
+ * been written beside it. A process killed in between leaves the old run, or a start that was cut short:
+ * `scenario.json.tmp` without `scenario.json`, which anyone may start over.
  */
 internal class NewRun(private val directory: RunDirectory, private val force: Boolean) {
     private val path = directory.path
@@ -66,16 +66,19 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         if (!path.isDirectory()) refuse("exists and is no directory")
         if (directory.scenario.exists()) {
             if (!force) refuse("exists; give another directory with --out, or --force to replace the run in it")
-            for (part in parts()) if (part.exists() && !Files.isWritable(part)) refuse("cannot be replaced: $part is not writable")
+            for (part in parts()) {
+                if (part.exists() && !Files.isWritable(part)) refuse("cannot be replaced: $part is not writable")
+            }
             return
         }
         if (pending.exists()) return
-        val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptyDirectory(it) }
+        val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptySnapshots(it) }
         if (others.isEmpty()) return
-        refuse(if (force) "is not empty and holds no run; --force replaces runs only" else "is not empty; give another directory with --out")
+        if (force) refuse("is not empty and holds no run; --force replaces runs only")
+        refuse("is not empty; give another directory with --out")
     }
 
-    private fun isEmptyDirectory(file: Path) = file == directory.snapshots && file.isDirectory() && file.listDirectoryEntries().isEmpty()
+    private fun isEmptySnapshots(file: Path): Boolean = file == directory.snapshots && file.isDirectory() && file.listDirectoryEntries().isEmpty()
 
     private fun parts() = listOf(directory.snapshots, directory.plots, directory.tables)
 
@@ -124,14 +127,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     private fun removeRun() {
         // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks whole.
         files.delete(directory.scenario)
-        for (
-        file in listOf(
-            directory.summary, directory.checkpoint, directory.previousCheckpoint, directory.newCheckpoint, directory.series,
-            directory.transport, directory.impacts, directory.collisions, directory.report,
-        )
-        ) {
-            files.delete(file)
-        }
+        for (file in directory.ownFiles()) files.delete(file)
         for (part in parts()) if (part.isDirectory()) for (file in part.listDirectoryEntries()) files.delete(file)
     }
 

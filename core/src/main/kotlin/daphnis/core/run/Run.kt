@@ -105,8 +105,9 @@ public class Run internal constructor(
         val c = simulation.collisions?.counters ?: CollisionCounters()
         val statistics = parts.statistics.takeIf { parts.transport != null }
         val meta = CheckpointMeta(
-            simulation.step, simulation.time, c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays, wallSeconds,
-            appended, whole, statistics?.sums().orEmpty(), statistics?.speeds?.asList().orEmpty(),
+            simulation.step, simulation.time,
+            c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
+            wallSeconds, appended, whole, statistics?.sums().orEmpty(), statistics?.speeds?.asList().orEmpty(),
         )
         checkpoints.write(meta, scenarioText, simulation.population)
     }

@@ -38,6 +38,9 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     internal val previousCheckpoint: Path get() = path.resolve("checkpoint.previous")
     internal val newCheckpoint: Path get() = path.resolve("checkpoint.new")
 
+    /** What a run writes beside its scenario and what stands in directories. */
+    internal fun ownFiles(): List<Path> = listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, series, transport, impacts, collisions, report)
+
     /** The file for the snapshot after [step]. */
     public fun snapshot(step: Long): Path = snapshots.resolve("%010d.h5".format(java.util.Locale.ROOT, step))
 
@@ -48,7 +51,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
      */
     public fun snapshotSteps(): List<Long> = try {
         val files = if (snapshots.isDirectory()) snapshots.listDirectoryEntries("*.h5") else emptyList()
-        files.mapNotNull { file -> file.name.removeSuffix(".h5").toLongOrNull()?.takeIf { snapshot(it).name == file.name } }.sorted()
+        files.mapNotNull { it.name.removeSuffix(".h5").toLongOrNull() }.filter { snapshot(it) in files }.sorted()
     } catch (e: IOException) {
         throw InputException(snapshots.toString(), null, "cannot be read: ${reasonOf(e)}")
     }

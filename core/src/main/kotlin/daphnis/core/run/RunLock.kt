@@ -10,12 +10,12 @@ import java.nio.file.StandardOpenOption
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Keeps all others from writing into a run directory: other processes by a lock of the system on the file `.lock`, which
- * ends with the process, however it ends; other runs of this process by a list.
+ * Keeps all others from writing into a run directory: other processes by a lock of the system on the file `.lock`,
+ * which ends with the process, however it ends; other runs of this process by a list.
  *
  * The file stays when the lock is given back: were it deleted, one process could hold a lock on the deleted file and
- * another on the next of that name. The list is asked first, because on POSIX systems a process gives up its lock on a file
- * when it closes *any* channel to it.
+ * another on the next of that name. The list is asked first, because on POSIX systems a process gives up its lock on a
+ * file when it closes *any* channel to it.
  */
 internal class RunLock private constructor(private val directory: Path, private val channel: FileChannel) : AutoCloseable {
     override fun close() {

@@ -10,8 +10,8 @@ import java.nio.file.Path
  */
 public class RunRecord private constructor(private val directory: RunDirectory, private val head: Checkpoint.Head?, private val isLast: Boolean) {
     /**
-     * What is wrong with [files] of the directory, missing ones among them, a line each with the file's name; rows that were
-     * written after the checkpoint are not looked at. Summary and impacts are known once the run has ended.
+     * What is wrong with [files] of the directory, missing ones among them, a line each with the file's name; rows that
+     * were written after the checkpoint are not looked at. Summary and impacts are known once the run has ended.
      */
     public fun problems(vararg files: Path): List<String> {
         val meta = head?.meta ?: return emptyList()

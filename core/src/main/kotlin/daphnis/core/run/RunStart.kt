@@ -19,7 +19,8 @@ internal fun startRun(scenario: Scenario, source: String, directory: RunDirector
         val place = NewRun(directory, force)
         lock = place.claim()
         val resolved = place.begin(setup.scenario)
-        return Run(directory, resolved, ScenarioJson.write(resolved), parts, Checkpoints(directory), null, lock, setup.notices + warnings(setup))
+        val notices = setup.notices + warnings(setup)
+        return Run(directory, resolved, ScenarioJson.write(resolved), parts, Checkpoints(directory), null, lock, notices)
     } catch (e: IOException) {
         parts.simulation.use { lock?.close() }
         throw cannotWrite(directory, e)
@@ -34,7 +35,7 @@ internal fun resumeRun(directory: RunDirectory, until: Double?, engines: EngineF
     directory.requireRun()
     val lock = RunLock.take(directory.path)
     try {
-        // Once more: it may have gone while we waited for nobody.
+        // Once more: another process may have replaced it before the lock was taken.
         directory.requireRun()
         return resumed(directory, until, engines, acceptLoss, lock)
     } catch (e: IOException) {
@@ -53,8 +54,9 @@ private fun resumed(directory: RunDirectory, until: Double?, engines: EngineFact
         throw InputException("--until", null, "is $until; it must be > ${read.startTime}")
     }
     val notices = ArrayList<String>()
-    val good = Checkpoints(directory).let { it to it.lastGood(acceptLoss, notices) }
-    val checkpoint = good.second?.checkpoint
+    val checkpoints = Checkpoints(directory)
+    val good = checkpoints.lastGood(acceptLoss, notices)
+    val checkpoint = good?.checkpoint
     checkSame(directory, checkpoint, read, notices)
     if (until != null) checkLater(until, checkpoint?.meta?.time ?: 0.0, scenario)
     val source = directory.scenario.toString()
@@ -68,7 +70,7 @@ private fun resumed(directory: RunDirectory, until: Double?, engines: EngineFact
         parts.simulation.close()
         throw e
     }
-    return Run(directory, scenario, ScenarioJson.write(read), parts, good.first, good.second, lock, notices)
+    return Run(directory, scenario, ScenarioJson.write(read), parts, checkpoints, good, lock, notices)
 }
 
 /** Another scenario would go on from the checkpoint to a run that never was. */
@@ -83,7 +85,8 @@ private fun checkSame(directory: RunDirectory, checkpoint: Checkpoint?, scenario
 
 /** A time that is past cannot be an end; the last step may have fallen on either side of it by round-off. */
 private fun checkLater(until: Double, now: Double, scenario: Scenario) {
-    if (until < now - endSlack(scenario)) throw InputException("--until", null, "is $until; the run is at time $now, give a later end")
+    if (until >= now - endSlack(scenario)) return
+    throw InputException("--until", null, "is $until; the run is at time $now, give a later end")
 }
 
 /** A whole number of fixed steps can fall short of the end by round-off; so much is no other step. */

@@ -11,8 +11,8 @@ import kotlinx.serialization.json.JsonObject
 /**
  * What differs between the scenario that a run was made with and the one that its directory holds now.
  *
- * @property essential changes that would make another run of it, a line each: all but those that touch no bit of a state,
- *   which are name and description, the end, engine and search, and how often outputs are written
+ * @property essential changes that would make another run of it, a line each: all but those that touch no bit of a
+ *   state, which are name and description, the end, engine and search, and how often outputs are written
  * @property harmless the other changes, a line each
  */
 internal class ScenarioChanges private constructor(val essential: List<String>, val harmless: List<String>) {
