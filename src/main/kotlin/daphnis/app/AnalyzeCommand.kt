@@ -17,7 +17,6 @@ import daphnis.analysis.report.AnalysisProgress
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
 class AnalyzeCommand : CliktCommand(name = "analyze") {
@@ -32,20 +31,22 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     private val azimuth by option("--azimuth", help = "direction in which these rays climb, from x toward y, degrees (default 0)").double().default(0.0)
     private val frames by option("--frames", help = "states that are averaged at most (default 40)").int().default(40)
     private val out by option("--out", metavar = "dir", help = "where to write (default: into the run directory; FILE-analysis for a file)")
+    private val acceptLoss by option("--accept-loss", help = "take files that are not what the run wrote as they are; which is said").flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 
     override fun help(context: Context) = "Write tables, plots and a report of a run."
 
     override fun run() {
         checkOptions()
-        val path = Path.of(what)
+        val path = pathOf(what, "dir-or-file")
         val input = if (Files.isRegularFile(path)) {
             AnalysisInput.ofFile(path, scenario?.let { scenarioNamed(it, settings) }, scenario.orEmpty())
         } else {
             if (scenario != null) throw InputException("--scenario", null, "is for files; the run in $path has its own")
-            AnalysisInput.ofRun(path)
+            AnalysisInput.ofRun(path, acceptLoss)
         }
-        val directory = out?.let { Path.of(it) } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
+        for (notice in input.notices) warn(notice)
+        val directory = out?.let { pathOf(it, "--out") } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
         Files.createDirectories(directory)
         analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())

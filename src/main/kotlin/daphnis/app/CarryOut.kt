@@ -19,7 +19,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
     preparePlot()
     try {
         start().use { run ->
-            for (notice in run.notices) System.err.println("daphnis: $notice")
+            for (notice in run.notices) warn(notice)
             val directory = run.directory.path
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else ""
@@ -33,19 +33,30 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
                 println("interrupted after step ${summary.steps}; go on with: daphnis resume $directory")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
-            if (run.hasSeries) {
-                try {
-                    val scale = PlotScale.of(ScenarioJson.read(run.directory.scenario), run.simulation.population)
-                    RunPlot.write(run.directory.series, run.directory.plots, summary.scenario, scale)
-                } catch (e: RuntimeException) {
-                    // The numbers are safe; a missing plot is no reason to call the run failed.
-                    System.err.println("daphnis: no plot: ${e.message}")
-                }
-            }
+            if (run.hasSeries) drawPlot(run, summary)
             report(summary)
+            if (interruption.requested) {
+                println("interrupted at the end: the run is complete, there is nothing to resume")
+                throw ProgramResult(EXIT_INTERRUPTED)
+            }
         }
     } finally {
         interruption.done()
+    }
+}
+
+/** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */
+private fun drawPlot(run: Run, summary: Summary) {
+    fun none(e: Throwable) = warn("no plot: ${e.message ?: e.javaClass.simpleName}; the run is complete")
+    try {
+        val scale = PlotScale.of(ScenarioJson.read(run.directory.scenario), run.simulation.population)
+        RunPlot.write(run.directory.series, run.directory.plots, summary.scenario, scale)
+    } catch (e: Exception) {
+        none(e)
+    } catch (e: LinkageError) {
+        none(e)
+    } catch (e: OutOfMemoryError) {
+        none(e)
     }
 }
 

@@ -4,13 +4,12 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
-import daphnis.core.format.Frame
-import daphnis.core.format.H5md
+import daphnis.core.format.FormatException
 import daphnis.core.run.RunDirectory
+import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** `daphnis compare`: exit code 0 when two runs are identical, 1 when they differ. */
 class CompareCommand : CliktCommand(name = "compare") {
@@ -24,7 +23,7 @@ class CompareCommand : CliktCommand(name = "compare") {
         val b = directory(second)
         val common = a.snapshotSteps().intersect(b.snapshotSteps().toSet()).sorted()
         for (step in common) {
-            val difference = difference(H5md.read(a.snapshot(step)).first(), H5md.read(b.snapshot(step)).first()) ?: continue
+            val difference = firstDifference(a.frame(step), b.frame(step)) ?: continue
             println("differ at step $step: $difference")
             throw ProgramResult(EXIT_FAILED)
         }
@@ -40,25 +39,14 @@ class CompareCommand : CliktCommand(name = "compare") {
     }
 
     private fun directory(word: String): RunDirectory {
-        val directory = RunDirectory(Path.of(word))
-        if (!Files.exists(directory.scenario)) throw InputException(word, null, "is no run directory")
+        val directory = RunDirectory(pathOf(word, "dir"))
+        directory.requireRun()
         return directory
     }
 
-    private fun digest(directory: RunDirectory): String? = if (Files.exists(directory.summary)) Summary.read(directory.summary).stateDigest else null
-
-    private fun difference(a: Frame, b: Frame): String? {
-        if (!a.id.contentEquals(b.id)) return "the particles are not the same (${a.size} and ${b.size})"
-        for (k in 0 until a.size) {
-            for (axis in 0..2) {
-                val x = a.position[axis][k]
-                val y = b.position[axis][k]
-                if (x.toRawBits() != y.toRawBits()) return "particle ${a.id[k]}, ${"xyz"[axis]} = $x against $y"
-                val v = a.velocity[axis][k]
-                val w = b.velocity[axis][k]
-                if (v.toRawBits() != w.toRawBits()) return "particle ${a.id[k]}, v${"xyz"[axis]} = $v against $w"
-            }
-        }
-        return null
+    private fun digest(directory: RunDirectory): String? {
+        if (!Files.exists(directory.summary)) return null
+        RunRecord.of(directory).problems(directory.summary).firstOrNull()?.let { throw FormatException(it) }
+        return Summary.read(directory.summary).stateDigest
     }
 }

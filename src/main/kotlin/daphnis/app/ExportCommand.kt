@@ -9,12 +9,15 @@ import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.double
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.ExtendedXyz
+import daphnis.core.format.FormatException
 import daphnis.core.format.Frame
 import daphnis.core.format.H5md
 import daphnis.core.format.Vtp
 import daphnis.core.run.RunDirectory
+import daphnis.core.run.RunRecord
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import java.nio.file.Files
 import java.nio.file.Path
@@ -34,13 +37,13 @@ class ExportCommand : CliktCommand(name = "export") {
 
     override fun run() {
         checkOptions()
-        val run = RunDirectory(Path.of(directory))
-        if (!Files.exists(run.scenario)) throw InputException(directory, null, "is no run directory")
+        val run = RunDirectory(pathOf(directory, "dir"))
+        run.requireRun()
         val steps = run.snapshotSteps()
         if (steps.isEmpty()) throw InputException(directory, null, "has no snapshots; run with --set output.snapshotEvery=10, say")
-        val target = out?.let { Path.of(it) } ?: run.path.resolve("export")
+        val target = out?.let { pathOf(it, "--out") } ?: run.path.resolve("export")
         Files.createDirectories(target)
-        val frames = steps.asSequence().map { H5md.read(run.snapshot(it)).first() }
+        val frames = steps.asSequence().map { run.frame(it) }
         val written = when (format) {
             "xyz" -> xyz(frames, target)
             "vtp" -> vtp(frames, target)
@@ -60,7 +63,7 @@ class ExportCommand : CliktCommand(name = "export") {
 
     private fun h5md(frames: Sequence<Frame>, run: RunDirectory, target: Path): Path {
         val si = if (units == "si") {
-            ScenarioJson.read(run.scenario).units.si
+            scenario(run).units.si
                 ?: throw InputException("--units", null, "is si; the scenario in $directory does not say units.lengthInMetres")
         } else {
             null
@@ -75,6 +78,13 @@ class ExportCommand : CliktCommand(name = "export") {
         val nameless = "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False"
         println(if (si == null) nameless else "units are m, s, m s-1 and kg")
         return file
+    }
+
+    /** The scenario in the directory, if it is the one that the run was made with. */
+    private fun scenario(run: RunDirectory): Scenario {
+        val scenario = ScenarioJson.read(run.scenario)
+        RunRecord.of(run).changes(scenario).firstOrNull()?.let { throw FormatException("$it; bring it back to have SI units") }
+        return scenario
     }
 
     private fun xyz(frames: Sequence<Frame>, target: Path): Path {

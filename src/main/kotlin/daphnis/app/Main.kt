@@ -8,19 +8,19 @@ import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
-import daphnis.core.format.FormatException
-import daphnis.core.run.RunException
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
-import java.io.IOException
 import kotlin.system.exitProcess
 
 /** `daphnis`, the command line: see `daphnis --help` and docs/guide.md. */
 class Daphnis : CliktCommand(name = "daphnis") {
     init {
         versionOption(Version.text)
+        // Taken from among the words before they are parsed, since it may stand anywhere; here for the help.
+        registerOption(option(DEBUG, help = "anywhere: show the stack trace of what goes wrong").flag())
         context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
     }
 
@@ -32,14 +32,23 @@ class Daphnis : CliktCommand(name = "daphnis") {
 }
 
 fun main(args: Array<String>) {
-    exitProcess(runDaphnis(args))
+    val output = StandardOutput.install()
+    val code = runDaphnis(args)
+    System.out.flush()
+    val problem = output.problem ?: exitProcess(code)
+    val failed = if (code == EXIT_DONE) EXIT_FAILED else code
+    exitProcess(complain("standard output: $problem; not all that was said has arrived", failed))
 }
 
-/** Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted after a checkpoint. Never a stack trace for a user's mistake. */
+/**
+ * Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted after a checkpoint. Whatever goes wrong is
+ * one line on the error stream, and a stack trace only with [DEBUG].
+ */
 internal fun runDaphnis(args: Array<String>): Int {
+    val words = args.filter { it != DEBUG }.toTypedArray()
     val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), AnalyzeCommand(), ScenariosCommand(), DescribeCommand())
     return try {
-        command.parse(command.understood(args))
+        command.parse(command.understood(words))
         EXIT_DONE
     } catch (e: ProgramResult) {
         e.statusCode
@@ -48,16 +57,9 @@ internal fun runDaphnis(args: Array<String>): Int {
     } catch (e: CliktError) {
         command.echoFormattedHelp(e)
         if (e.statusCode == 0) EXIT_DONE else EXIT_INPUT
-    } catch (e: InputException) {
-        complain(e.message.orEmpty(), EXIT_INPUT)
-    } catch (e: FormatException) {
-        complain(e.message.orEmpty(), EXIT_INPUT)
-    } catch (e: RunException) {
-        complain(e.message.orEmpty(), EXIT_FAILED)
-    } catch (e: IOException) {
-        complain("${e.javaClass.simpleName}: ${e.message}", EXIT_FAILED)
-    } catch (e: OutOfMemoryError) {
-        complain("not enough memory (the JVM has ${Runtime.getRuntime().maxMemory() shr 20} MiB); raise it with JAVA_OPTS=-Xmx…", EXIT_FAILED)
+    } catch (e: Throwable) {
+        if (words.size < args.size) e.printStackTrace()
+        complain(e)
     }
 }
 
@@ -72,11 +74,6 @@ private fun CliktCommand.understood(args: Array<String>): Array<String> {
 private fun oneLine(help: String, e: UsageError): String {
     val errors = help.lines().filter { it.startsWith("Error: ") }.joinToString("; ") { it.removePrefix("Error: ") }
     return "$errors (see ${e.context?.commandNameWithParents()?.joinToString(" ") ?: "daphnis"} --help)"
-}
-
-private fun complain(message: String, code: Int): Int {
-    System.err.println("daphnis: $message")
-    return code
 }
 
 internal const val EXIT_DONE = 0

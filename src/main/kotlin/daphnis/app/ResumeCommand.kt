@@ -7,17 +7,17 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import daphnis.core.run.Run
-import java.nio.file.Path
 
 /** `daphnis resume`. */
 class ResumeCommand : CliktCommand(name = "resume") {
     private val directory by argument("dir", help = "run directory")
     private val until by option("--until", help = "end at this time instead of the scenario's").double()
+    private val acceptLoss by option("--accept-loss", help = "go on with tables that are damaged, as they are; what is lost is said").flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 
     override fun help(context: Context) = "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
 
     override fun run() {
-        carryOut(quiet) { Run.resume(Path.of(directory), until, allEngines) }
+        carryOut(quiet) { Run.resume(pathOf(directory, "dir"), until, allEngines, acceptLoss) }
     }
 }

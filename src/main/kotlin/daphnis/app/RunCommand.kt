@@ -35,7 +35,7 @@ class RunCommand : CliktCommand(name = "run") {
 
     override fun run() {
         val resolved = resolve(described(scenarioNamed(scenario, settings + shorthands())))
-        val directory = out?.let { Path.of(it) } ?: freeDirectory(resolved.name)
+        val directory = out?.let { pathOf(it, "--out") } ?: freeDirectory(resolved.name)
         carryOut(quiet) { Run.start(resolved, scenario, directory, force, allEngines) }
     }
 

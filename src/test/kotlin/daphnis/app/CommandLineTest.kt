@@ -102,7 +102,7 @@ class CommandLineTest {
         assertRefused(daphnis("run", "cooling-gas", "--engine", "warp", "--out", at("x")), "engine.name", "serial")
         assertRefused(daphnis("resume", at("x")), "no such directory")
         assertRefused(daphnis("resume", home.toString()), "no run directory")
-        assertRefused(daphnis("compare", at("x"), at("y")), "no run directory")
+        assertRefused(daphnis("compare", at("x"), at("y")), "no such directory")
         small("a")
         assertRefused(small("a"), "exists", "--force")
         assertEquals(0, small("a", "--force").code)

@@ -3,16 +3,17 @@ package daphnis.analysis.input
 import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
+import daphnis.analysis.transport.ImpactTable
 import daphnis.analysis.transport.TransportTable
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.FormatException
 import daphnis.core.format.Frame
-import daphnis.core.format.H5md
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.population.Population
 import daphnis.core.run.RunDirectory
+import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
 import daphnis.core.run.atHome
 import daphnis.core.scenario.FrameSpec
@@ -31,6 +32,8 @@ import kotlin.io.path.name
  * @property times time of each state, ascending
  * @property transport of a run that wrote it, else null
  * @property series the time series of a run that wrote it, else null
+ * @property impacts the distribution of impact speeds of a run that wrote it, else null
+ * @property notices what a user should know of the files, a line each
  * @property scenario of a run, or the one given beside a file; null when there is none
  */
 public class AnalysisInput private constructor(
@@ -43,7 +46,9 @@ public class AnalysisInput private constructor(
     public val omega: Double?,
     public val transport: TransportTable?,
     public val series: SeriesTable?,
+    public val impacts: ImpactTable?,
     public val directory: RunDirectory?,
+    public val notices: List<String>,
 ) {
     /** Names of the units of all numbers. */
     public val units: UnitNames = UnitNames(scenario?.units)
@@ -68,16 +73,19 @@ public class AnalysisInput private constructor(
         /**
          * The run in [path], finished or still going on.
          *
+         * @param acceptLoss whether files that are not what the run wrote are taken as they are; [notices] say which
          * @throws InputException when there is no run or it has no snapshot
+         * @throws FormatException when a file cannot be read, or is not what the run wrote
          */
-        public fun ofRun(path: Path): AnalysisInput {
+        public fun ofRun(path: Path, acceptLoss: Boolean = false): AnalysisInput {
             val run = RunDirectory(path)
-            if (!Files.isDirectory(path)) throw InputException(path.toString(), null, "no such directory")
-            if (!Files.exists(run.scenario)) throw InputException(path.toString(), null, "is no run directory: it has no scenario.json")
-            val scenario = ScenarioJson.read(run.scenario).atHome(path)
+            run.requireRun()
+            val read = ScenarioJson.read(run.scenario)
+            val notices = checked(run, read, acceptLoss)
+            val scenario = read.atHome(path)
             val steps = run.snapshotSteps()
             if (steps.isEmpty()) throw InputException(path.toString(), null, "has no snapshots; run with --set output.snapshotEvery=10, say")
-            fun frame(k: Int) = H5md.read(run.snapshot(steps[k])).first()
+            fun frame(k: Int) = run.frame(steps[k])
             val first = frame(0).population()
             val setup = ScenarioSetup.of(scenario, run.scenario.toString(), first)
             val step = setup.timeStep
@@ -87,7 +95,22 @@ public class AnalysisInput private constructor(
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
             val series = if (Files.exists(run.series)) SeriesTable.read(run.series) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
-            return AnalysisInput(scenario.name, setup.scenario, summary, times, ::frame, { bounded(setup.boundary, it) }, setup.angularSpeed, transport, series, run)
+            val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
+            val bounds = { population: Population -> bounded(setup.boundary, population) }
+            return AnalysisInput(
+                scenario.name, setup.scenario, summary, times, ::frame, bounds, setup.angularSpeed,
+                transport, series, impacts, run, notices,
+            )
+        }
+
+        /** Holds what is read beside the states against what the run says it wrote. @return what differs and is accepted */
+        private fun checked(run: RunDirectory, scenario: Scenario, acceptLoss: Boolean): List<String> {
+            val record = RunRecord.of(run)
+            val problems = record.changes(scenario) + record.problems(run.summary, run.series, run.transport, run.impacts)
+            if (problems.isNotEmpty() && !acceptLoss) {
+                throw FormatException("${problems.first()}; bring it back, or take what is there: analyze --accept-loss")
+            }
+            return problems + record.harmlessChanges(scenario)
         }
 
         /**
@@ -104,7 +127,7 @@ public class AnalysisInput private constructor(
             val given = setup?.boundary ?: ofFrame(frames[0])
             return AnalysisInput(
                 path.name.substringBeforeLast('.'), setup?.scenario, null, DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
-                setup?.angularSpeed, null, null, null,
+                setup?.angularSpeed, null, null, null, null, emptyList(),
             )
         }
 

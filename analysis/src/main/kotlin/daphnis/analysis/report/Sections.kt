@@ -1,7 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.plot.PatchPicture
-import java.nio.file.Files
 
 /** The sections of a report in their order. Those that would mean nothing are left out, and the report says why. */
 internal class Sections(private val study: Study) {
@@ -82,9 +81,9 @@ internal class Sections(private val study: Study) {
     private fun notSlab(): String? = if (study.measures.isSlab) null else "the box is filled above and below"
 
     private fun noImpacts(): String? {
-        val file = input.directory?.impacts ?: return "a file of states does not hold them"
-        if (!Files.exists(file)) return "the run did not write them; it does with output.transportEvery"
-        return if (Files.readAllLines(file).size < 3) "there are too few collisions" else null
+        if (input.directory == null) return "a file of states does not hold them"
+        val impacts = input.impacts ?: return "the run did not write them; it does with output.transportEvery"
+        return if (impacts.size < 2) "there are too few collisions" else null
     }
 
     private companion object {

@@ -10,7 +10,6 @@ import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
-import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.sqrt
 
@@ -136,14 +135,12 @@ internal class StructureSections(
     }
 
     fun impacts(page: ReportPage) {
-        val file = input.directory?.impacts ?: return
-        if (!Files.exists(file)) return
-        val rows = Files.readAllLines(file).drop(1).map { line -> line.split(',').map { it.toDouble() } }
+        val rows = input.impacts ?: return
         if (rows.size < 2) return
         val factor = input.scenario?.units?.speedInCmPerSecond ?: 1.0
-        val total = rows.sumOf { it[2] }
-        val x = DoubleArray(rows.size) { sqrt(rows[it][0] * rows[it][1]) * factor }
-        val y = DoubleArray(rows.size) { rows[it][2] / total / Math.log(rows[it][1] / rows[it][0]) }
+        val total = rows.collisions.sum()
+        val x = DoubleArray(rows.size) { sqrt(rows.from[it] * rows.to[it]) * factor }
+        val y = DoubleArray(rows.size) { rows.collisions[it] / total / Math.log(rows.to[it] / rows.from[it]) }
         val figure = Chart.lines(listOf(Curve("impacts", x, y)), "impact speed [cm/s]", "part of impacts per ln v", logX = true)
         page.svg(Figures.write(figure, plots, "impact-speeds", Chart.WIDTH, Chart.HEIGHT), "distribution of impact speeds", "Impact speeds of all collisions of the run.")
         Table("impact-speeds", listOf(Column("speed", "cm/s", x), Column("fraction_per_ln_v", "", y))).write(tables)

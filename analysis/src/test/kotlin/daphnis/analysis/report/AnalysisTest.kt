@@ -165,12 +165,16 @@ class AnalysisTest {
         assertTrue("averages are over all of it." in Files.readString(path.resolve("report.html")))
         val unmarked = Files.readString(path.resolve("plots/temperature.svg"))
         assertTrue("stroke-dasharray" in marked && "stroke-dasharray" !in unmarked)
-        // A run that is being written: half a line at the end.
+        // Half a line at the end.
+        fun read(acceptLoss: Boolean) = AnalysisInput.ofRun(path, acceptLoss)
         val series = Files.readString(path.resolve("series.csv"))
         Files.writeString(path.resolve("series.csv"), series.dropLast(series.length / 3))
-        assertTrue(AnalysisInput.ofRun(path).series!!.size in 20..35)
+        val refused = assertThrows(FormatException::class.java) { read(false) }.message!!
+        assertTrue("series.csv" in refused && "--accept-loss" in refused) { refused }
+        assertTrue(read(true).series!!.size in 20..35)
+        assertTrue("series.csv" in read(true).notices.single())
         Files.writeString(path.resolve("series.csv"), series.replaceFirst("200", "many"))
-        assertTrue("series.csv:2" in assertThrows(FormatException::class.java) { AnalysisInput.ofRun(path) }.message!!)
+        assertTrue("series.csv:2" in assertThrows(FormatException::class.java) { read(true) }.message!!)
     }
 
     @Test

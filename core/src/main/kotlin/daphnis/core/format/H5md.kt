@@ -12,7 +12,8 @@ import java.nio.file.Path
  * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView read. One
  * particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius as plain datasets,
  * radius being an addition of ours; `box/edges` of a box centred on the origin. Units are the scenario's and have no names, or SI
- * by H5MD's module `units`.
+ * by H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a checksum over all that is read
+ * ([H5mdChecksum]).
  */
 public object H5md {
     /**
@@ -57,6 +58,7 @@ public object H5md {
         val parameters = file.putGroup("parameters")
         parameters.putDataset("shear_offset", DoubleArray(frames.size) { frames[it].shearOffset }).unit(names?.length)
         parameters.putDataset("shear_axes", intArrayOf(first.normalAxis, first.slideAxis))
+        parameters.putAttribute(H5mdChecksum.ATTRIBUTE, H5mdChecksum.of(frames))
     }
 
     private fun particles(all: WritableGroup, frames: List<Frame>, names: UnitNames?) {
@@ -115,9 +117,10 @@ public object H5md {
         DatasetCreationOptions.builder().chunkDimensions(1, minOf(frames.first().size, CHUNK), 3).shuffle().deflate(DEFLATE).build()
 
     /**
-     * Reads every frame of a file that [write] wrote.
+     * Reads every frame of a file that [write] wrote. One without a checksum, of an older version or another program, is
+     * taken as it is.
      *
-     * @throws FormatException when it is no such file
+     * @throws FormatException when it is no such file, or is damaged
      */
     public fun read(path: Path): List<Frame> = try {
         HdfFile(path).use { file ->
@@ -144,7 +147,7 @@ public object H5md {
             val id = if (isEmpty) IntArray(0) else data("id") as IntArray
             val mass = if (isEmpty) DoubleArray(0) else data("mass") as DoubleArray
             val radius = if (isEmpty) DoubleArray(0) else data("radius") as DoubleArray
-            steps.indices.map { t ->
+            val frames = steps.indices.map { t ->
                 fun columns(v: Array<Array<DoubleArray>>) = Array(3) { axis -> DoubleArray(id.size) { v[t][it][axis] } }
                 Frame(
                     steps[t], times[t], lengths(edges, t),
@@ -155,7 +158,14 @@ public object H5md {
                     image = images?.let { image(it[t] as Array<*>) },
                 )
             }
+            val checksum = (file.getByPath("/parameters") as io.jhdf.api.Group).getAttribute(H5mdChecksum.ATTRIBUTE)?.data
+            if (checksum != null && frames.isNotEmpty() && checksum != H5mdChecksum.of(frames)) {
+                throw FormatException("$path: is damaged: its checksum is wrong")
+            }
+            frames
         }
+    } catch (e: FormatException) {
+        throw e
     } catch (e: HdfException) {
         throw FormatException("$path: is not an H5MD file of daphnis: ${e.message}")
     } catch (e: RuntimeException) {

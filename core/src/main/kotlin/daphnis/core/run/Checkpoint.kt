@@ -1,51 +1,54 @@
 package daphnis.core.run
 
 import daphnis.core.population.Population
-import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
-import java.io.DataInputStream
 import java.io.DataOutputStream
-import java.io.EOFException
-import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.zip.CRC32C
 
 /**
- * All that a run needs to go on to the same bits.
+ * All that a run needs to go on to the same bits, and to know its other files again.
  *
- * The file: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name, a long with the
- * length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON ([CheckpointMeta]); `IDS `,
- * `POSX` … `IMGZ` are arrays in the order of ids; `END.` is empty and last. A file cut short or with flipped bytes does not pass.
+ * The file: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name,
+ * a long with the length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON
+ * ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are arrays in the order of ids;
+ * `END.` is empty and last. A file cut short or with flipped bytes does not pass. Format 2 has no `SCEN`, and of other
+ * files their lengths only.
+ *
+ * @property scenario null in format 2
  */
-internal class Checkpoint(val meta: CheckpointMeta, val population: Population) {
+internal class Checkpoint(val head: Head, val population: Population) {
+    val meta: CheckpointMeta get() = head.meta
+    val scenario: String? get() = head.scenario
+
+    /** All but the spheres. */
+    class Head(val meta: CheckpointMeta, val scenario: String?)
+
     companion object {
-        const val VERSION = 2
         private val IMAGES = listOf("IMGX", "IMGY", "IMGZ")
-        private const val MAGIC = 0x444150484e49530aL
         private val json = Json { encodeDefaults = true }
 
-        fun write(meta: CheckpointMeta, population: Population, path: Path) {
+        fun write(meta: CheckpointMeta, scenario: String, population: Population, path: Path) {
             val order = population.indicesById()
             DataOutputStream(Files.newOutputStream(path).buffered(1 shl 16)).use { out ->
-                out.writeLong(MAGIC)
-                out.writeInt(VERSION)
-                record(out, "META", json.encodeToString(CheckpointMeta.serializer(), meta).toByteArray(Charsets.UTF_8))
+                val records = RecordWriter(out)
+                records.text("META", json.encodeToString(CheckpointMeta.serializer(), meta))
+                records.text("SCEN", scenario)
                 val ids = ByteBuffer.allocate(4 * order.size)
                 for (k in order) ids.putInt(population.id[k])
-                record(out, "IDS ", ids.array())
+                records.write("IDS ", ids.array())
                 for ((name, column) in columns(population)) {
                     val bytes = ByteBuffer.allocate(8 * order.size)
                     for (k in order) bytes.putDouble(column[k])
-                    record(out, name, bytes.array())
+                    records.write(name, bytes.array())
                 }
                 for ((axis, name) in IMAGES.withIndex()) {
                     val bytes = ByteBuffer.allocate(4 * order.size)
                     for (k in order) bytes.putInt(population.boxesCrossed(population.id[k], axis))
-                    record(out, name, bytes.array())
+                    records.write(name, bytes.array())
                 }
-                record(out, "END.", ByteArray(0))
+                records.write(Records.END, ByteArray(0))
             }
         }
 
@@ -54,87 +57,47 @@ internal class Checkpoint(val meta: CheckpointMeta, val population: Population) 
             "RADI" to p.radius, "MASS" to p.mass, "LAST" to p.lastCollision,
         )
 
-        private fun record(out: DataOutputStream, name: String, bytes: ByteArray) {
-            out.writeBytes(name)
-            out.writeLong(bytes.size.toLong())
-            out.write(bytes)
-            out.writeInt(checksum(bytes))
-        }
-
-        private fun checksum(bytes: ByteArray): Int = CRC32C().apply { update(bytes) }.value.toInt()
-
         /** @throws CheckpointException that says in one line what is wrong with the file */
         fun read(path: Path): Checkpoint {
-            try {
-                DataInputStream(Files.newInputStream(path).buffered(1 shl 16)).use { input ->
-                    if (input.readLong() != MAGIC) throw CheckpointException("$path: is not a checkpoint of daphnis")
-                    val version = input.readInt()
-                    if (version != VERSION) throw OtherVersionException("$path: is a checkpoint of format $version, this daphnis reads format $VERSION")
-                    val limit = Files.size(path)
-                    val records = HashMap<String, ByteArray>()
-                    while ("END." !in records) readRecord(input, limit, path, records)
-                    return decode(records, path)
-                }
-            } catch (e: EOFException) {
-                throw CheckpointException("$path: is cut short")
-            } catch (e: IOException) {
-                throw CheckpointException("$path: cannot be read: ${e.message}")
-            }
+            val records = Records.read(path, Records.END)
+            return decoded(path) { Checkpoint(head(records), population(records)) }
         }
 
-        private fun readRecord(input: DataInputStream, limit: Long, path: Path, records: HashMap<String, ByteArray>) {
-            val name = String(ByteArray(4).also { input.readFully(it) }, Charsets.ISO_8859_1)
-            val length = input.readLong()
-            if (length < 0 || length > limit) throw CheckpointException("$path: is damaged: a record says it has $length bytes")
-            val bytes = ByteArray(length.toInt()).also { input.readFully(it) }
-            if (input.readInt() != checksum(bytes)) throw CheckpointException("$path: is damaged: the checksum of record $name is wrong")
-            records[name] = bytes
+        /** Reads what stands before the spheres. @throws CheckpointException as [read] does, as far as it reads */
+        fun readHead(path: Path): Head {
+            val records = Records.read(path, "IDS ")
+            return decoded(path) { head(records) }
         }
 
-        private fun decode(records: Map<String, ByteArray>, path: Path): Checkpoint = try {
-            val meta = json.decodeFromString(CheckpointMeta.serializer(), String(records.getValue("META"), Charsets.UTF_8))
-            fun integers(name: String) = ByteBuffer.wrap(records.getValue(name)).asIntBuffer().let { b -> IntArray(b.remaining()).also { b.get(it) } }
-            val ids = integers("IDS ")
-            fun column(name: String) = ByteBuffer.wrap(records.getValue(name)).asDoubleBuffer().let { b -> DoubleArray(b.remaining()).also { b.get(it) } }
-            val population = Population(
-                column("POSX"), column("POSY"), column("POSZ"), column("VELX"), column("VELY"), column("VELZ"),
-                column("RADI"), column("MASS"), ids,
-            )
-            column("LAST").copyInto(population.lastCollision)
-            for ((axis, name) in IMAGES.withIndex()) {
-                integers(name).forEachIndexed { k, boxes -> if (boxes != 0) population.addCrossing(k, axis, boxes) }
-            }
-            Checkpoint(meta, population)
+        private fun <T> decoded(path: Path, decode: () -> T): T = try {
+            decode()
         } catch (e: RuntimeException) {
             throw CheckpointException("$path: is damaged: ${e.message}")
+        }
+
+        private fun head(records: Records): Head {
+            val text = records.text("META")
+            if (records.version == Records.VERSION) {
+                return Head(json.decodeFromString(CheckpointMeta.serializer(), text), records.text("SCEN"))
+            }
+            require("SCEN" !in records) { "it says format ${records.version} and has a record of another" }
+            return Head(json.decodeFromString(CheckpointMeta2.serializer(), text).current(), null)
+        }
+
+        private fun population(records: Records): Population {
+            val population = Population(
+                records.doubles("POSX"), records.doubles("POSY"), records.doubles("POSZ"),
+                records.doubles("VELX"), records.doubles("VELY"), records.doubles("VELZ"),
+                records.doubles("RADI"), records.doubles("MASS"), records.integers("IDS "),
+            )
+            records.doubles("LAST").copyInto(population.lastCollision)
+            for ((axis, name) in IMAGES.withIndex()) {
+                records.integers(name).forEachIndexed { k, boxes -> if (boxes != 0) population.addCrossing(k, axis, boxes) }
+            }
+            return population
         }
     }
 }
 
-/**
- * What a checkpoint knows beside the spheres.
- *
- * @property fileLengths length in bytes of each file that is only appended to, by name in the run directory; what lies beyond was
- *   written after the checkpoint and is cut off on resume
- * @property collisionSums of the statistics of collisions, when they are kept; likewise [impactSpeeds]
- */
-@Serializable
-internal class CheckpointMeta(
-    val step: Long,
-    val time: Double,
-    val collisions: Long,
-    val wallCollisions: Long,
-    val guardActivations: Long,
-    val redoneSteps: Long,
-    val causalityReplays: Long,
-    val wallSeconds: Double,
-    val fileLengths: Map<String, Long>,
-    val collisionSums: List<Double> = emptyList(),
-    val impactSpeeds: List<Long> = emptyList(),
-)
-
 /** A checkpoint cannot be used; the message is one line that says why. */
-internal open class CheckpointException(message: String) : RuntimeException(message)
-
-/** A checkpoint of another version of the format: not damaged, but not for us. */
-internal class OtherVersionException(message: String) : CheckpointException(message)
+internal class CheckpointException(message: String) : RuntimeException(message)

@@ -1,24 +1,23 @@
 package daphnis.core.run
 
+import daphnis.core.format.FormatException
+import daphnis.core.format.Frame
+import daphnis.core.format.H5md
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.scenario.InputException
 import java.io.IOException
-import java.nio.channels.FileChannel
-import java.nio.channels.FileLock
-import java.nio.channels.OverlappingFileLockException
-import java.nio.file.FileSystemException
-import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardOpenOption
 import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /** The files of one run and where they lie. `docs/guide.md` has the table. */
-public class RunDirectory(public val path: Path) {
-    public val scenario: Path get() = path.resolve("scenario.json")
-    public val summary: Path get() = path.resolve("summary.json")
+public class RunDirectory internal constructor(public val path: Path, internal val files: FileOperations) {
+    public constructor(path: Path) : this(path, FileOperations())
+
+    public val scenario: Path get() = path.resolve(SCENARIO)
+    public val summary: Path get() = path.resolve(SUMMARY)
     public val series: Path get() = path.resolve(SERIES)
     public val collisions: Path get() = path.resolve(COLLISIONS)
 
@@ -26,7 +25,7 @@ public class RunDirectory(public val path: Path) {
     public val transport: Path get() = path.resolve(TRANSPORT)
 
     /** Distribution of impact speeds, beside [transport]. */
-    public val impacts: Path get() = path.resolve("impacts.csv")
+    public val impacts: Path get() = path.resolve(IMPACTS)
     public val snapshots: Path get() = path.resolve("snapshots")
     public val plots: Path get() = path.resolve("plots")
     public val tables: Path get() = path.resolve("tables")
@@ -37,80 +36,53 @@ public class RunDirectory(public val path: Path) {
 
     internal val checkpoint: Path get() = path.resolve("checkpoint")
     internal val previousCheckpoint: Path get() = path.resolve("checkpoint.previous")
+    internal val newCheckpoint: Path get() = path.resolve("checkpoint.new")
+
+    /** What a run writes beside its scenario and what stands in directories. */
+    internal fun ownFiles(): List<Path> = listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, series, transport, impacts, collisions, report)
 
     /** The file for the snapshot after [step]. */
     public fun snapshot(step: Long): Path = snapshots.resolve("%010d.h5".format(java.util.Locale.ROOT, step))
 
-    /** Steps that have a snapshot, ascending. */
-    public fun snapshotSteps(): List<Long> =
-        if (!snapshots.isDirectory()) emptyList() else snapshots.listDirectoryEntries("*.h5").mapNotNull { it.name.removeSuffix(".h5").toLongOrNull() }.sorted()
-
     /**
-     * Makes the directory.
+     * Steps that have a snapshot, ascending.
      *
-     * @param force whether an existing run in it may be replaced
-     * @throws InputException when it exists and is not empty
+     * @throws InputException when the directory cannot be read
      */
-    internal fun create(force: Boolean) {
-        try {
-            if (path.exists() && !path.isDirectory()) throw InputException(path.toString(), null, "exists and is no directory")
-            if (path.isDirectory() && path.listDirectoryEntries().isNotEmpty()) {
-                if (!force) throw InputException(path.toString(), null, "exists; give another directory with --out, or --force to replace the run in it")
-                if (!scenario.exists()) throw InputException(path.toString(), null, "is not empty and holds no run; --force replaces runs only")
-                removeRun()
-            }
-            Files.createDirectories(snapshots)
-        } catch (e: IOException) {
-            throw InputException(path.toString(), null, "cannot be made: ${reason(e)}")
-        }
+    public fun snapshotSteps(): List<Long> = try {
+        val files = if (snapshots.isDirectory()) snapshots.listDirectoryEntries("*.h5") else emptyList()
+        files.mapNotNull { it.name.removeSuffix(".h5").toLongOrNull() }.filter { snapshot(it) in files }.sorted()
+    } catch (e: IOException) {
+        throw InputException(snapshots.toString(), null, "cannot be read: ${reasonOf(e)}")
     }
 
-    private fun removeRun() {
-        // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks whole.
-        for (file in listOf(scenario, summary, checkpoint, previousCheckpoint, series, transport, impacts, collisions, report)) Files.deleteIfExists(file)
-        for (directory in listOf(snapshots, plots, tables)) {
-            if (directory.isDirectory()) for (file in directory.listDirectoryEntries()) Files.deleteIfExists(file)
-        }
+    /**
+     * Reads the snapshot after [step].
+     *
+     * @throws FormatException when it cannot be read, is damaged or is of another step
+     */
+    public fun frame(step: Long): Frame {
+        val file = snapshot(step)
+        val frame = H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
+        if (frame.step != step) throw FormatException("$file: holds the state after step ${frame.step}; its name says $step")
+        return frame
     }
 
     /** @throws InputException when there is no run here */
-    internal fun requireRun() {
+    public fun requireRun() {
         if (!path.isDirectory()) throw InputException(path.toString(), null, "no such directory")
-        if (!scenario.exists()) throw InputException(path.toString(), null, "is no run directory: it has no scenario.json")
-    }
-
-    /** Keeps other processes from writing into the same run. @throws InputException when one already does */
-    internal fun lock(): AutoCloseable {
-        val channel = try {
-            FileChannel.open(path.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
-        } catch (e: IOException) {
-            throw InputException(path.toString(), null, "cannot be written: ${reason(e)}")
-        }
-        val lock: FileLock? = try {
-            channel.tryLock()
-        } catch (e: OverlappingFileLockException) {
-            null
-        } catch (e: IOException) {
-            // Some file systems know no locks; then nobody is kept out.
-            return channel
-        }
-        if (lock == null) {
-            channel.close()
-            throw InputException(path.toString(), null, "another process is running in this directory")
-        }
-        return AutoCloseable {
-            lock.close()
-            channel.close()
-            Files.deleteIfExists(path.resolve(LOCK))
-        }
+        if (scenario.exists()) return
+        val isCutShort = files.besideOf(scenario).exists()
+        val why = if (isCutShort) "its start was cut short, run the scenario again" else "it has no $SCENARIO"
+        throw InputException(path.toString(), null, "is no run directory: $why")
     }
 
     internal companion object {
+        const val SCENARIO = "scenario.json"
+        const val SUMMARY = "summary.json"
         const val SERIES = "series.csv"
         const val TRANSPORT = "transport.csv"
+        const val IMPACTS = "impacts.csv"
         const val COLLISIONS = "collisions.csv"
-        private const val LOCK = ".lock"
-
-        fun reason(e: IOException): String = if (e is FileSystemException) e.reason ?: e.javaClass.simpleName else e.message ?: e.javaClass.simpleName
     }
 }

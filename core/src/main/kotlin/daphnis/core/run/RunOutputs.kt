@@ -7,6 +7,7 @@ import daphnis.core.output.CollisionStatistics
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.OutputSpec
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.name
 import kotlin.math.sqrt
@@ -16,6 +17,7 @@ import kotlin.math.sqrt
  *
  * @param sums of the population, taken for each row
  * @param statistics sums over all collisions of the run, kept when transport is written
+ * @param beginnings of the files that are appended to, by name, to go on from; null to begin anew
  * @param clock nanoseconds; rows that have waited for a second are written
  */
 internal class RunOutputs(
@@ -24,15 +26,20 @@ internal class RunOutputs(
     private val sums: PopulationSums,
     private val transport: TransportRows?,
     private val statistics: CollisionStatistics,
-    lengths: Map<String, Long>?,
+    beginnings: Map<String, Beginning>?,
     clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {
-    private val lengths = lengths.orEmpty()
+    private val beginnings = beginnings.orEmpty()
+    private val files = directory.files
     private val series = appended(directory.series, SERIES_HEADER, clock)
     private val transportFile = if (transport != null) appended(directory.transport, TransportRows.HEADER, clock) else null
     private val log = if (spec.collisionLog) appended(directory.collisions, LOG_HEADER, clock) else null
 
-    private fun appended(path: Path, header: String, clock: () -> Long) = AppendedFile(path, header, lengths[path.name], clock)
+    private fun appended(path: Path, header: String, clock: () -> Long) = AppendedFile(path, header, beginnings[path.name], files, clock)
+
+    /** The step after which a snapshot was written last; -1 when none was. */
+    var lastSnapshot: Long = -1
+        private set
 
     /** Looks at the simulation after a step. */
     fun write(simulation: Simulation) {
@@ -54,21 +61,20 @@ internal class RunOutputs(
 
     fun writeSnapshot(simulation: Simulation) {
         val frame = Frame.of(simulation.population, simulation.boundary, simulation.step, simulation.time)
-        writeAtomically(directory.snapshot(simulation.step)) { H5md.write(listOf(frame), it, Version.text) }
+        files.writeAtomically(directory.snapshot(simulation.step)) { H5md.write(listOf(frame), it, Version.text) }
+        lastSnapshot = simulation.step
     }
 
-    /** Forces all to the disk. @return length of each appended file by name */
-    fun force(): Map<String, Long> = buildMap {
+    /** Forces all that is appended to to the disk. @return what the files are now, by name */
+    fun force(): Map<String, FileMark> = buildMap {
         put(RunDirectory.SERIES, series.force())
-        if (transportFile != null) {
-            put(RunDirectory.TRANSPORT, transportFile.force())
-            writeImpacts()
-        }
+        if (transportFile != null) put(RunDirectory.TRANSPORT, transportFile.force())
         if (log != null) put(RunDirectory.COLLISIONS, log.force())
     }
 
-    /** The distribution of impact speeds so far: small, and written anew each time. */
-    private fun writeImpacts() {
+    /** The distribution of impact speeds so far: small, and written anew each time. @return null when it is not wanted */
+    fun writeImpacts(): FileMark? {
+        if (transport == null) return null
         val lines = StringBuilder("speed_from,speed_to,collisions\n")
         val filled = statistics.speeds.indices.filter { statistics.speeds[it] > 0 }
         if (filled.isNotEmpty()) {
@@ -77,7 +83,9 @@ internal class RunOutputs(
                 lines.append(',').append(statistics.speeds[k]).append('\n')
             }
         }
-        writeAtomically(directory.impacts) { java.nio.file.Files.writeString(it, lines) }
+        val bytes = lines.toString().toByteArray(Charsets.UTF_8)
+        files.writeAtomically(directory.impacts) { Files.write(it, bytes) }
+        return FileMark.of(bytes)
     }
 
     private fun writeSeries(simulation: Simulation) {

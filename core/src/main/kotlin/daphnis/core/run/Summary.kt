@@ -1,7 +1,16 @@
 package daphnis.core.run
 
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.format.FormatException
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.population.stateDigest
+import daphnis.core.scenario.Scenario
+import daphnis.core.search.Overlap
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.charset.CharacterCodingException
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -36,10 +45,11 @@ public class Summary(
     public val version: String,
     public val jvm: String,
 ) {
-    /** Writes it to [path], atomically. */
-    public fun write(path: Path) {
-        val text = JSON.encodeToString(serializer(), this) + "\n"
-        writeAtomically(path) { java.nio.file.Files.writeString(it, text) }
+    internal fun bytes(): ByteArray = (JSON.encodeToString(serializer(), this) + "\n").toByteArray(Charsets.UTF_8)
+
+    /** Writes it into [directory], atomically. */
+    internal fun write(directory: RunDirectory) {
+        directory.files.writeAtomically(directory.summary) { Files.write(it, bytes()) }
     }
 
     public companion object {
@@ -48,7 +58,50 @@ public class Summary(
             ignoreUnknownKeys = true
         }
 
-        /** Reads what [write] wrote. */
-        public fun read(path: Path): Summary = JSON.decodeFromString(serializer(), java.nio.file.Files.readString(path))
+        /**
+         * Reads the `summary.json` of a run.
+         *
+         * @throws FormatException when it cannot be read or is none
+         */
+        public fun read(path: Path): Summary = try {
+            JSON.decodeFromString(serializer(), Files.readString(path))
+        } catch (e: CharacterCodingException) {
+            throw FormatException("$path: is not UTF-8 text")
+        } catch (e: IOException) {
+            throw FormatException("$path: cannot be read: ${reasonOf(e)}")
+        } catch (e: IllegalArgumentException) {
+            throw FormatException("$path: is not a summary of daphnis: ${e.message.orEmpty().lineSequence().first()}")
+        }
+
+        internal fun of(scenario: Scenario, parts: RunParts, finished: Boolean, seconds: Double): Summary {
+            val simulation = parts.simulation
+            val population = simulation.population
+            parts.sums.take(population, simulation.collisions?.engine?.loop ?: InlineLoop)
+            val c = simulation.collisions?.counters ?: CollisionCounters()
+            val engine = simulation.collisions?.engine
+            return Summary(
+                stateDigest = stateDigest(population),
+                finished = finished,
+                scenario = scenario.name,
+                particles = population.size,
+                steps = simulation.step,
+                time = simulation.time,
+                collisions = c.collisions,
+                wallCollisions = c.wallCollisions,
+                engine = engine?.name ?: "none",
+                threads = engine?.threads ?: 1,
+                wallSeconds = seconds,
+                stepsPerSecond = if (seconds > 0) simulation.step / seconds else 0.0,
+                maxOverlap = Overlap.deepest(population, simulation.boundary, simulation.time, engine?.threads ?: 1).depth,
+                guardActivations = c.guardActivations,
+                redoneSteps = c.redoneSteps,
+                causalityReplays = c.causalityReplays,
+                energy = parts.sums.kineticEnergy,
+                temperature = parts.sums.granularTemperature,
+                momentum = List(3) { parts.sums.momentum(it) },
+                version = Version.text,
+                jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
+            )
+        }
     }
 }

@@ -85,7 +85,7 @@ class RunOutputsTest {
     @Test
     fun `rows reach the disk within a second of the run, not with the checkpoint`() {
         var now = 0L
-        val directory = RunDirectory(home.resolve("live")).also { it.create(false) }
+        val directory = RunDirectory(home.resolve("live")).also { Files.createDirectories(it.snapshots) }
         val p = populationOf(Sphere(x = -2.0, vx = 1.0), Sphere(x = 2.0, vx = -1.0))
         val s =
             Simulation(

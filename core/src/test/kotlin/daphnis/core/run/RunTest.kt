@@ -185,15 +185,6 @@ class RunTest {
     }
 
     @Test
-    fun `a checkpoint of another version is refused by name`() {
-        run("broken", 17)
-        val file = home.resolve("broken/checkpoint")
-        Files.write(file, Files.readAllBytes(file).also { it[11] = 99 })
-        val e = assertThrows(InputException::class.java) { resume("broken") }
-        assertTrue(e.message.orEmpty().contains("format 99")) { e.message }
-    }
-
-    @Test
     fun `a run directory that exists is not overwritten without force, and nothing else is with it`() {
         run("a", 3)
         assertThrows(InputException::class.java) { run("a") }

@@ -1,0 +1,45 @@
+package daphnis.analysis.transport
+
+import daphnis.core.format.FormatException
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The distribution of impact speeds of a run, `impacts.csv`: a row a bin, ascending, in the run's units.
+ *
+ * @property from lower edge of each bin, > 0
+ * @property to upper edge of each bin
+ * @property collisions in each bin
+ */
+public class ImpactTable private constructor(public val from: DoubleArray, public val to: DoubleArray, public val collisions: DoubleArray) {
+    /** Number of bins. */
+    public val size: Int get() = from.size
+
+    public companion object {
+        private const val COLUMNS = 3
+
+        /** Reads [path]. @throws FormatException naming file and line when it is no such file or damaged */
+        public fun read(path: Path): ImpactTable {
+            val lines = try {
+                Files.readString(path).lines().drop(1).dropLastWhile { it.isEmpty() }
+            } catch (e: IOException) {
+                throw FormatException("$path: cannot be read: ${e.message}")
+            }
+            val rows = lines.mapIndexed { k, line -> row(line) ?: throw damaged(path, k + 2, line) }
+            return ImpactTable(column(rows, 0), column(rows, 1), column(rows, 2))
+        }
+
+        private fun column(rows: List<DoubleArray>, c: Int) = DoubleArray(rows.size) { rows[it][c] }
+
+        private fun row(line: String): DoubleArray? {
+            val cells = line.split(',').map { it.toDoubleOrNull() ?: return null }
+            if (cells.size != COLUMNS || !cells.all { it.isFinite() }) return null
+            val (from, to, collisions) = cells
+            return if (from > 0 && to > from && collisions >= 0) cells.toDoubleArray() else null
+        }
+
+        private fun damaged(path: Path, number: Int, line: String) =
+            FormatException("$path:$number: is '${line.take(40)}'; it must be two speeds, ascending, and a number of collisions")
+    }
+}

@@ -1,0 +1,69 @@
+package daphnis.core.format
+
+import java.nio.ByteBuffer
+import java.util.zip.CRC32C
+
+/**
+ * CRC-32C over all that [H5md.read] takes from a file, in the order of [of]: numbers big-endian, doubles by their bits.
+ * HDF5 has checksums of its own for parts of a file only.
+ */
+internal object H5mdChecksum {
+    /** Name of the attribute of the group `parameters` that holds it, as a 64-bit integer. */
+    const val ATTRIBUTE = "crc32c"
+
+    /** Of [frames] of the same spheres. What a file holds once, such as radii and faces, is the first frame's. */
+    fun of(frames: List<Frame>): Long {
+        val sum = Sum()
+        val first = frames.first()
+        val hasEdges = first.lengths.none { it.isNaN() }
+        val hasImages = first.size > 0 && frames.all { it.image != null }
+        sum.integers(intArrayOf(frames.size, first.size, first.normalAxis, first.slideAxis))
+        sum.integers(IntArray(3) { if (first.periodic[it]) 1 else 0 })
+        sum.integers(intArrayOf(if (hasEdges) 1 else 0, if (hasImages) 1 else 0))
+        sum.integers(first.id)
+        sum.numbers(first.radius)
+        sum.numbers(first.mass)
+        for (frame in frames) {
+            sum.long(frame.step)
+            sum.numbers(doubleArrayOf(frame.time, frame.shearOffset))
+            if (hasEdges) sum.numbers(frame.lengths)
+            for (axis in 0..2) {
+                sum.numbers(frame.position[axis])
+                sum.numbers(frame.velocity[axis])
+                if (hasImages) sum.integers(frame.image!![axis])
+            }
+        }
+        return sum.value
+    }
+
+    private class Sum {
+        private val crc = CRC32C()
+        private val block = ByteBuffer.allocate(BLOCK)
+
+        val value: Long
+            get() {
+                empty()
+                return crc.value
+            }
+
+        fun long(value: Long) {
+            if (block.remaining() < Long.SIZE_BYTES) empty()
+            block.putLong(value)
+        }
+
+        fun numbers(values: DoubleArray) {
+            for (value in values) long(value.toRawBits())
+        }
+
+        fun integers(values: IntArray) {
+            for (value in values) long(value.toLong())
+        }
+
+        private fun empty() {
+            crc.update(block.flip())
+            block.clear()
+        }
+    }
+
+    private const val BLOCK = 1 shl 13
+}

@@ -1,0 +1,61 @@
+package daphnis.core.run
+
+import daphnis.core.scenario.InputException
+import java.io.IOException
+import java.io.RandomAccessFile
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Holds the files that a run appends to against what a checkpoint knows of them.
+ *
+ * @property problems a line for each that does not hold what the run wrote, with its name
+ * @property beginnings of those that do, to go on from
+ */
+internal class AppendedCheck(private val directory: RunDirectory, private val meta: CheckpointMeta) {
+    val problems = ArrayList<String>()
+    val beginnings = HashMap<String, Beginning>()
+
+    init {
+        for ((name, mark) in meta.appended) {
+            val path = directory.path.resolve(name)
+            mark.problem(path) { beginnings[name] = it }?.let { problems += "$path: $it" }
+        }
+    }
+
+    /**
+     * Takes the files that have [problems] for what they are, cut back to whole lines.
+     *
+     * @return a line for each, what is lost
+     * @throws InputException when one cannot be read
+     */
+    fun acceptLoss(): List<String> = meta.appended.filterKeys { it !in beginnings }.map { (name, mark) ->
+        val path = directory.path.resolve(name)
+        try {
+            accept(name, path, mark)
+        } catch (e: IOException) {
+            throw InputException(path.toString(), null, "cannot be read: ${reasonOf(e)}")
+        }
+    }
+
+    private fun accept(name: String, path: Path, mark: FileMark): String {
+        val end = if (Files.exists(path)) endOfLine(path, minOf(mark.length, Files.size(path))) else 0
+        if (end > 0) beginnings[name] = Beginning.of(path, end)
+        return when (end) {
+            0L -> "$path: all rows up to step ${meta.step} are lost"
+            mark.length -> "$path: its checksum is wrong; its rows are kept as they are"
+            else -> "$path: ${mark.length - end} of its ${mark.length} bytes are lost"
+        }
+    }
+
+    /** Where the last line that ends at [length] or before does; 0 when there is none. */
+    private fun endOfLine(path: Path, length: Long): Long = RandomAccessFile(path.toFile(), "r").use { file ->
+        var end = length
+        while (end > 0) {
+            file.seek(end - 1)
+            if (file.read() == '\n'.code) break
+            end--
+        }
+        end
+    }
+}

@@ -1,0 +1,137 @@
+package daphnis.core.run
+
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.PlacementSpec
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+/**
+ * Takes a directory for a new run: one that is not there or is empty, or with [force] one that holds a run. First
+ * [claim] looks and locks, then [begin] writes; the run that was there goes only when all that the new one needs has
+ * been written beside it. A process killed in between leaves the old run, or a start that was cut short:
+ * `scenario.json.tmp` without `scenario.json`, which anyone may start over.
+ */
+internal class NewRun(private val directory: RunDirectory, private val force: Boolean) {
+    private val path = directory.path
+    private val files = directory.files
+    private val pending = files.besideOf(directory.scenario)
+    private var isMade = false
+
+    /**
+     * Locks the directory, which is made when there is none.
+     *
+     * @throws InputException when it is in use, holds something else, or cannot be written
+     */
+    fun claim(): AutoCloseable = try {
+        // Before the lock, which writes into it: a directory that is refused stays as it is.
+        if (path.exists()) checkFree()
+        make()
+        locked()
+    } catch (e: IOException) {
+        throw InputException(path.toString(), null, "cannot be made: ${reasonOf(e)}")
+    }
+
+    private fun locked(): AutoCloseable {
+        val lock = try {
+            RunLock.take(path)
+        } catch (e: InputException) {
+            unmake()
+            throw e
+        }
+        try {
+            checkFree()
+            return lock
+        } catch (e: Throwable) {
+            lock.close()
+            throw e
+        }
+    }
+
+    private fun make() {
+        if (path.exists()) return
+        if (Files.isSymbolicLink(path)) throw InputException(path.toString(), null, "is a link that leads nowhere")
+        Files.createDirectories(path)
+        isMade = true
+    }
+
+    private fun checkFree() {
+        fun refuse(why: String): Nothing = throw InputException(path.toString(), null, why)
+        if (!path.isDirectory()) refuse("exists and is no directory")
+        if (directory.scenario.exists()) {
+            if (!force) refuse("exists; give another directory with --out, or --force to replace the run in it")
+            for (part in parts()) {
+                if (part.exists() && !Files.isWritable(part)) refuse("cannot be replaced: $part is not writable")
+            }
+            return
+        }
+        if (pending.exists()) return
+        val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptySnapshots(it) }
+        if (others.isEmpty()) return
+        if (force) refuse("is not empty and holds no run; --force replaces runs only")
+        refuse("is not empty; give another directory with --out")
+    }
+
+    private fun isEmptySnapshots(file: Path): Boolean = file == directory.snapshots && file.isDirectory() && file.listDirectoryEntries().isEmpty()
+
+    private fun parts() = listOf(directory.snapshots, directory.plots, directory.tables)
+
+    /**
+     * Writes what a run starts from; the run that was there goes. To be called with the lock that [claim] gave.
+     *
+     * @return [scenario] as the directory holds it: with its own copy of the particle file, so that it means the same
+     *   wherever it goes
+     * @throws IOException when something cannot be written; the run that was there is as it was, unless it could not be
+     *   removed wholly
+     */
+    fun begin(scenario: Scenario): Scenario {
+        val original = (scenario.placement as? PlacementSpec.File)?.let { Path.of(it.path) }
+        val copy = original?.let { directory.initial(it) }
+        val resolved = if (copy == null) scenario else scenario.placedFrom(copy.name)
+        try {
+            files.writeWhole(pending) { Files.writeString(it, ScenarioJson.write(resolved)) }
+            if (copy != null) files.writeWhole(files.besideOf(copy)) { Files.copy(original, it, REPLACE) }
+        } catch (e: IOException) {
+            takeBack(copy)
+            throw e
+        }
+        removeRun()
+        Files.createDirectories(directory.snapshots)
+        if (copy != null) files.move(files.besideOf(copy), copy)
+        files.move(pending, directory.scenario)
+        files.forceDirectory(path)
+        return resolved
+    }
+
+    private fun Scenario.placedFrom(name: String) = copy(placement = (placement as PlacementSpec.File).copy(path = name))
+
+    private fun takeBack(copy: Path?) {
+        files.deleteQuietly(pending)
+        if (copy != null) files.deleteQuietly(files.besideOf(copy))
+        unmake()
+    }
+
+    /** Takes a directory away that was made in vain; one in which somebody has begun meanwhile is not empty and stays. */
+    private fun unmake() {
+        if (!isMade) return
+        files.deleteQuietly(path.resolve(RunLock.FILE))
+        files.deleteQuietly(path)
+    }
+
+    private fun removeRun() {
+        // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks whole.
+        files.delete(directory.scenario)
+        for (file in directory.ownFiles()) files.delete(file)
+        for (part in parts()) if (part.isDirectory()) for (file in part.listDirectoryEntries()) files.delete(file)
+    }
+
+    private companion object {
+        val REPLACE = java.nio.file.StandardCopyOption.REPLACE_EXISTING
+    }
+}

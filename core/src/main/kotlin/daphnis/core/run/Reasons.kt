@@ -1,0 +1,29 @@
+package daphnis.core.run
+
+import java.io.IOException
+import java.nio.file.AccessDeniedException
+import java.nio.file.DirectoryNotEmptyException
+import java.nio.file.FileAlreadyExistsException
+import java.nio.file.FileSystemException
+import java.nio.file.FileSystemLoopException
+import java.nio.file.NoSuchFileException
+import java.nio.file.NotDirectoryException
+import java.nio.file.ReadOnlyFileSystemException
+
+/** What went wrong with a file, in words: the system's where it has some, which exceptions of Java often leave out. */
+public fun reasonOf(e: Exception): String {
+    val words = when (e) {
+        is AccessDeniedException -> "permission denied"
+        is NoSuchFileException -> "no such file or directory"
+        is FileAlreadyExistsException -> "a file is in the way"
+        is DirectoryNotEmptyException -> "a directory is in the way"
+        is NotDirectoryException -> "is no directory"
+        is FileSystemLoopException -> "a link leads to itself"
+        is ReadOnlyFileSystemException -> "the file system is read-only"
+        is FileSystemException -> e.reason
+        is IOException -> e.message
+        else -> e.message
+    } ?: e.javaClass.simpleName
+    val file = (e as? FileSystemException)?.file
+    return if (file == null) words else "$file: $words"
+}

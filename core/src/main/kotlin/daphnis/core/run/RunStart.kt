@@ -1,0 +1,97 @@
+package daphnis.core.run
+
+import daphnis.core.engine.EngineFactory
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.warnings
+import java.io.IOException
+import java.nio.file.Files
+
+/** Makes the initial state and the engine, then the directory: input that is refused leaves everything as it was. */
+internal fun startRun(scenario: Scenario, source: String, directory: RunDirectory, force: Boolean, engines: EngineFactory): Run {
+    val setup = ScenarioSetup.of(scenario, source)
+    val parts = RunParts(setup, null, source, engines)
+    var lock: AutoCloseable? = null
+    try {
+        val place = NewRun(directory, force)
+        lock = place.claim()
+        val resolved = place.begin(setup.scenario)
+        val notices = setup.notices + warnings(setup)
+        return Run(directory, resolved, ScenarioJson.write(resolved), parts, Checkpoints(directory), null, lock, notices)
+    } catch (e: IOException) {
+        parts.simulation.use { lock?.close() }
+        throw cannotWrite(directory, e)
+    } catch (e: Throwable) {
+        parts.simulation.use { lock?.close() }
+        throw e
+    }
+}
+
+/** Goes on from the last good checkpoint; see [Run.resume]. */
+internal fun resumeRun(directory: RunDirectory, until: Double?, engines: EngineFactory, acceptLoss: Boolean): Run {
+    directory.requireRun()
+    val lock = RunLock.take(directory.path)
+    try {
+        // Once more: another process may have replaced it before the lock was taken.
+        directory.requireRun()
+        return resumed(directory, until, engines, acceptLoss, lock)
+    } catch (e: IOException) {
+        lock.close()
+        throw cannotWrite(directory, e)
+    } catch (e: Throwable) {
+        lock.close()
+        throw e
+    }
+}
+
+private fun resumed(directory: RunDirectory, until: Double?, engines: EngineFactory, acceptLoss: Boolean, lock: AutoCloseable): Run {
+    val read = ScenarioJson.read(directory.scenario)
+    val scenario = read.atHome(directory.path).let { it.copy(until = until ?: it.until) }
+    if (until != null && !(until > read.startTime && until.isFinite())) {
+        throw InputException("--until", null, "is $until; it must be > ${read.startTime}")
+    }
+    val notices = ArrayList<String>()
+    val checkpoints = Checkpoints(directory)
+    val good = checkpoints.lastGood(acceptLoss, notices)
+    val checkpoint = good?.checkpoint
+    checkSame(directory, checkpoint, read, notices)
+    if (until != null) checkLater(until, checkpoint?.meta?.time ?: 0.0, scenario)
+    val source = directory.scenario.toString()
+    val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
+    val parts = RunParts(setup, checkpoint?.meta, source, engines)
+    try {
+        // Snapshots after the checkpoint are written again, to the same bits; the summary is of a run that goes on.
+        Files.deleteIfExists(directory.summary)
+        Files.createDirectories(directory.snapshots)
+    } catch (e: IOException) {
+        parts.simulation.close()
+        throw e
+    }
+    return Run(directory, scenario, ScenarioJson.write(read), parts, checkpoints, good, lock, notices)
+}
+
+/** Another scenario would go on from the checkpoint to a run that never was. */
+private fun checkSame(directory: RunDirectory, checkpoint: Checkpoint?, scenario: Scenario, notices: MutableList<String>) {
+    val changes = ScenarioChanges.between(checkpoint?.scenario, scenario)
+    changes.essential.firstOrNull()?.let {
+        val mend = "take the change back, or run the changed scenario into another directory"
+        throw InputException(directory.scenario.toString(), null, "$it; $mend")
+    }
+    for (change in changes.harmless) notices += "${directory.scenario}: $change"
+}
+
+/** A time that is past cannot be an end; the last step may have fallen on either side of it by round-off. */
+private fun checkLater(until: Double, now: Double, scenario: Scenario) {
+    if (until >= now - endSlack(scenario)) return
+    throw InputException("--until", null, "is $until; the run is at time $now, give a later end")
+}
+
+/** A whole number of fixed steps can fall short of the end by round-off; so much is no other step. */
+internal fun endSlack(scenario: Scenario): Double = (scenario.timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
+
+internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException = RunException("cannot write to ${directory.path}: ${reasonOf(e)}")
+
+private const val END_SLACK = 1e-6

@@ -1,0 +1,61 @@
+package daphnis.core.run
+
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+
+/**
+ * What differs between the scenario that a run was made with and the one that its directory holds now.
+ *
+ * @property essential changes that would make another run of it, a line each: all but those that touch no bit of a
+ *   state, which are name and description, the end, engine and search, and how often outputs are written
+ * @property harmless the other changes, a line each
+ */
+internal class ScenarioChanges private constructor(val essential: List<String>, val harmless: List<String>) {
+    companion object {
+        private val FREE = setOf("name", "description", "until", "untilOrbits", "engine", "search")
+        private val CADENCES = setOf("output.seriesEvery", "output.snapshotEvery", "output.checkpointEvery", "output.transportEvery")
+        private const val LONGEST = 60
+        private val json = Json
+
+        /** @param then text of the scenario that the run was made with; null when it is not known, and nothing can be said */
+        fun between(then: String?, now: Scenario): ScenarioChanges {
+            if (then == null) return ScenarioChanges(emptyList(), emptyList())
+            val before = try {
+                ScenarioJson.parse(then, "the checkpoint's scenario")
+            } catch (e: InputException) {
+                return ScenarioChanges(emptyList(), listOf("cannot be compared with ${e.message}"))
+            }
+            val changes = ScenarioChanges(ArrayList(), ArrayList())
+            changes.compare("", tree(before), tree(now))
+            return changes
+        }
+
+        private fun tree(scenario: Scenario) = json.parseToJsonElement(ScenarioJson.write(scenario))
+    }
+
+    private fun compare(path: String, then: JsonElement?, now: JsonElement?) {
+        if (then == now) return
+        if (then is JsonObject && now is JsonObject) {
+            for (key in then.keys + now.keys) compare(if (path.isEmpty()) key else "$path.$key", then[key], now[key])
+        } else if (then is JsonArray && now is JsonArray && then.size == now.size) {
+            for (k in then.indices) compare("$path[$k]", then[k], now[k])
+        } else {
+            val line = "$path: is ${words(now)}; the run was made with ${words(then)}"
+            (if (isFree(path, then, now)) harmless else essential) as MutableList<String> += line
+        }
+    }
+
+    /** Transport that was not summed from the start cannot begin later, nor end. */
+    private fun isFree(path: String, then: JsonElement?, now: JsonElement?): Boolean {
+        if (path.substringBefore('.') in FREE) return true
+        if (path !in CADENCES) return false
+        return path != "output.transportEvery" || then.toString() != "0" && now.toString() != "0"
+    }
+
+    private fun words(value: JsonElement?) = value?.toString()?.let { if (it.length > LONGEST) it.take(LONGEST) + "…" else it } ?: "absent"
+}

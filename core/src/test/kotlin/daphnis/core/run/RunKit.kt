@@ -1,0 +1,90 @@
+package daphnis.core.run
+
+import daphnis.core.engine.named.Engines
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.name
+
+/** A small run with every table there is: Lees–Edwards, 12 steps, a checkpoint every 3, a snapshot every 4. */
+internal fun tableScenario(vararg settings: String): Scenario = ScenarioJson.parse(
+    """{
+      "name": "tables", "seed": 3,
+      "box": { "lengths": [7, 7, 7] }, "boundary": { "type": "lees-edwards", "shearRate": 0.7 },
+      "particles": { "count": 60, "sizes": { "type": "equal", "radius": 0.5 } },
+      "velocities": { "type": "gaussian", "sigma": 1.0, "shearProfile": true },
+      "restitution": { "type": "constant", "coefficient": 0.6 },
+      "engine": { "name": "serial" },
+      "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1.2,
+      "output": { "snapshotEvery": 4, "checkpointEvery": 3, "collisionLog": true, "transportEvery": 2 }
+    }""",
+    "test",
+    settings.toList(),
+)
+
+/** The process is killed: nothing after it happens. */
+internal class Killed : Error("killed")
+
+/** Files of a process that is killed before operation [last], counted from 0. */
+internal class MortalFiles(private val last: Int) : FileOperations() {
+    val operations = ArrayList<String>()
+
+    override fun begin(operation: String) {
+        if (operations.size >= last) throw Killed()
+        operations += operation
+    }
+}
+
+internal fun startIn(directory: Path, scenario: Scenario = tableScenario(), force: Boolean = false, files: FileOperations = FileOperations()): Run =
+    startRun(scenario, "test", RunDirectory(directory, files), force, Engines)
+
+internal fun Run.toStep(step: Long): Summary = use { it.execute(cancelled = { it.simulation.step >= step }) }
+
+/** Tables and states of a run by name, but for what says how long it took. */
+internal fun results(directory: Path): Map<String, String> = buildMap {
+    for (name in listOf("series.csv", "transport.csv", "impacts.csv", "collisions.csv")) put(name, Files.readString(directory.resolve(name)))
+    val run = RunDirectory(directory)
+    for (step in run.snapshotSteps()) put("snapshot $step", run.frame(step).let { f -> H5Sum.of(f) })
+    put("digest", Summary.read(run.summary).stateDigest)
+}
+
+private object H5Sum {
+    fun of(frame: daphnis.core.format.Frame): String = frame.population().let { daphnis.core.population.stateDigest(it) } +
+        frame.image?.joinToString { it.contentHashCode().toString() }
+}
+
+/** Every file below [directory] but the lock, with its bytes. */
+internal fun bytesIn(directory: Path): Map<String, List<Byte>> = Files.walk(directory).use { files ->
+    files.filter { Files.isRegularFile(it) && it.name != ".lock" }.toList().associate { directory.relativize(it).toString() to Files.readAllBytes(it).asList() }
+}
+
+internal fun flip(file: Path, at: Int, bit: Int = 0) {
+    val bytes = Files.readAllBytes(file)
+    bytes[at] = (bytes[at].toInt() xor (1 shl bit)).toByte()
+    Files.write(file, bytes)
+}
+
+internal fun cut(file: Path, length: Int) {
+    Files.write(file, Files.readAllBytes(file).copyOf(length))
+}
+
+internal fun copyOf(directory: Path, target: Path): Path {
+    Files.walk(directory).use { files ->
+        for (file in files) {
+            val copy = target.resolve(directory.relativize(file).toString())
+            if (Files.isDirectory(file)) Files.createDirectories(copy) else Files.copy(file, copy)
+        }
+    }
+    return target
+}
+
+/** Fails with [message] when asked to write. */
+internal class FullFiles(private val from: Int, private val message: String) : FileOperations() {
+    private var count = 0
+
+    override fun begin(operation: String) {
+        if (count++ >= from && !operation.startsWith("delete")) throw IOException(message)
+    }
+}

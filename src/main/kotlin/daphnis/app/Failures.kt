@@ -1,0 +1,57 @@
+package daphnis.app
+
+import daphnis.core.format.FormatException
+import daphnis.core.run.RunException
+import daphnis.core.run.reasonOf
+import daphnis.core.scenario.InputException
+import java.io.IOException
+import java.nio.file.InvalidPathException
+import java.util.Locale
+
+/** Says in one line on the error stream what went wrong. @return the exit code for it */
+internal fun complain(e: Throwable): Int = when (e) {
+    is InputException, is FormatException -> complain(e.message.orEmpty(), EXIT_INPUT)
+    is RunException -> complain(e.message.orEmpty(), EXIT_FAILED)
+    is InvalidPathException -> {
+        val mend = "names beyond ASCII need a locale with UTF-8"
+        complain("${e.input}: cannot be a path here: ${e.reason}; $mend", EXIT_INPUT)
+    }
+    is IOException -> complain(reasonOf(e), EXIT_FAILED)
+    is OutOfMemoryError -> {
+        val heap = Runtime.getRuntime().maxMemory() shr 20
+        complain("not enough memory (the JVM has $heap MiB); raise it with JAVA_OPTS=-Xmx…", EXIT_FAILED)
+    }
+    is StackOverflowError -> {
+        complain("not enough stack; raise it with JAVA_OPTS=-Xss…, or the input is nested too deeply", EXIT_FAILED)
+    }
+    is LinkageError -> {
+        val what = words(e.cause ?: e)
+        complain("a part of daphnis or of Java is missing: $what; build it again, or use a whole JDK", EXIT_FAILED)
+    }
+    else -> complain("unexpected ${words(e)}; this is a fault of daphnis, $DEBUG shows where", EXIT_FAILED)
+}
+
+/** [warn]. @return [code] */
+internal fun complain(message: String, code: Int): Int {
+    warn(message)
+    return code
+}
+
+/** Says [message] in one line on the error stream, whatever stands in it. */
+internal fun warn(message: String): Unit = System.err.println("daphnis: ${oneLine(message)}")
+
+/** Names and texts of others may hold line ends and codes that a terminal obeys. */
+private fun oneLine(text: String) = buildString {
+    for (c in text) {
+        when {
+            c == '\n' -> append("\\n")
+            c.isISOControl() -> append("\\u%04x".format(Locale.ROOT, c.code))
+            else -> append(c)
+        }
+    }
+}
+
+private fun words(e: Throwable) = e.javaClass.simpleName + e.message?.let { ": $it" }.orEmpty()
+
+/** Anywhere among the words: what went wrong is shown with its stack trace. */
+internal const val DEBUG = "--debug"

@@ -1,0 +1,15 @@
+package daphnis.app
+
+import daphnis.core.scenario.InputException
+import java.nio.file.Path
+
+/**
+ * The path that [word] of the command line means. An empty one, as of a variable that is not set, would mean the
+ * working directory, which nobody wants.
+ *
+ * @param what the option or argument
+ */
+internal fun pathOf(word: String, what: String): Path {
+    if (word.isEmpty()) throw InputException(what, null, "is empty; a name is needed")
+    return Path.of(word)
+}

@@ -1,0 +1,173 @@
+package daphnis.app
+
+import daphnis.core.format.Frame
+import daphnis.core.run.RunException
+import daphnis.core.scenario.InputException
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.io.ByteArrayOutputStream
+import java.io.IOException
+import java.io.OutputStream
+import java.io.PrintStream
+import java.nio.file.AccessDeniedException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+
+/** Whatever goes wrong is one line and an exit code. */
+class FailuresTest {
+    @TempDir
+    lateinit var home: Path
+
+    private fun at(name: String) = home.resolve(name).toString()
+
+    private fun small(name: String, vararg more: String) = daphnis("run", "cooling-gas", *SMALL, "--out", at(name), "--quiet", *more)
+
+    private fun said(e: Throwable): Pair<Int, String> {
+        val old = System.err
+        val err = ByteArrayOutputStream()
+        System.setErr(PrintStream(err, true))
+        try {
+            return complain(e) to err.toString()
+        } finally {
+            System.setErr(old)
+        }
+    }
+
+    @Test
+    fun `every kind of failure is one line with its exit code`() {
+        val cases = listOf(
+            Triple(InputException("a\nb", "key", "is wrong"), 2, "a\\nb: key: is wrong"),
+            Triple(RunException("step 3: failed"), 1, "step 3: failed"),
+            Triple(InvalidPathException("x\u0000y", "Nul character not allowed"), 2, "x\\u0000y"),
+            Triple(AccessDeniedException("/etc/a"), 1, "/etc/a: permission denied"),
+            Triple(IOException("No space left on device"), 1, "No space left on device"),
+            Triple(OutOfMemoryError("heap"), 1, "JAVA_OPTS=-Xmx"),
+            Triple(StackOverflowError(), 1, "stack"),
+            Triple(NoClassDefFoundError("java/awt/Font"), 1, "java/awt/Font"),
+            Triple(ExceptionInInitializerError(IllegalStateException("no fonts")), 1, "no fonts"),
+            Triple(IllegalStateException("first\nsecond"), 1, "IllegalStateException: first\\nsecond; this is a fault of daphnis, --debug"),
+            Triple(NullPointerException(), 1, "NullPointerException"),
+        )
+        for ((e, code, part) in cases) {
+            val (exit, err) = said(e)
+            assertEquals(code, exit) { err }
+            assertTrue(part in err && err.startsWith("daphnis: ") && err.trim().lines().size == 1) { err }
+        }
+    }
+
+    @Test
+    fun `a stack trace is shown when it is asked for, wherever the word stands`() {
+        for (words in listOf(listOf("resume", at("x"), "--debug"), listOf("--debug", "resume", at("x")))) {
+            val result = daphnis(*words.toTypedArray())
+            assertEquals(2, result.code)
+            assertTrue("\tat daphnis" in result.err && "no such directory" in result.err.trim().lines().last()) { result.err }
+        }
+        assertRefused(daphnis("resume", at("x")), "no such directory")
+        assertTrue("--debug" in assertDone(daphnis("--help")))
+    }
+
+    @Test
+    fun `an empty name is refused, since it would mean the working directory`() {
+        assertRefused(daphnis("run", "cooling-gas", "--out", ""), "--out", "empty")
+        for (command in listOf("resume", "analyze")) assertRefused(daphnis(command, ""), "empty")
+        assertRefused(daphnis("compare", "", at("x")), "empty")
+        assertRefused(daphnis("export", "", "--format", "xyz"), "empty")
+        assertRefused(daphnis("describe", ""), "empty")
+        assertRefused(daphnis("run", ""), "empty")
+    }
+
+    @Test
+    fun `damaged summaries and impacts are one line with the file`() {
+        small("a")
+        val checkpoints = listOf("checkpoint", "checkpoint.previous").map { home.resolve("a").resolve(it) }
+        Files.writeString(home.resolve("a/impacts.csv"), "speed_from,speed_to,collisions\n1,2\n")
+        assertRefused(daphnis("analyze", at("a"), "--quiet"), "impacts.csv", "--accept-loss")
+        assertRefused(daphnis("analyze", at("a"), "--quiet", "--accept-loss"), "impacts.csv:2", "1,2")
+        for (file in checkpoints) Files.delete(file)
+        assertRefused(daphnis("analyze", at("a"), "--quiet"), "impacts.csv:2", "1,2")
+        for (text in listOf("", "{", "null", "[]", "{\"stateDigest\": 3}", "\u0000")) {
+            Files.writeString(home.resolve("a/summary.json"), text)
+            assertRefused(daphnis("compare", at("a"), at("a")), "summary.json")
+            assertRefused(daphnis("analyze", at("a"), "--quiet"), "summary.json")
+        }
+        Files.write(home.resolve("a/summary.json"), byteArrayOf(-1, -2))
+        assertRefused(daphnis("compare", at("a"), at("a")), "summary.json", "UTF-8")
+    }
+
+    @Test
+    fun `a plot that cannot be drawn is a line, and the run is done all the same`() {
+        small("a")
+        home.resolve("a/plots").toFile().deleteRecursively()
+        Files.writeString(home.resolve("a/plots"), "in the way")
+        val result = daphnis("resume", at("a"), "--until", "1.5", "--quiet")
+        assertEquals(0, result.code) { result.err }
+        assertTrue("no plot" in result.err && "complete" in result.err && result.err.trim().lines().size == 1) { result.err }
+    }
+
+    @Test
+    fun `compare looks at masses too`() {
+        small("a", "--set", "output.snapshotEvery=1")
+        small("b", "--set", "output.snapshotEvery=1", "--set", "particles.mass=1.5")
+        val result = daphnis("compare", at("a"), at("b"))
+        assertEquals(1, result.code)
+        assertTrue("differ at step 0: particle 0, mass =" in result.out) { result.out }
+    }
+
+    private fun frame(change: Int = -1): Frame {
+        fun next(k: Int, value: Double) = if (k == change) Math.nextUp(value) else value
+        fun columns(k: Int) = Array(3) { axis -> doubleArrayOf(1.0, if (axis == 2) next(k, 2.0) else 2.0) }
+        return Frame(
+            if (change == 0) 4 else 3,
+            next(1, 1.5),
+            doubleArrayOf(9.0, 9.0, next(2, 9.0)),
+            BooleanArray(3) { it < 2 || change == 3 },
+            next(4, 0.5),
+            intArrayOf(0, if (change == 5) 2 else 1),
+            columns(6),
+            columns(7),
+            doubleArrayOf(1.0, next(8, 1.0)),
+            doubleArrayOf(1.0, next(9, 1.0)),
+            if (change == 10) 2 else 1,
+            image = if (change == 11) null else Array(3) { IntArray(2) { k -> if (change == 12) k else 0 } },
+        )
+    }
+
+    @Test
+    fun `two states differ in whatever they differ`() {
+        assertNull(firstDifference(frame(), frame()))
+        val words = "step 3;time;box along z;repeats along z;offset;particles;particle 1, z;particle 1, vz;radius;mass;axes;crossed"
+        for ((change, word) in words.split(';').withIndex()) {
+            val said = firstDifference(frame(), frame(change)).orEmpty()
+            assertTrue(word in said) { "$word: $said" }
+        }
+        assertTrue("boxes crossed along x = 0 against 1" in firstDifference(frame(), frame(12)).orEmpty())
+    }
+
+    private class Failing(private val message: String) : OutputStream() {
+        var written = 0
+
+        override fun write(byte: Int) {
+            if (++written > 3) throw IOException(message)
+        }
+    }
+
+    @Test
+    fun `a full device is remembered, a reader that has gone is not missed, and neither stops the work`() {
+        for ((message, problem) in listOf("No space left on device" to "No space left on device", "Broken pipe" to null)) {
+            val target = Failing(message)
+            val output = StandardOutput(target)
+            PrintStream(output, true).use { for (k in 0..9) it.println("line $k") }
+            assertEquals(problem, output.problem)
+            assertEquals(4, target.written) { "after the first failure nothing is tried" }
+        }
+        assertNull(StandardOutput(ByteArrayOutputStream()).also { PrintStream(it, true).println("fine") }.problem)
+    }
+
+    private companion object {
+        val SMALL = arrayOf("--set", "particles.count=100", "--steps", "8", "--set", "output.transportEvery=1")
+    }
+}
