@@ -43,12 +43,19 @@ public object CartAndRad {
     public fun read(path: Path, density: Double = 1.0): Population {
         val size = Files.size(path)
         if (size < 4 || size > Int.MAX_VALUE) throw FormatException("$path: $size bytes is no CartAndRad file")
-        val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN)
-        val n = buffer.getInt()
-        if (n < 0 || size != 4L + (ROW + 8L) * n) throw FormatException("$path: says $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+        val n = Files.newInputStream(path).use { ByteBuffer.wrap(it.readNBytes(4)).order(ByteOrder.LITTLE_ENDIAN).getInt() }
+        if (n < 0 || size != 4L + (ROW + 8L) * n) {
+            throw FormatException("$path: says $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+        }
+        val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN).position(4)
         val columns = Array(6) { DoubleArray(n) }
         for (k in 0 until n) for (c in columns) c[k] = buffer.getDouble()
         val radius = DoubleArray(n) { buffer.getDouble() }
+        for (k in 0 until n) {
+            if (radius[k] !in FrameCheck.LEAST..FrameCheck.MOST) {
+                throw FormatException("$path: the radius of particle $k is ${radius[k]}; it must be > 0, ${FrameCheck.LEAST} to ${FrameCheck.MOST}")
+            }
+        }
         val mass = DoubleArray(n) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
         return try {
             Population(columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], radius, mass)

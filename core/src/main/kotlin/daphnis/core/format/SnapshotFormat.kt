@@ -28,7 +28,7 @@ public enum class SnapshotFormat(public val title: String, public val extensions
         when (this) {
             H5MD -> H5md.read(path)
             EXTENDED_XYZ -> ExtendedXyz.read(path)
-            CART_AND_RAD -> listOf(Frame.of(CartAndRad.read(path), Open, 0, 0.0, hasMass = false))
+            CART_AND_RAD -> listOf(Frame.of(CartAndRad.read(path), Open, 0, 0.0, hasMass = false).also { FrameCheck.check(it, "$path") })
             CSV -> listOf(ParticleCsv.frame(path))
         }
     } catch (e: IOException) {
