@@ -16,8 +16,8 @@ import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.inputPath
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
 class AnalyzeCommand : CliktCommand(name = "analyze") {
@@ -38,14 +38,14 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
 
     override fun run() {
         checkOptions()
-        val path = Path.of(what)
+        val path = inputPath(what, "")
         val input = if (Files.isRegularFile(path)) {
             AnalysisInput.ofFile(path, scenario?.let { scenarioNamed(it, settings) }, scenario.orEmpty())
         } else {
             if (scenario != null) throw InputException("--scenario", null, "is for files; the run in $path has its own")
             AnalysisInput.ofRun(path)
         }
-        val directory = out?.let { Path.of(it) } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
+        val directory = out?.let { inputPath(it, "--out") } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
         Files.createDirectories(directory)
         analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())

@@ -9,8 +9,8 @@ import daphnis.core.format.H5md
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.Summary
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.inputPath
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** `daphnis compare`: exit code 0 when two runs are identical, 1 when they differ. */
 class CompareCommand : CliktCommand(name = "compare") {
@@ -40,7 +40,7 @@ class CompareCommand : CliktCommand(name = "compare") {
     }
 
     private fun directory(word: String): RunDirectory {
-        val directory = RunDirectory(Path.of(word))
+        val directory = RunDirectory(inputPath(word, ""))
         if (!Files.exists(directory.scenario)) throw InputException(word, null, "is no run directory")
         return directory
     }

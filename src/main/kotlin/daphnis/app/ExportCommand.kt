@@ -16,6 +16,7 @@ import daphnis.core.run.RunDirectory
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.inputPath
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -34,11 +35,11 @@ class ExportCommand : CliktCommand(name = "export") {
 
     override fun run() {
         checkOptions()
-        val run = RunDirectory(Path.of(directory))
+        val run = RunDirectory(inputPath(directory, ""))
         if (!Files.exists(run.scenario)) throw InputException(directory, null, "is no run directory")
         val steps = run.snapshotSteps()
         if (steps.isEmpty()) throw InputException(directory, null, "has no snapshots; run with --set output.snapshotEvery=10, say")
-        val target = out?.let { Path.of(it) } ?: run.path.resolve("export")
+        val target = out?.let { inputPath(it, "--out") } ?: run.path.resolve("export")
         Files.createDirectories(target)
         val frames = steps.asSequence().map { H5md.read(run.snapshot(it)).first() }
         val written = when (format) {

@@ -7,7 +7,7 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import daphnis.core.run.Run
-import java.nio.file.Path
+import daphnis.core.scenario.inputPath
 
 /** `daphnis resume`. */
 class ResumeCommand : CliktCommand(name = "resume") {
@@ -18,6 +18,6 @@ class ResumeCommand : CliktCommand(name = "resume") {
     override fun help(context: Context) = "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
 
     override fun run() {
-        carryOut(quiet) { Run.resume(Path.of(directory), until, allEngines) }
+        carryOut(quiet) { Run.resume(inputPath(directory, ""), until, allEngines) }
     }
 }

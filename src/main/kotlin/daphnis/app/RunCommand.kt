@@ -15,7 +15,9 @@ import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.inputPath
 import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /** `daphnis run`. */
@@ -35,7 +37,7 @@ class RunCommand : CliktCommand(name = "run") {
 
     override fun run() {
         val resolved = resolve(described(scenarioNamed(scenario, settings + shorthands())))
-        val directory = out?.let { Path.of(it) } ?: freeDirectory(resolved.name)
+        val directory = out?.let { inputPath(it, "--out") } ?: freeDirectory(resolved.name)
         carryOut(quiet) { Run.start(resolved, scenario, directory, force, allEngines) }
     }
 
@@ -66,9 +68,16 @@ class RunCommand : CliktCommand(name = "run") {
 
     /** runs/NAME, or runs/NAME-2, -3, … */
     private fun freeDirectory(name: String): Path {
-        val safe = name.map { if (it.isLetterOrDigit() || it in "-_.") it else '-' }.joinToString("").trim('.').take(LONGEST_NAME).ifEmpty { "run" }
+        val safe = name.map { if (isNameable(it)) it else '-' }.joinToString("").trim('.').take(LONGEST_NAME).ifEmpty { "run" }
         val base = Path.of("runs").resolve(safe)
         return generateSequence(1) { it + 1 }.map { if (it == 1) base else base.resolveSibling("$safe-$it") }.first { !Files.exists(it) }
+    }
+
+    /** Letters beyond ASCII only where the file system takes them, which depends on the locale. */
+    private fun isNameable(c: Char): Boolean = try {
+        c in "-_." || (c.isLetterOrDigit() && Path.of("$c").toString() == "$c")
+    } catch (e: InvalidPathException) {
+        false
     }
 
     private companion object {

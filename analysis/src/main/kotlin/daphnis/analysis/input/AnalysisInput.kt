@@ -99,7 +99,10 @@ public class AnalysisInput private constructor(
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
             val frames = SnapshotFormat.of(path).read(path)
             if (frames.isEmpty()) throw FormatException("$path: holds no frame")
-            if (frames[0].size == 0) throw FormatException("$path: holds no particle")
+            for ((k, frame) in frames.withIndex()) {
+                if (frame.size == 0) throw FormatException("$path: holds no particle in frame $k")
+                if (k > 0 && frame.time < frames[k - 1].time) throw FormatException("$path: frame $k is of time ${frame.time}, after ${frames[k - 1].time}; times must ascend")
+            }
             val setup = scenario?.let { ScenarioSetup.of(it, source, frames[0].population()) }
             val given = setup?.boundary ?: ofFrame(frames[0])
             return AnalysisInput(

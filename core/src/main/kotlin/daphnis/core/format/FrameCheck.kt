@@ -24,16 +24,8 @@ internal object FrameCheck {
             must(frame.radius[k] in LEAST..MOST) { "the radius of particle ${frame.id[k]} is ${frame.radius[k]}; it must be > 0, $LEAST to $MOST" }
             must(frame.mass[k] > 0 && frame.mass[k].isFinite()) { "the mass of particle ${frame.id[k]} is ${frame.mass[k]}; it must be > 0 and finite" }
         }
-        for (axis in 0..2) {
-            val name = "xyz"[axis]
-            for (k in 0 until n) {
-                val p = frame.position[axis][k]
-                val v = frame.velocity[axis][k]
-                must(abs(p) <= FARTHEST) { "$name of particle ${frame.id[k]} is $p; it must be a number within ±$FARTHEST" }
-                must(abs(v) <= FARTHEST) { "v$name of particle ${frame.id[k]} is $v; it must be a number within ±$FARTHEST" }
-            }
-        }
         box(frame, ::must)
+        places(frame, ::must)
     }
 
     private fun box(frame: Frame, must: (Boolean, () -> String) -> Unit) {
@@ -45,14 +37,24 @@ internal object FrameCheck {
             must(length in LEAST..MOST) { "the edge of the box along $name is $length; it must be > 0, $LEAST to $MOST" }
             if (!frame.periodic[axis]) continue
             must(length > widest) { "the edge of the periodic box along $name is $length; it must exceed the largest diameter, $widest" }
-            for (k in 0 until frame.size) {
-                val p = frame.position[axis][k]
-                must(abs(p) <= length * MOST_BOXES) {
-                    "$name of particle ${frame.id[k]} is $p, more than $MOST_BOXES boxes of $length away; nothing is left of its place within the box"
-                }
-            }
         }
         must(abs(frame.shearOffset) <= FARTHEST) { "the offset of sliding images is ${frame.shearOffset}; it must be a number within ±$FARTHEST" }
+    }
+
+    private fun places(frame: Frame, must: (Boolean, () -> String) -> Unit) {
+        for (axis in 0..2) {
+            val name = "xyz"[axis]
+            val farthest = if (frame.periodic[axis] && !frame.lengths[axis].isNaN()) frame.lengths[axis] * MOST_BOXES else Double.POSITIVE_INFINITY
+            for (k in 0 until frame.size) {
+                val p = frame.position[axis][k]
+                val v = frame.velocity[axis][k]
+                must(abs(p) <= FARTHEST) { "$name of particle ${frame.id[k]} is $p; it must be a number within ±$FARTHEST" }
+                must(abs(p) <= farthest) {
+                    "$name of particle ${frame.id[k]} is $p, more than $MOST_BOXES boxes of ${frame.lengths[axis]} away; nothing is left of its place within the box"
+                }
+                must(abs(v) <= FARTHEST) { "v$name of particle ${frame.id[k]} is $v; it must be a number within ±$FARTHEST" }
+            }
+        }
     }
 
     private fun repeated(id: IntArray): Int? {

@@ -92,10 +92,12 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         }
 
         private fun none(path: Path, e: Throwable): FormatException {
-            val problem = (e.message ?: e.javaClass.simpleName).lineSequence().joinToString(" ").take(MOST_SHOWN)
+            val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES).map { it.message ?: it.javaClass.simpleName }.distinct()
+            val problem = causes.joinToString(", for: ") { it.take(MOST_SHOWN) }.map { if (it.isISOControl()) ' ' else it }.joinToString("")
             return FormatException("$path: is not an H5MD file of daphnis: $problem")
         }
 
-        private const val MOST_SHOWN = 300
+        private const val MOST_SHOWN = 120
+        private const val MOST_CAUSES = 3
     }
 }

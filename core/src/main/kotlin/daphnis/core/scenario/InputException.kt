@@ -1,10 +1,13 @@
 package daphnis.core.scenario
 
 /**
- * The input is wrong. [message] is one line that names the source, the key, the value and what would be right.
+ * The input is wrong. [message] is one line that names the source, the key, the value and what would be right; control characters in
+ * these, which a terminal would obey, are replaced.
  *
  * @property source file or built-in the key stands in
  * @property key dotted path, or null when the whole file is meant
  */
 public class InputException(public val source: String, public val key: String?, problem: String) :
-    RuntimeException(listOfNotNull(source.ifEmpty { null }, key, problem.lineSequence().joinToString(" ") { it.trim() }).joinToString(": "))
+    RuntimeException(listOfNotNull(source.ifEmpty { null }, key, problem.lineSequence().joinToString(" ") { it.trim() }).joinToString(": ").replace(CONTROL, "?"))
+
+private val CONTROL = Regex("\\p{Cntrl}")

@@ -1,7 +1,7 @@
 package daphnis.core.scenario
 
 /** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
-internal class ValueCheck(private val source: String) {
+internal class ValueCheck(val source: String) {
     inline fun that(key: String, value: Any?, ok: Boolean, problem: () -> String) {
         if (!ok) fail(key, "is $value; ${problem()}")
     }

@@ -1,0 +1,61 @@
+package daphnis.app
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+
+/** Words of the command line that no file can have as its name. */
+class HostileWordsTest {
+    @TempDir
+    lateinit var home: Path
+
+    @Test
+    fun `a NUL in a path is one line, whatever the path is for`() {
+        val nul = "a\u0000b"
+        assertRefused(daphnis("run", nul), "a?b", "NUL")
+        assertRefused(daphnis("describe", nul), "a?b", "NUL")
+        assertRefused(daphnis("run", "elastic-gas", "--steps", "1", "--out", nul), "--out", "a?b", "NUL")
+        assertRefused(daphnis("resume", nul), "a?b", "NUL")
+        assertRefused(daphnis("compare", nul, nul), "a?b", "NUL")
+        assertRefused(daphnis("export", nul, "--format", "xyz"), "a?b", "NUL")
+        assertRefused(daphnis("analyze", nul), "a?b", "NUL")
+        val scenario = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "a\u0000b.h5" },
+            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }"""
+        val file = Files.writeString(home.resolve("nul.json"), scenario)
+        assertRefused(daphnis("describe", "$file"), "placement.path", "a?b.h5", "NUL")
+    }
+
+    /** Exit code and all output of a process of its own, whose locale is C. */
+    private fun inLocaleC(vararg words: String): Pair<Int, String> {
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val command = listOf(java, "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "daphnis.app.MainKt") + words
+        val builder = ProcessBuilder(command).directory(home.toFile()).redirectErrorStream(true)
+        for (name in listOf("LC_ALL", "LANG", "LC_CTYPE")) builder.environment()[name] = "C"
+        val process = builder.start()
+        val said = process.inputStream.use { String(it.readAllBytes()) }
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS))
+        return process.exitValue() to said
+    }
+
+    @Test
+    fun `in a locale without letters beyond ASCII a name of such letters becomes a directory, and a path of them is one line`() {
+        val gas = daphnis("scenarios", "elastic-gas").out.replace("\"name\": \"elastic-gas\"", "\"name\": \"Größe 日本\"")
+        assertTrue("Größe" in gas)
+        Files.writeString(home.resolve("named.json"), gas)
+        val (code, said) = inLocaleC("run", "named.json", "--steps", "1", "--set", "particles.count=50", "--quiet")
+        assertEquals(0, code) { said }
+        assertTrue(Files.exists(home.resolve("runs")) && Files.list(home.resolve("runs")).use { it.count() } == 1L) { said }
+
+        val placed = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "größe.h5" },
+            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }"""
+        Files.writeString(home.resolve("placed.json"), placed)
+        val (refused, line) = inLocaleC("describe", "placed.json")
+        assertEquals(2, refused) { line }
+        assertEquals(1, line.trimEnd().lines().size) { line }
+        assertTrue("placement.path" in line) { line }
+    }
+}
