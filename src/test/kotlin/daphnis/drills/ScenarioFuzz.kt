@@ -37,7 +37,7 @@ internal fun scenarioFuzz(cases: Int, seed: Long, home: Path): FuzzCounts {
 }
 
 /** The built-in scenarios with few particles, and others whose keys these have not. */
-private fun scenarioSeeds(): List<JsonObject> {
+internal fun scenarioSeeds(): List<JsonObject> {
     val small = BuiltIn.names.map { name ->
         val given = BuiltIn.scenario(name)
         val few = if (given.particles == null) emptyList() else listOf("""particles={"count":60,"sizes":{"type":"equal","radius":${radius(name)}}}""")
