@@ -93,7 +93,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
 
         private fun none(path: Path, e: Throwable): FormatException {
             val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES).map { it.message ?: it.javaClass.simpleName }.distinct()
-            val problem = causes.joinToString(", for: ") { it.take(MOST_SHOWN) }.map { if (it.isISOControl()) ' ' else it }.joinToString("")
+            val problem = causes.joinToString(", for: ") { it.take(MOST_SHOWN) }
             return FormatException("$path: is not an H5MD file of daphnis: $problem")
         }
 

@@ -58,8 +58,8 @@ internal class TextLines(private val path: Path, private val longest: Int = LONG
     companion object {
         const val LONGEST = 1 shl 20
 
-        /** [word] as a message can hold it: its beginning, control characters replaced. */
-        fun shown(word: String): String = word.take(MOST_SHOWN).map { if (it.isISOControl()) '?' else it }.joinToString("")
+        /** [word] as a message can hold it. */
+        fun shown(word: String): String = word.take(MOST_SHOWN)
 
         private const val MOST_SHOWN = 40
     }

@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.format.oneLine
+
 /**
  * The input is wrong. [message] is one line that names the source, the key, the value and what would be right; control characters in
  * these, which a terminal would obey, are replaced.
@@ -8,6 +10,4 @@ package daphnis.core.scenario
  * @property key dotted path, or null when the whole file is meant
  */
 public class InputException(public val source: String, public val key: String?, problem: String) :
-    RuntimeException(listOfNotNull(source.ifEmpty { null }, key, problem.lineSequence().joinToString(" ") { it.trim() }).joinToString(": ").replace(CONTROL, "?"))
-
-private val CONTROL = Regex("\\p{Cntrl}")
+    RuntimeException(oneLine(listOfNotNull(source.ifEmpty { null }, key, problem.lineSequence().joinToString(" ") { it.trim() }).joinToString(": ")))

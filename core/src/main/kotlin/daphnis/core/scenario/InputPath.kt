@@ -12,9 +12,9 @@ import java.nio.file.Path
 public fun inputPath(word: String, source: String, key: String? = null): Path = try {
     Path.of(word)
 } catch (e: InvalidPathException) {
-    val shown = word.take(MOST_SHOWN).map { if (it.isISOControl()) '?' else it }.joinToString("")
-    val reason = if ('\u0000' in word) "it holds a NUL character" else "letters of it are not in ${System.getProperty("sun.jnu.encoding")}, the locale's encoding; try LC_ALL=C.UTF-8"
-    throw InputException(source, key, "'$shown' cannot be the name of a file here: $reason")
+    val encoding = System.getProperty("sun.jnu.encoding")
+    val reason = if ('\u0000' in word) "it holds a NUL character" else "letters of it are not in $encoding, the locale's encoding; try LC_ALL=C.UTF-8"
+    throw InputException(source, key, "'${word.take(MOST_SHOWN)}' cannot be the name of a file here: $reason")
 }
 
 private const val MOST_SHOWN = 80

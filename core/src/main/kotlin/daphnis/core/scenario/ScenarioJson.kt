@@ -28,14 +28,16 @@ public object ScenarioJson {
      * @param settings `path=value` pairs that replace keys, as on the command line, see [Settings]
      */
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario {
-        val tree = Settings.apply(parseTree(text, source), settings)
-        SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
         return try {
+            val tree = Settings.apply(parseTree(text, source), settings)
+            SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
             json.decodeFromJsonElement(Scenario.serializer(), tree)
         } catch (e: SerializationException) {
             throw InputException(source, null, e.message.orEmpty())
         } catch (e: IllegalArgumentException) {
             throw InputException(source, null, e.message.orEmpty())
+        } catch (e: StackOverflowError) {
+            throw InputException(source, null, "is nested too deeply")
         }
     }
 
@@ -61,8 +63,6 @@ public object ScenarioJson {
         json.parseToJsonElement(text)
     } catch (e: SerializationException) {
         throw malformed(e, text, source)
-    } catch (e: StackOverflowError) {
-        throw InputException(source, null, "is nested too deeply")
     }
 
     private fun malformed(e: SerializationException, text: String, source: String): InputException {

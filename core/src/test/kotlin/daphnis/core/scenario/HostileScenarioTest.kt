@@ -90,6 +90,8 @@ class HostileScenarioTest {
         val file = "placement={\"type\":\"file\",\"path\":\"a\\u0000b.h5\"}"
         assertWrong(listOf("particles=null", "velocities=null", file), "placement.path", "a?b.h5", "NUL")
         assertWrong(listOf("restitution.type=\"\\u001b[2J\""), "restitution.type")
+        assertWrong(listOf("restitution.type=\"\u202e\u0085x\""), "restitution.type")
+        for (depth in listOf(300, 3000, 30_000, 300_000)) assertWrong(listOf("until=${"[".repeat(depth)}1${"]".repeat(depth)}"), "until")
         assertWrong(listOf("${"k".repeat(100_000)}=1"), "kkk…", "unknown key")
         assertWrong(listOf("until=${"9".repeat(100_000)}"), "until", "finite number")
     }
