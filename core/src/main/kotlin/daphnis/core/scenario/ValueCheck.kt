@@ -3,7 +3,7 @@ package daphnis.core.scenario
 /** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
 internal class ValueCheck(val source: String) {
     inline fun that(key: String, value: Any?, ok: Boolean, problem: () -> String) {
-        if (!ok) fail(key, "is $value; ${problem()}")
+        if (!ok) fail(key, "is ${brief(value)}; ${problem()}")
     }
 
     /** Something that is not about one value. */
@@ -19,5 +19,12 @@ internal class ValueCheck(val source: String) {
         that(key, value, value in 0.0..1.0) { "must be in [0, 1]" }
     }
 
+    /** A list may be as long as its author likes. */
+    fun brief(value: Any?): String = value.toString().let { if (it.length > MOST_SHOWN) it.take(MOST_SHOWN) + "…" else it }
+
     fun fail(key: String, problem: String): Nothing = throw InputException(source, key, problem)
+
+    private companion object {
+        const val MOST_SHOWN = 100
+    }
 }
