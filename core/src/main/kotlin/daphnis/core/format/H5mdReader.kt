@@ -92,11 +92,13 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         }
 
         private fun none(path: Path, e: Throwable): FormatException {
-            val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES).map { it.message ?: it.javaClass.simpleName }.distinct()
-            val problem = causes.joinToString(", for: ") { it.take(MOST_SHOWN) }
+            val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES).map { it.message.orEmpty().replace(CLASS, "").take(MOST_SHOWN) }
+            val problem = causes.filter { it.isNotBlank() }.distinct().joinToString(", for: ").ifEmpty { "it is cut short or damaged" }
             return FormatException("$path: is not an H5MD file of daphnis: $problem")
         }
 
+        /** The class that some messages begin with, which says nothing to a user. */
+        private val CLASS = Regex("""[\w.$]*(Exception|Error)(: )?""")
         private const val MOST_SHOWN = 120
         private const val MOST_CAUSES = 3
     }
