@@ -1,6 +1,5 @@
 package daphnis.core.format
 
-import io.jhdf.exceptions.HdfException
 import java.nio.file.Path
 
 /** Reads the states of an H5MD file of the layout that [H5md] writes, whoever wrote it. */
@@ -78,8 +77,6 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
             H5Source(path).use { H5mdReader(it, path).frames() }
         } catch (e: FormatException) {
             throw e
-        } catch (e: HdfException) {
-            throw none(path, e)
         } catch (e: RuntimeException) {
             throw none(path, e)
         } catch (e: StackOverflowError) {

@@ -1,15 +1,17 @@
 package daphnis.app
 
+import io.jhdf.HdfFile
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardCopyOption
 import java.util.concurrent.TimeUnit
 
-/** Words of the command line that no file can have as its name. */
-class HostileWordsTest {
+/** Words of the command line that no file can have as its name, and hostile files at each of the doors that files come in by. */
+class HostileInputTest {
     @TempDir
     lateinit var home: Path
 
@@ -57,5 +59,38 @@ class HostileWordsTest {
         assertEquals(2, refused) { line }
         assertEquals(1, line.trimEnd().lines().size) { line }
         assertTrue("placement.path" in line) { line }
+    }
+
+    @Test
+    fun `a hostile file is refused alike where it is analysed, placed from and exported`() {
+        assertDone(daphnis("run", "elastic-gas", "--set", "particles.count=20", "--steps", "1", "--quiet", "--out", "${home.resolve("run")}"))
+        val file = home.resolve("huge.h5")
+        // A file whose one dataset says another number of particles than the others.
+        HdfFile.write(file).use { h5 ->
+            val all = h5.putGroup("particles").putGroup("all")
+            all.putGroup("box").putAttribute("boundary", Array(3) { "periodic" })
+            val position = all.putGroup("position")
+            position.putDataset("step", LongArray(1))
+            position.putDataset("time", DoubleArray(1))
+            position.putDataset("value", Array(1) { Array(3) { DoubleArray(3) } })
+            all.putDataset("id", IntArray(2) { it })
+            h5.putGroup("parameters").putDataset("shear_offset", DoubleArray(1))
+        }
+        val problem = "particles/all/id has the shape [2]; it must be [3]"
+        assertRefused(daphnis("analyze", "$file"), problem)
+        val placed = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "huge.h5" },
+            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }"""
+        assertRefused(daphnis("describe", Files.writeString(home.resolve("placed.json"), placed).toString()), "placement.path", problem)
+        Files.copy(file, home.resolve("run/snapshots/0000000001.h5"), StandardCopyOption.REPLACE_EXISTING)
+        for (format in listOf("xyz", "h5md")) assertRefused(daphnis("export", "${home.resolve("run")}", "--format", format), problem)
+    }
+
+    @Test
+    fun `a file whose times do not ascend, or one of whose frames is empty, is not analysed`() {
+        fun frames(vararg times: String) = times.joinToString("") { "2\nTime=$it\nX 0 0 0\nX 3 3 3\n" }
+        val back = Files.writeString(home.resolve("back.xyz"), frames("1", "0"))
+        assertRefused(daphnis("analyze", "$back"), "back.xyz", "frame 1 is of time 0.0, after 1.0", "ascend")
+        val empty = Files.writeString(home.resolve("empty.xyz"), frames("0") + "0\nTime=1\n")
+        assertRefused(daphnis("analyze", "$empty"), "empty.xyz", "no particle in frame 1")
     }
 }
