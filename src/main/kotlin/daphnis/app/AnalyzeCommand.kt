@@ -45,7 +45,8 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             if (scenario != null) throw InputException("--scenario", null, "is for files; the run in $path has its own")
             AnalysisInput.ofRun(path)
         }
-        val directory = out?.let { inputPath(it, "--out") } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
+        val beside = if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
+        val directory = out?.let { inputPath(it, "--out") } ?: beside
         val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
         Files.createDirectories(directory)
         analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())

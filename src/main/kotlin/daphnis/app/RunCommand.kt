@@ -68,7 +68,8 @@ class RunCommand : CliktCommand(name = "run") {
 
     /** runs/NAME, or runs/NAME-2, -3, … */
     private fun freeDirectory(name: String): Path {
-        val safe = name.map { if (isNameable(it)) it else '-' }.joinToString("").trim('.').take(LONGEST_NAME).ifEmpty { "run" }
+        val letters = name.map { if (isNameable(it)) it else '-' }.joinToString("")
+        val safe = letters.trim('.').take(LONGEST_NAME).ifEmpty { "run" }
         val base = Path.of("runs").resolve(safe)
         return generateSequence(1) { it + 1 }.map { if (it == 1) base else base.resolveSibling("$safe-$it") }.first { !Files.exists(it) }
     }

@@ -10,7 +10,10 @@ import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.util.concurrent.TimeUnit
 
-/** Words of the command line that no file can have as its name, and hostile files at each of the doors that files come in by. */
+/**
+ * Words of the command line that no file can have as its name, and hostile files at each of the doors that files come
+ * in by.
+ */
 class HostileInputTest {
     @TempDir
     lateinit var home: Path
@@ -25,8 +28,10 @@ class HostileInputTest {
         assertRefused(daphnis("compare", nul, nul), "a?b", "NUL")
         assertRefused(daphnis("export", nul, "--format", "xyz"), "a?b", "NUL")
         assertRefused(daphnis("analyze", nul), "a?b", "NUL")
-        val scenario = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "a\u0000b.h5" },
-            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }"""
+        val scenario = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" },
+            "placement": { "type": "file", "path": "a\u0000b.h5" },
+            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 },
+            "until": 0.1 }"""
         val file = Files.writeString(home.resolve("nul.json"), scenario)
         assertRefused(daphnis("describe", "$file"), "placement.path", "a?b.h5", "NUL")
     }
@@ -34,7 +39,15 @@ class HostileInputTest {
     /** Exit code and all output of a process of its own, whose locale is C. */
     private fun inLocaleC(vararg words: String): Pair<Int, String> {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        val command = listOf(java, "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "daphnis.app.MainKt") + words
+        val command =
+            listOf(
+                java,
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("java.class.path"),
+                "daphnis.app.MainKt",
+            ) +
+                words
         val builder = ProcessBuilder(command).directory(home.toFile()).redirectErrorStream(true)
         for (name in listOf("LC_ALL", "LANG", "LC_CTYPE")) builder.environment()[name] = "C"
         val process = builder.start()
@@ -44,16 +57,24 @@ class HostileInputTest {
     }
 
     @Test
-    fun `in a locale without letters beyond ASCII a name of such letters becomes a directory, and a path of them is one line`() {
-        val gas = daphnis("scenarios", "elastic-gas").out.replace("\"name\": \"elastic-gas\"", "\"name\": \"Größe 日本\"")
+    fun `in a locale of ASCII a name beyond it becomes a directory, and a path beyond it is one line`() {
+        val given = daphnis("scenarios", "elastic-gas").out
+        val gas = given.replace("\"name\": \"elastic-gas\"", "\"name\": \"Größe 日本\"")
         assertTrue("Größe" in gas)
         Files.writeString(home.resolve("named.json"), gas)
         val (code, said) = inLocaleC("run", "named.json", "--steps", "1", "--set", "particles.count=50", "--quiet")
         assertEquals(0, code) { said }
-        assertTrue(Files.exists(home.resolve("runs")) && Files.list(home.resolve("runs")).use { it.count() } == 1L) { said }
+        assertTrue(
+            Files.exists(home.resolve("runs")) &&
+                Files.list(home.resolve("runs")).use {
+                    it.count()
+                } == 1L,
+        ) { said }
 
-        val placed = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "größe.h5" },
-            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }"""
+        val placed = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" },
+            "placement": { "type": "file", "path": "größe.h5" },
+            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 },
+            "until": 0.1 }"""
         Files.writeString(home.resolve("placed.json"), placed)
         val (refused, line) = inLocaleC("describe", "placed.json")
         assertEquals(2, refused) { line }
@@ -63,7 +84,12 @@ class HostileInputTest {
 
     @Test
     fun `a hostile file is refused alike where it is analysed, placed from and exported`() {
-        assertDone(daphnis("run", "elastic-gas", "--set", "particles.count=20", "--steps", "1", "--quiet", "--out", "${home.resolve("run")}"))
+        assertDone(
+            daphnis(
+                "run", "elastic-gas", "--set", "particles.count=20", "--steps", "1", "--quiet", "--out",
+                "${home.resolve("run")}",
+            ),
+        )
         val file = home.resolve("huge.h5")
         // A file whose one dataset says another number of particles than the others.
         HdfFile.write(file).use { h5 ->
@@ -78,11 +104,19 @@ class HostileInputTest {
         }
         val problem = "particles/all/id has the shape [2]; it must be [3]"
         assertRefused(daphnis("analyze", "$file"), problem)
-        val placed = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "huge.h5" },
-            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }"""
-        assertRefused(daphnis("describe", Files.writeString(home.resolve("placed.json"), placed).toString()), "placement.path", problem)
+        val placed = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" },
+            "placement": { "type": "file", "path": "huge.h5" },
+            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 },
+            "until": 0.1 }"""
+        assertRefused(
+            daphnis("describe", Files.writeString(home.resolve("placed.json"), placed).toString()),
+            "placement.path",
+            problem,
+        )
         Files.copy(file, home.resolve("run/snapshots/0000000001.h5"), StandardCopyOption.REPLACE_EXISTING)
-        for (format in listOf("xyz", "h5md")) assertRefused(daphnis("export", "${home.resolve("run")}", "--format", format), problem)
+        for (format in listOf("xyz", "h5md")) {
+            assertRefused(daphnis("export", "${home.resolve("run")}", "--format", format), problem)
+        }
     }
 
     @Test

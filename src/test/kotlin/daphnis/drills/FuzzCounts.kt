@@ -18,8 +18,9 @@ internal class FuzzCounts {
     var failed = 0
     val faults = ArrayList<String>()
 
-    override fun toString() = "$worked worked, $refused refused in a line, $failed failed in a line, ${faults.size} faults" +
-        faults.joinToString("") { "\n$it" }
+    override fun toString() =
+        "$worked worked, $refused refused in a line, $failed failed in a line, ${faults.size} faults" +
+            faults.joinToString("") { "\n$it" }
 }
 
 /** Cases one after the other, each under a watchdog; one that hangs ends the fuzz, for nothing can end it. */
@@ -46,7 +47,10 @@ internal class Fuzz(private val cases: Int, private val seed: Long) {
         worker.start()
         worker.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS))
         if (!worker.isAlive) return true
-        counts.faults += "seed $seed case $number takes more than $PATIENCE_SECONDS s: ${worker.stackTrace.take(FRAMES).joinToString(" | ")}"
+        counts.faults +=
+            "seed $seed case $number takes more than $PATIENCE_SECONDS s: ${worker.stackTrace.take(
+                FRAMES,
+            ).joinToString(" | ")}"
         return false
     }
 
@@ -60,7 +64,10 @@ internal class Fuzz(private val cases: Int, private val seed: Long) {
     }
 }
 
-/** What a command said: null when it did what it should, or refused in one line; else what is wrong with that. [file] may be named. */
+/**
+ * What a command said: null when it did what it should, or refused in one line; else what is wrong with that. [file]
+ * may be named.
+ */
 internal fun FuzzCounts.count(result: CommandResult, file: Path): Boolean {
     if (result.code == 0) return true
     val line = result.err.trimEnd()

@@ -24,12 +24,15 @@ class FuzzTest {
 
     @Test
     fun `the scenarios that are mutated are sound themselves`() {
-        for ((k, seed) in scenarioSeeds().withIndex()) assertDone(daphnis("describe", Files.writeString(home.resolve("$k.json"), "$seed").toString()))
+        for ((k, seed) in scenarioSeeds().withIndex()) {
+            assertDone(daphnis("describe", Files.writeString(home.resolve("$k.json"), "$seed").toString()))
+        }
     }
 
     @Test
     fun `mutated scenarios work or are refused in one line`() = assertSound(scenarioFuzz(150, 1, home), 150)
 
     @Test
-    fun `mutated files of particles are read or refused in one line, whatever door they come by`() = assertSound(foreignFuzz(40, 1, home), 40)
+    fun `mutated files of particles are read or refused in one line, whatever door they come by`() =
+        assertSound(foreignFuzz(40, 1, home), 40)
 }

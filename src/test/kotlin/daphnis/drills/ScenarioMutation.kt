@@ -29,7 +29,7 @@ internal class ScenarioMutation(private val random: SeededRandom, private val ot
             12, 13 -> put(tree, at, null)
             14 -> put(tree, at, pick(odd()))
             15 -> put(tree, at, if (value is JsonObject) JsonObject(value + (pick(KEYS) to pick(odd()))) else number())
-            16 -> put(tree, at, if (value is JsonArray) JsonArray(value + List(pick(listOf(1, 2, 100_000))) { JsonPrimitive(1) }) else number())
+            16 -> put(tree, at, if (value is JsonArray) JsonArray(value + more()) else number())
             17 -> put(tree, at, get(tree, pick(paths(tree))))
             else -> {
                 val other = pick(others)
@@ -38,6 +38,8 @@ internal class ScenarioMutation(private val random: SeededRandom, private val ot
             }
         }
     }
+
+    private fun more(): List<JsonElement> = List(pick(listOf(1, 2, 100_000))) { JsonPrimitive(1) }
 
     private fun number(): JsonElement = JsonUnquotedLiteral(
         when (random.nextInt(3)) {
@@ -48,9 +50,11 @@ internal class ScenarioMutation(private val random: SeededRandom, private val ot
     )
 
     private fun odd(): List<JsonElement> = listOf(
-        JsonNull, JsonPrimitive(true), JsonPrimitive(""), JsonPrimitive("1e5"), JsonPrimitive("\u0000"), JsonPrimitive("ü\u202e\u001b[2J"), JsonPrimitive("../../x"),
-        JsonArray(emptyList()), JsonObject(emptyMap()), JsonArray(List(3) { JsonPrimitive(1) }), JsonObject(mapOf("type" to JsonPrimitive("x"))),
-        if (random.nextInt(20) == 0) JsonPrimitive("a".repeat(1 shl 20)) else JsonPrimitive("a".repeat(300)), nested(pick(listOf(10, 200))), number(),
+        JsonNull, JsonPrimitive(true), JsonPrimitive(""), JsonPrimitive("1e5"), JsonPrimitive("\u0000"),
+        JsonPrimitive("ü\u202e\u001b[2J"), JsonPrimitive("../../x"), JsonArray(emptyList()), JsonObject(emptyMap()),
+        JsonArray(List(3) { JsonPrimitive(1) }), JsonObject(mapOf("type" to JsonPrimitive("x"))),
+        JsonPrimitive("a".repeat(if (random.nextInt(20) == 0) 1 shl 20 else 300)),
+        nested(pick(listOf(10, 200))), number(),
     )
 
     private fun nested(depth: Int): JsonElement {
@@ -64,26 +68,30 @@ internal class ScenarioMutation(private val random: SeededRandom, private val ot
         val depth = pick(listOf(100, 5000, 100_000))
         return when (random.nextInt(10)) {
             0 -> bytes.copyOf(random.nextInt(bytes.size))
-            1 -> bytes.also { for (k in 0..random.nextInt(4)) it[random.nextInt(it.size)] = random.nextInt(256).toByte() }
+            1 -> bytes.also {
+                for (k in 0..random.nextInt(4)) it[random.nextInt(it.size)] = random.nextInt(256).toByte()
+            }
             2 -> text.replaceFirst("\"until\":", "\"until\":99999,\"until\":").toByteArray()
             3 -> byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte()) + bytes
             4 -> text.toByteArray(Charsets.UTF_16)
             5 -> "[".repeat(depth).toByteArray()
-            6 -> (text.dropLast(1) + ",\"name\":" + "{\"a\":".repeat(depth) + "1" + "}".repeat(depth) + "}").toByteArray()
+            6 -> "${text.dropLast(1)},\"name\":${"{\"a\":".repeat(depth)}1${"}".repeat(depth)}}".toByteArray()
             7 -> bytes + byteArrayOf(0) + bytes
             8 -> text.replaceFirst("0.", "1e9999999999").toByteArray()
-            else -> pick(listOf("", " ", "null", "1", "[]", "{}", "{\"a\":}", "/*", "{//", "{\"name\":\"\\u12", "{\"name\":\"\\ud800\"}")).toByteArray()
+            else -> pick(FRAGMENTS).toByteArray()
         }
     }
 
-    private fun paths(tree: JsonElement, here: List<Any> = emptyList()): List<List<Any>> = (if (here.isEmpty()) emptyList() else listOf(here)) + when (tree) {
-        is JsonObject -> tree.flatMap { (key, value) -> paths(value, here + key) }
-        is JsonArray -> tree.take(MOST_LISTED).flatMapIndexed { k, value -> paths(value, here + k) }
-        else -> emptyList()
-    }
+    private fun paths(tree: JsonElement, here: List<Any> = emptyList()): List<List<Any>> =
+        (if (here.isEmpty()) emptyList() else listOf(here)) + when (tree) {
+            is JsonObject -> tree.flatMap { (key, value) -> paths(value, here + key) }
+            is JsonArray -> tree.take(MOST_LISTED).flatMapIndexed { k, value -> paths(value, here + k) }
+            else -> emptyList()
+        }
 
-    private fun get(tree: JsonElement, path: List<Any>): JsonElement =
-        path.fold(tree) { here, step -> if (step is Int) (here as JsonArray)[step] else (here as JsonObject).getValue(step as String) }
+    private fun get(tree: JsonElement, path: List<Any>): JsonElement = path.fold(tree) { here, step ->
+        if (step is Int) (here as JsonArray)[step] else (here as JsonObject).getValue(step as String)
+    }
 
     /** [tree] with [value] at [path], or without what was there. */
     private fun put(tree: JsonElement, path: List<Any>, value: JsonElement?): JsonElement {
@@ -92,19 +100,39 @@ internal class ScenarioMutation(private val random: SeededRandom, private val ot
         val rest = path.drop(1)
         val isGone = rest.isEmpty() && value == null
         return if (tree is JsonArray) {
-            JsonArray(tree.flatMapIndexed { k, entry -> if (k != step) listOf(entry) else if (isGone) emptyList() else listOf(put(entry, rest, value)) })
+            JsonArray(
+                tree.flatMapIndexed { k, entry ->
+                    if (k != step) {
+                        listOf(entry)
+                    } else if (isGone) {
+                        emptyList()
+                    } else {
+                        listOf(put(entry, rest, value))
+                    }
+                },
+            )
         } else {
             val fields = tree as JsonObject
-            if (isGone) JsonObject(fields - step as String) else JsonObject(fields + (step as String to put(fields.getValue(step), rest, value)))
+            if (isGone) {
+                JsonObject(fields - step as String)
+            } else {
+                JsonObject(fields + (step as String to put(fields.getValue(step), rest, value)))
+            }
         }
     }
 
     private companion object {
         const val MOST_LISTED = 20
-        val KEYS = listOf("x", "seed", "type", "count", "unknown", "lengths", "", "Name", "fraction", "exponent", "opticalDepth", "relative")
+        val FRAGMENTS = listOf(
+            "", " ", "null", "1", "[]", "{}", "{\"a\":}", "/*", "{//",
+            "{\"name\":\"\\u12", "{\"name\":\"\\ud800\"}",
+        )
+        val KEYS = "x seed type count unknown lengths Name fraction exponent opticalDepth relative".split(" ") + ""
         val NUMBERS = (
-            "0 -0.0 1 -1 2 3 7 0.5 -0.5 1e-300 -1e-300 1e300 -1e300 1e-15 1e15 2147483647 2147483648 -2147483648 9223372036854775807 9223372036854775808 " +
-                "4.9e-324 1.7976931348623157e308 1e-40 1e40 0.7404 0.9999999999999999 1.0000000000000002 1e10 1e-10 1e100 1e-100 1e155 1e-155 6 1024 1000000 100000000 1e999"
+            "0 -0.0 1 -1 2 3 7 0.5 -0.5 1e-300 -1e-300 1e300 -1e300 1e-15 1e15 2147483647 2147483648 -2147483648 " +
+                "9223372036854775807 9223372036854775808 4.9e-324 1.7976931348623157e308 1e-40 1e40 0.7404 " +
+                "0.9999999999999999 1.0000000000000002 1e10 1e-10 1e100 1e-100 1e155 1e-155 " +
+                "6 1024 1000000 100000000 1e999"
             ).split(" ")
     }
 }

@@ -101,7 +101,10 @@ public class AnalysisInput private constructor(
             if (frames.isEmpty()) throw FormatException("$path: holds no frame")
             for ((k, frame) in frames.withIndex()) {
                 if (frame.size == 0) throw FormatException("$path: holds no particle in frame $k")
-                if (k > 0 && frame.time < frames[k - 1].time) throw FormatException("$path: frame $k is of time ${frame.time}, after ${frames[k - 1].time}; times must ascend")
+                val before = if (k == 0) frame.time else frames[k - 1].time
+                if (frame.time < before) {
+                    throw FormatException("$path: frame $k is of time ${frame.time}, after $before; times must ascend")
+                }
             }
             val setup = scenario?.let { ScenarioSetup.of(it, source, frames[0].population()) }
             val given = setup?.boundary ?: ofFrame(frames[0])

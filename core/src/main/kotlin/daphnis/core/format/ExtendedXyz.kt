@@ -38,8 +38,9 @@ public object ExtendedXyz {
 
     /**
      * Reads every frame of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius`, `mass` and `id` where they are there, else 0, 1/2, 1 and the line number. A
-     * `Lattice` of edges along the axes gives the lengths; one that leans, along x or y as sliding images do, the offset; another is refused. Lengths and
-     * velocities are divided by the `Scale` in the comment line, the factor that [write] multiplied them by.
+     * `Lattice` of edges along the axes gives the lengths; one that leans, along x or y as sliding images do, the offset;
+     * another is refused. Lengths and velocities are divided by the `Scale` in the comment line, the factor that [write]
+     * multiplied them by.
      *
      * @throws FormatException that names the line of what is wrong
      */

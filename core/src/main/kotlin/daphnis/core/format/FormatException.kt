@@ -1,8 +1,8 @@
 package daphnis.core.format
 
 /**
- * A file does not hold what its format promises. The message is one line that names the file and what is wrong; characters of a file or its
- * name that a terminal would obey are replaced.
+ * A file does not hold what its format promises. The message is one line that names the file and what is wrong;
+ * characters of a file or its name that a terminal would obey are replaced.
  */
 public class FormatException(message: String) : RuntimeException(oneLine(message))
 

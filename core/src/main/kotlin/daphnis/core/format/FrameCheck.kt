@@ -3,8 +3,8 @@ package daphnis.core.format
 import kotlin.math.abs
 
 /**
- * Whether the numbers of a [frame] can be a state: what every format promises, asked in one place. Sizes and places are kept so far from the
- * ends of what a double holds that volumes and squared distances neither vanish nor overflow.
+ * Whether the numbers of a [frame] can be a state: what every format promises, asked in one place. Sizes and places
+ * are kept so far from the ends of what a double holds that volumes and squared distances neither vanish nor overflow.
  *
  * @param where file, and line or frame, for messages
  */
@@ -21,15 +21,23 @@ internal class FrameCheck private constructor(private val frame: Frame, private 
     }
 
     private fun ids() {
-        for (id in frame.id) must(id in 0 until ParticleCsv.MOST_ID) { "id $id must be in 0..${ParticleCsv.MOST_ID - 1}" }
+        for (id in frame.id) {
+            must(id in 0 until ParticleCsv.MOST_ID) {
+                "id $id must be in 0..${ParticleCsv.MOST_ID - 1}"
+            }
+        }
         val sorted = frame.id.copyOf().apply { sort() }
         for (k in 1 until sorted.size) must(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
     }
 
     private fun sizes() {
         for (k in 0 until frame.size) {
-            must(frame.radius[k] in LEAST..MOST) { "the radius of particle ${frame.id[k]} is ${frame.radius[k]}; it must be > 0, $LEAST to $MOST" }
-            must(frame.mass[k] > 0 && frame.mass[k].isFinite()) { "the mass of particle ${frame.id[k]} is ${frame.mass[k]}; it must be > 0 and finite" }
+            must(frame.radius[k] in LEAST..MOST) {
+                "the radius of particle ${frame.id[k]} is ${frame.radius[k]}; it must be > 0, $LEAST to $MOST"
+            }
+            must(frame.mass[k] > 0 && frame.mass[k].isFinite()) {
+                "the mass of particle ${frame.id[k]} is ${frame.mass[k]}; it must be > 0 and finite"
+            }
         }
     }
 
@@ -38,12 +46,17 @@ internal class FrameCheck private constructor(private val frame: Frame, private 
         for (axis in 0..2) {
             val length = frame.lengths[axis]
             if (length.isNaN()) continue
-            must(length in LEAST..MOST) { "the edge of the box along ${"xyz"[axis]} is $length; it must be > 0, $LEAST to $MOST" }
+            must(length in LEAST..MOST) {
+                "the edge of the box along ${"xyz"[axis]} is $length; it must be > 0, $LEAST to $MOST"
+            }
             must(!frame.periodic[axis] || length > widest) {
-                "the edge of the periodic box along ${"xyz"[axis]} is $length; it must exceed the largest diameter, $widest"
+                "the edge of the periodic box along ${"xyz"[axis]} is $length; " +
+                    "it must exceed the largest diameter, $widest"
             }
         }
-        must(abs(frame.shearOffset) <= FARTHEST) { "the offset of sliding images is ${frame.shearOffset}; it must be a number within ±$FARTHEST" }
+        must(abs(frame.shearOffset) <= FARTHEST) {
+            "the offset of sliding images is ${frame.shearOffset}; it must be a number within ±$FARTHEST"
+        }
     }
 
     private fun places(axis: Int) {
@@ -55,9 +68,12 @@ internal class FrameCheck private constructor(private val frame: Frame, private 
             val v = frame.velocity[axis][k]
             must(abs(p) <= FARTHEST) { "$name of particle ${frame.id[k]} is $p; it must be a number within ±$FARTHEST" }
             must(abs(p) <= farthest) {
-                "$name of particle ${frame.id[k]} is $p, more than $MOST_BOXES boxes of $length away; nothing is left of its place within the box"
+                "$name of particle ${frame.id[k]} is $p, more than $MOST_BOXES boxes of $length away; " +
+                    "nothing is left of its place within the box"
             }
-            must(abs(v) <= FARTHEST) { "v$name of particle ${frame.id[k]} is $v; it must be a number within ±$FARTHEST" }
+            must(abs(v) <= FARTHEST) {
+                "v$name of particle ${frame.id[k]} is $v; it must be a number within ±$FARTHEST"
+            }
         }
     }
 
@@ -67,7 +83,9 @@ internal class FrameCheck private constructor(private val frame: Frame, private 
         for (length in frame.lengths) if (!length.isNaN()) far = maxOf(far, length)
         for (column in frame.position) for (p in column) far = maxOf(far, abs(p))
         val least = frame.radius.min()
-        must(far + least * VISIBLE > far) { "coordinates and edges are up to $far, beside which a radius of $least is lost in rounding" }
+        must(far + least * VISIBLE > far) {
+            "coordinates and edges are up to $far, beside which a radius of $least is lost in rounding"
+        }
     }
 
     private inline fun must(ok: Boolean, problem: () -> String) {

@@ -15,9 +15,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * An HDF5 file that may be anything, as far as states are read from it: numbers of a known shape. The library follows links wherever they
- * lead and takes the memory that a file asks for; here links end after a few and never leave the file, and what a dataset declares
- * is held against the file's length and the heap before it is read. Whatever its type of numbers, it comes as doubles or longs.
+ * An HDF5 file that may be anything, as far as states are read from it: numbers of a known shape. The library follows
+ * links wherever they lead and takes the memory that a file asks for; here links end after a few and never leave the
+ * file, and what a dataset declares is held against the file's length and the heap before it is read. Whatever its
+ * type of numbers, it comes as doubles or longs.
  */
 internal class H5Source(private val path: Path) : AutoCloseable {
     private val file = HdfFile(path)
@@ -48,7 +49,10 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         is IntArray -> LongArray(data.size) { data[it].toLong() }
         is ShortArray -> LongArray(data.size) { data[it].toLong() }
         is ByteArray -> LongArray(data.size) { data[it].toLong() }
-        is Array<*> -> LongArray(data.size) { k -> (data[k] as? BigInteger)?.takeIf { it.bitLength() < Long.SIZE_BITS }?.toLong() ?: fail(name, "has ${data[k]}; it must be below 2^63") }
+        is Array<*> -> LongArray(data.size) { k ->
+            (data[k] as? BigInteger)?.takeIf { it.bitLength() < Long.SIZE_BITS }?.toLong()
+                ?: fail(name, "has ${data[k]}; it must be below 2^63")
+        }
         else -> wrongType(name)
     }
 
@@ -57,7 +61,9 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         val data = longs(name, shape)
         return IntArray(data.size) { k ->
             val value = data[k]
-            if (value < range.first || value > range.last) fail(name, "has $value; it must be in ${range.first}..${range.last}")
+            if (value < range.first || value > range.last) {
+                fail(name, "has $value; it must be in ${range.first}..${range.last}")
+            }
             value.toInt()
         }
     }
@@ -65,7 +71,8 @@ internal class H5Source(private val path: Path) : AutoCloseable {
     /** The texts of attribute [attribute] of the group [name]. */
     fun texts(name: String, attribute: String): List<String> {
         val data = (find(name) ?: fail(name, "is missing")).getAttribute(attribute)?.data
-        return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be texts") } ?: fail(name, "has no list of texts $attribute")
+        return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be texts") }
+            ?: fail(name, "has no list of texts $attribute")
     }
 
     private fun numbers(name: String, shape: List<Long>): Any {
@@ -87,7 +94,13 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         val most = bytes * if (dataset is ContiguousDataset) 1.0 else DENSEST
         if (declared > most) fail(name, "declares $declared bytes; a file of $bytes bytes cannot hold so many")
         val heap = Runtime.getRuntime().maxMemory()
-        if (declared * COPIES > heap) fail(name, "declares $declared bytes, for which the ${heap shr MEBI} MiB of the JVM are too few; raise them with -Xmx")
+        if (declared * COPIES > heap) {
+            fail(
+                name,
+                "declares $declared bytes, for which the ${heap shr MEBI} MiB of the JVM are too few; " +
+                    "raise them with -Xmx",
+            )
+        }
         if (dataset !is ChunkedDataset) return
         val chunk = product(LongArray(dataset.chunkDimensions.size) { dataset.chunkDimensions[it].toLong() }) * wide
         if (!(chunk > 0 && chunk <= most && chunk * COPIES <= heap)) fail(name, "declares chunks of $chunk bytes")
@@ -122,7 +135,8 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         return node
     }
 
-    private fun wrongType(name: String): Nothing = fail(name, "is not of numbers of at most 64 bits of the kind that belongs there")
+    private fun wrongType(name: String): Nothing =
+        fail(name, "is not of numbers of at most 64 bits of the kind that belongs there")
 
     private fun fail(name: String, problem: String): Nothing = throw FormatException("$path: $name $problem")
 
@@ -133,7 +147,10 @@ internal class H5Source(private val path: Path) : AutoCloseable {
     private companion object {
         const val MOST_LINKS = 16
 
-        /** Bytes out of one byte of a compressed file, at most: the bound of deflate, and some for what a file has besides. */
+        /**
+         * Bytes out of one byte of a compressed file, at most: the bound of deflate, and some for what a file has
+         * besides.
+         */
         const val DENSEST = 1100.0
 
         /** Times a dataset is in memory while it is read: its bytes, its numbers, and these by column. */

@@ -10,7 +10,8 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         val times = source.doubles("$ALL/position/time", listOf(count))
         val periodic = periodic()
         val offsets = source.doubles("parameters/shear_offset", listOf(count))
-        val axes = if (source.has("parameters/shear_axes")) source.ints("parameters/shear_axes", listOf(2L), 0..2) else intArrayOf(1, 0)
+        val shear = "parameters/shear_axes"
+        val axes = if (source.has(shear)) source.ints(shear, listOf(2L), 0..2) else intArrayOf(1, 0)
         if (axes[0] == axes[1]) fail("parameters/shear_axes are both ${axes[0]}")
         val lengths = lengths(steps.size)
         // HDF5 as it is written here has no datasets of size 0: a state without particles has no values at all.
@@ -18,20 +19,39 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         return steps.indices.map { t ->
             Frame(
                 steps[t], times[t], lengths[t], periodic, offsets[t], particles?.id ?: IntArray(0),
-                particles?.columns(particles.position, t) ?: none(), particles?.columns(particles.velocity, t) ?: none(),
-                particles?.radius ?: DoubleArray(0), particles?.mass ?: DoubleArray(0), axes[0], axes[1], image = particles?.image(t),
+                columns(particles?.position, t), columns(particles?.velocity, t),
+                particles?.radius ?: DoubleArray(0), particles?.mass ?: DoubleArray(0),
+                axes[0], axes[1], image = particles?.images?.image(t),
             ).also { FrameCheck.check(it, "$path: frame $t") }
         }
     }
 
-    private fun none() = Array(3) { DoubleArray(0) }
+    /** Of frame [t], by axis. */
+    private fun columns(values: Cube<DoubleArray>?, t: Int): Array<DoubleArray> {
+        if (values == null) return Array(3) { DoubleArray(0) }
+        return Array(3) { axis -> DoubleArray(values.count) { values.data[values.at(t, it, axis)] } }
+    }
+
+    private fun Cube<IntArray>.image(t: Int): Array<IntArray> =
+        Array(3) { axis -> IntArray(count) { data[at(t, it, axis)] } }
+
+    /** Numbers by frame, particle and axis, the axis fastest. */
+    private class Cube<A>(val data: A, val count: Int) {
+        fun at(t: Int, k: Int, axis: Int): Int = 3 * (t * count + k) + axis
+    }
 
     /** The shape of [name], which must have one axis. */
-    private fun one(name: String): List<Long> = source.shape(name).also { if (it.size != 1) fail("$name has ${it.size} axes; it must have 1, one number per frame") }
+    private fun one(name: String): List<Long> {
+        val shape = source.shape(name)
+        if (shape.size != 1) fail("$name has ${shape.size} axes; it must have 1, one number per frame")
+        return shape
+    }
 
     private fun periodic(): BooleanArray {
         val words = source.texts("$ALL/box", "boundary")
-        if (words.size != 3 || words.any { it != "periodic" && it != "none" }) fail("$ALL/box: boundary must be three times 'periodic' or 'none'")
+        if (words.size != 3 || words.any { it != "periodic" && it != "none" }) {
+            fail("$ALL/box: boundary must be three times 'periodic' or 'none'")
+        }
         return BooleanArray(3) { words[it] == "periodic" }
     }
 
@@ -47,26 +67,25 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
     /** What the file holds of the particles, all frames. */
     private inner class Particles(frames: Long) {
         private val count: Long = source.shape("$ALL/position/value").let { shape ->
-            if (shape.size != 3 || shape[0] != frames || shape[2] != 3L) fail("$ALL/position/value has the shape $shape; it must be [$frames, particles, 3]")
+            if (shape.size != 3 || shape[0] != frames || shape[2] != 3L) {
+                fail("$ALL/position/value has the shape $shape; it must be [$frames, particles, 3]")
+            }
             shape[1]
         }
-        private val cube = listOf(frames, count, 3L)
+        private val shape = listOf(frames, count, 3L)
         val id = source.ints("$ALL/id", listOf(count), 0 until ParticleCsv.MOST_ID)
         val mass = source.doubles("$ALL/mass", listOf(count))
         val radius = source.doubles("$ALL/radius", listOf(count))
-        val position = source.doubles("$ALL/position/value", cube)
-        val velocity = source.doubles("$ALL/velocity/value", cube)
-        private val images = if (source.has("$ALL/image")) source.ints("$ALL/image/value", cube, Int.MIN_VALUE..Int.MAX_VALUE) else null
-
-        fun columns(values: DoubleArray, t: Int): Array<DoubleArray> = Array(3) { axis -> DoubleArray(id.size) { values[3 * (t * id.size + it) + axis] } }
-
-        fun image(t: Int): Array<IntArray>? = images?.let { all -> Array(3) { axis -> IntArray(id.size) { all[3 * (t * id.size + it) + axis] } } }
+        val position = Cube(source.doubles("$ALL/position/value", shape), id.size)
+        val velocity = Cube(source.doubles("$ALL/velocity/value", shape), id.size)
+        val images = if (source.has("$ALL/image")) Cube(source.ints("$ALL/image/value", shape, ANY), id.size) else null
     }
 
     private fun fail(problem: String): Nothing = throw FormatException("$path: $problem")
 
     companion object {
         private const val ALL = "particles/all"
+        private val ANY = Int.MIN_VALUE..Int.MAX_VALUE
 
         /**
          * Every frame of [path].
@@ -82,15 +101,19 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         } catch (e: StackOverflowError) {
             throw none(path, e)
         } catch (e: OutOfMemoryError) {
-            throw FormatException("$path: asks for more memory than the JVM has, ${Runtime.getRuntime().maxMemory() shr 20} MiB; raise it with -Xmx if the file is sound")
+            throw FormatException(
+                "$path: asks for more memory than the JVM has, ${Runtime.getRuntime().maxMemory() shr 20} MiB; " +
+                    "raise it with -Xmx if the file is sound",
+            )
         } catch (e: LinkageError) {
             // Of a filter that is not installed.
             throw none(path, e)
         }
 
         private fun none(path: Path, e: Throwable): FormatException {
-            val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES).map { it.message.orEmpty().replace(CLASS, "").take(MOST_SHOWN) }
-            val problem = causes.filter { it.isNotBlank() }.distinct().joinToString(", for: ").ifEmpty { "it is cut short or damaged" }
+            val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES)
+            val words = causes.map { it.message.orEmpty().replace(CLASS, "").take(MOST_SHOWN) }.filter { it.isNotBlank() }
+            val problem = words.distinct().joinToString(", for: ").ifEmpty { "it is cut short or damaged" }
             return FormatException("$path: is not an H5MD file of daphnis: $problem")
         }
 

@@ -5,8 +5,8 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, id` in any order, then a line a sphere.
- * Lines that are empty or begin with `#` are skipped.
+ * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, id` in any order, then
+ * a line a sphere. Lines that are empty or begin with `#` are skipped.
  */
 public object ParticleCsv {
     private val KNOWN = listOf("x", "y", "z", "vx", "vy", "vz", "radius", "mass", "id")
@@ -44,9 +44,23 @@ public object ParticleCsv {
     }
 
     private fun header(names: List<String>, path: Path): List<String> {
-        for (name in names) if (name !in KNOWN) throw FormatException("$path: unknown column '${TextLines.shown(name)}'; known: ${KNOWN.joinToString()}")
-        for (name in listOf("x", "y", "z", "radius")) if (name !in names) throw FormatException("$path: column '$name' is missing")
-        for (name in KNOWN) if (names.count { it == name } > 1) throw FormatException("$path: column '$name' occurs twice")
+        for (name in names) {
+            if (name !in KNOWN) {
+                throw FormatException(
+                    "$path: unknown column '${TextLines.shown(name)}'; known: ${KNOWN.joinToString()}",
+                )
+            }
+        }
+        for (name in listOf("x", "y", "z", "radius")) {
+            if (name !in names) {
+                throw FormatException("$path: column '$name' is missing")
+            }
+        }
+        for (name in KNOWN) {
+            if (names.count { it == name } > 1) {
+                throw FormatException("$path: column '$name' occurs twice")
+            }
+        }
         return names
     }
 
@@ -56,7 +70,12 @@ public object ParticleCsv {
             val value = cells[k].toDoubleOrNull()
             val right = when {
                 value == null || !value.isFinite() -> "a finite number"
-                names[k] == "id" && !(value >= 0 && value < MOST_ID && value == Math.rint(value)) -> "a whole number in 0..${MOST_ID - 1}"
+                names[k] == "id" &&
+                    !(
+                        value >= 0 &&
+                            value < MOST_ID &&
+                            value == Math.rint(value)
+                        ) -> "a whole number in 0..${MOST_ID - 1}"
                 (names[k] == "radius" || names[k] == "mass") && !(value > 0) -> "> 0"
                 else -> null
             }
@@ -74,7 +93,16 @@ public object ParticleCsv {
             if (at >= 0) rows.sortBy { it[at] }
             val radius = column("radius")
             val hasMass = "mass" in names
-            val mass = if (hasMass) column("mass") else DoubleArray(rows.size) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
+            val mass = if (hasMass) {
+                column("mass")
+            } else {
+                DoubleArray(rows.size) {
+                    density * 4.0 / 3.0 * Math.PI *
+                        radius[it] *
+                        radius[it] *
+                        radius[it]
+                }
+            }
             return Frame(
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },

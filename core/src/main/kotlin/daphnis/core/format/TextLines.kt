@@ -7,8 +7,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The lines of a text file that may be anything: a line longer than [longest] characters is refused before it is held in memory, and bytes
- * that are no UTF-8 text are too. Lines end as those of [java.io.BufferedReader] do.
+ * The lines of a text file that may be anything: a line longer than [longest] characters is refused before it is held
+ * in memory, and bytes that are no UTF-8 text are too. Lines end as those of [java.io.BufferedReader] do.
  */
 internal class TextLines(private val path: Path, private val longest: Int = LONGEST) : AutoCloseable {
     private val input: Reader = Files.newBufferedReader(path)

@@ -1,7 +1,8 @@
 package daphnis.core.format
 
 /**
- * Where in a line of extended XYZ what stands, by its [properties], `name:type:count` again and again. Columns that are not there are −1.
+ * Where in a line of extended XYZ what stands, by its [properties], `name:type:count` again and again. Columns that
+ * are not there are −1.
  *
  * @param fail refuses the file
  */
@@ -21,7 +22,9 @@ internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
 
     init {
         val parts = properties.split(':')
-        if (parts.size % 3 != 0) fail("Properties '${TextLines.shown(properties)}' must be name:type:count, again and again")
+        if (parts.size % 3 != 0) {
+            fail("Properties '${TextLines.shown(properties)}' must be name:type:count, again and again")
+        }
         for (k in parts.indices step 3) {
             val count = parts[k + 2].toIntOrNull()?.takeIf { it in 1..MOST_WIDE }
                 ?: fail("Properties: '${TextLines.shown(parts[k + 2])}' must be a number of columns, 1 to $MOST_WIDE")

@@ -21,14 +21,17 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         }
         val scale = keys["scale"]?.let { number(it) } ?: 1.0
         if (scale <= 0) fail("Scale is $scale; it must be > 0")
-        if (scale != 1.0) for (column in rows.position + rows.velocity + rows.radius) for (k in column.indices) column[k] /= scale
+        if (scale != 1.0) rows.divide(scale)
         return made(number, keys, columns, rows, scale).also { FrameCheck.check(it, "$path:${lines.number}") }
     }
 
     /** What the file says of the number of particles, as far as it is long enough for so many. */
     private fun count(head: String): Int {
-        val n = head.trim().toIntOrNull()?.takeIf { it >= 0 } ?: fail("'${TextLines.shown(head)}' must be the number of particles")
-        if (n > lines.bytes / LEAST_BYTES) fail("$n particles are announced; a file of ${lines.bytes} bytes cannot hold so many")
+        val n = head.trim().toIntOrNull()?.takeIf { it >= 0 }
+            ?: fail("'${TextLines.shown(head)}' must be the number of particles")
+        if (n > lines.bytes / LEAST_BYTES) {
+            fail("$n particles are announced; a file of ${lines.bytes} bytes cannot hold so many")
+        }
         return n
     }
 
@@ -43,17 +46,28 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         fun set(k: Int, cells: List<String>, columns: XyzColumns) {
             for (axis in 0..2) position[axis][k] = number(cells[columns.position + axis])
             if (columns.velocity >= 0) for (axis in 0..2) velocity[axis][k] = number(cells[columns.velocity + axis])
-            if (columns.radius >= 0) radius[k] = number(cells[columns.radius]).also { if (it <= 0) fail("radius is $it; it must be > 0") }
-            if (columns.mass >= 0) mass[k] = number(cells[columns.mass]).also { if (it <= 0) fail("mass is $it; it must be > 0") }
-            if (columns.id >= 0) {
-                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 && it < ParticleCsv.MOST_ID }
-                    ?: fail("id is '${TextLines.shown(cells[columns.id])}'; it must be a whole number in 0..${ParticleCsv.MOST_ID - 1}")
-            }
+            if (columns.radius >= 0) radius[k] = positive("radius", cells[columns.radius])
+            if (columns.mass >= 0) mass[k] = positive("mass", cells[columns.mass])
+            if (columns.id >= 0) id[k] = id(cells[columns.id])
         }
+
+        fun divide(scale: Double) {
+            for (column in position + velocity + radius) for (k in column.indices) column[k] /= scale
+        }
+
+        private fun positive(name: String, text: String): Double {
+            val value = number(text)
+            if (value <= 0) fail("$name is $value; it must be > 0")
+            return value
+        }
+
+        private fun id(text: String): Int = text.toIntOrNull()?.takeIf { it >= 0 && it < ParticleCsv.MOST_ID }
+            ?: fail("id is '${TextLines.shown(text)}'; it must be a whole number in 0..${ParticleCsv.MOST_ID - 1}")
     }
 
     private fun made(number: Int, keys: Map<String, String>, columns: XyzColumns, rows: Rows, scale: Double): Frame {
-        val lattice = keys["lattice"]?.let { numbers("Lattice", it, CELL) }?.let { cell -> DoubleArray(CELL) { cell[it] / scale } }
+        val lattice = keys["lattice"]?.let { numbers("Lattice", it, CELL) }
+        if (lattice != null) for (k in lattice.indices) lattice[k] /= scale
         if (lattice != null) checkLattice(lattice)
         val lengths = DoubleArray(3) { lattice?.get(4 * it) ?: Double.NaN }
         // Row 1 leans along x (Lees–Edwards), or row 0 along y (a shearing sheet).
@@ -68,13 +82,16 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
             }
         }
         val time = keys["time"]?.let { number(it) } ?: number.toDouble()
-        val step = keys["step"]?.let { it.toLongOrNull() ?: fail("Step is '${TextLines.shown(it)}'; it must be a whole number") } ?: number.toLong()
+        val step = keys["step"]?.let { step(it) } ?: number.toLong()
         return Frame(
             step, time, lengths, periodic(keys, lattice != null),
             if (overX != 0.0) overX else overY, rows.id, rows.position, rows.velocity, rows.radius, rows.mass,
             if (overX != 0.0) 0 else 1, if (overX != 0.0) 1 else 0, columns.mass >= 0, columns.radius >= 0,
         )
     }
+
+    private fun step(text: String): Long =
+        text.toLongOrNull() ?: fail("Step is '${TextLines.shown(text)}'; it must be a whole number")
 
     private fun checkLattice(lattice: DoubleArray) {
         for (axis in 0..2) {
@@ -83,7 +100,12 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         }
         val leaning = LEANING.count { lattice[it] != 0.0 }
         val slides = lattice[1] != 0.0 || lattice[3] != 0.0
-        if (leaning > (if (slides) 1 else 0)) fail("Lattice leans in a way that sliding images do not; only its second or its fourth number may be off the diagonal")
+        if (leaning > (if (slides) 1 else 0)) {
+            fail(
+                "Lattice leans in a way that sliding images do not; " +
+                    "only its second or its fourth number may be off the diagonal",
+            )
+        }
     }
 
     private fun periodic(keys: Map<String, String>, hasLattice: Boolean): BooleanArray {
@@ -98,14 +120,16 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         return DoubleArray(count) { number(words[it]) }
     }
 
-    private fun number(text: String): Double = text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${TextLines.shown(text)}' must be a finite number")
+    private fun number(text: String): Double =
+        text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${TextLines.shown(text)}' must be a finite number")
 
     private fun fail(problem: String): Nothing = lines.fail(problem)
 
     private companion object {
         val SPACES = Regex("\\s+")
 
-        // From the beginning of a word only, so that a long one without '=' is looked at once, not once from each of its letters.
+        // From the beginning of a word only, so that a long one without '=' is looked at once, not once from each of
+        // its letters.
         val ENTRY = Regex("""\b(\w++)=("[^"]*"|\S+)""")
         const val CELL = 9
 

@@ -12,10 +12,15 @@ import daphnis.core.setup.fillingFactor
 import java.util.Locale
 
 /**
- * The radii of a scenario: as many as it says, or as bring the box to what it says. Spheres that fit into no box are refused before there is
- * any talk of memory, so that the answer is the same on every machine.
+ * The radii of a scenario: as many as it says, or as bring the box to what it says. Spheres that fit into no box are
+ * refused before there is any talk of memory, so that the answer is the same on every machine.
  */
-internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box, private val check: ValueCheck, private val stream: () -> SeededRandom) {
+internal class DrawnRadii(
+    private val spec: ParticlesSpec,
+    private val box: Box,
+    private val check: ValueCheck,
+    private val stream: () -> SeededRandom,
+) {
     private val sizes = sizes(spec.sizes)
     private val least: Double
     private val most: Double
@@ -27,14 +32,20 @@ internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box,
             is SizesSpec.LogNormal -> s.minimum to s.maximum
             is SizesSpec.Listed -> s.radii.min() to s.radii.max()
         }
-        for (r in listOf(least, most)) check.must("particles.sizes", r in FrameCheck.LEAST..FrameCheck.MOST) { "a radius is $r; it must be > 0, ${FrameCheck.LEAST} to ${FrameCheck.MOST}" }
+        for (r in listOf(least, most)) {
+            check.must("particles.sizes", r in FrameCheck.LEAST..FrameCheck.MOST) {
+                "a radius is $r; it must be > 0, ${FrameCheck.LEAST} to ${FrameCheck.MOST}"
+            }
+        }
         this.least = least
         this.most = most
     }
 
     fun draw(): DoubleArray {
         val given = listOfNotNull(spec.count, spec.fillingFactor, spec.opticalDepth, spec.surfaceDensity).size
-        check.must("particles", given == 1) { "needs exactly one of count, fillingFactor, opticalDepth and surfaceDensity" }
+        check.must("particles", given == 1) {
+            "needs exactly one of count, fillingFactor, opticalDepth and surfaceDensity"
+        }
         spec.count?.let { return counted(it) }
         val area = box.length(0) * box.length(1)
         spec.opticalDepth?.let { depth ->
@@ -45,10 +56,14 @@ internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box,
             check.positive("particles.surfaceDensity", density)
             check.positive("particles.density", spec.density)
             spec.mass?.let { check.positive("particles.mass", it) }
-            return filled(density * area, "particles.surfaceDensity", density) { spec.mass ?: (spec.density * volume(it)) }
+            return filled(density * area, "particles.surfaceDensity", density) {
+                spec.mass ?: (spec.density * volume(it))
+            }
         }
         val filling = spec.fillingFactor!!
-        check.that("particles.fillingFactor", filling, filling > 0 && filling < CLOSEST_PACKING) { "must be in (0, $CLOSEST_PACKING), the closest packing" }
+        check.that("particles.fillingFactor", filling, filling > 0 && filling < CLOSEST_PACKING) {
+            "must be in (0, $CLOSEST_PACKING), the closest packing"
+        }
         return filled(filling * box.volume, "particles.fillingFactor", filling) { volume(it) }
     }
 
@@ -105,7 +120,10 @@ internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box,
         return radii.copyOf(count)
     }
 
-    /** Refuses what comes out when the [part] drawn so far of what is wanted stands for the rest, and is too much by a factor of [margin]. */
+    /**
+     * Refuses what comes out when the [part] drawn so far of what is wanted stands for the rest, and is too much by a
+     * factor of [margin].
+     */
     private fun foresee(key: String, value: Double, count: Int, volume: Double, part: Double, margin: Double) {
         if (volume / part >= margin * CLOSEST_PACKING * box.volume) checkFilling(key, value, volume / part, "about ")
         if (count / part > margin * MOST_PARTICLES) checkCount(key, value, count / part)
@@ -125,7 +143,7 @@ internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box,
     private fun checkFilling(key: String, value: Number, volume: Double, bound: String = "") {
         val filling = volume / box.volume
         check.that(key, value, filling < CLOSEST_PACKING) {
-            "gives a filling factor of ${if (bound.isEmpty() || least == most) "" else bound}$filling; it must be below $CLOSEST_PACKING"
+            "gives a filling factor of ${if (least == most) "" else bound}$filling; it must be below $CLOSEST_PACKING"
         }
     }
 
@@ -139,8 +157,9 @@ internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box,
 
     private fun checkMemory(key: String, count: Double) {
         val heap = Runtime.getRuntime().maxMemory()
+        val gibibytes = "%.1f".format(Locale.ROOT, needed(count) / (1 shl 30))
         check.that(key, count.toLong(), isRoomFor(count)) {
-            "spheres need about ${"%.1f".format(Locale.ROOT, needed(count) / (1 shl 30))} GiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
+            "spheres need about $gibibytes GiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
         }
     }
 

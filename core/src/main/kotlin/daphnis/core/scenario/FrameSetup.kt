@@ -20,7 +20,9 @@ public object FrameSetup {
         check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
         val second = scenario.units.timeInSeconds ?: check.fail("units.lengthInMetres", "is missing; frame.distanceInKm needs it")
         val speed = frame.planet.angularSpeed(distance) * second
-        check.that("frame.distanceInKm", distance, speed > 0 && speed.isFinite()) { "gives an angular speed of $speed in the scenario's units; it must be > 0 and finite" }
+        check.that("frame.distanceInKm", distance, speed > 0 && speed.isFinite()) {
+            "gives an angular speed of $speed in the scenario's units; it must be > 0 and finite"
+        }
         return speed
     }
 

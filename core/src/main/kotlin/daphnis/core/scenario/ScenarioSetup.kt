@@ -20,7 +20,6 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
-import daphnis.core.format.FrameCheck
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -106,9 +105,7 @@ public class ScenarioSetup private constructor(
         private fun box(scenario: Scenario, check: ValueCheck): Box {
             val lengths = scenario.box.lengths
             check.that("box.lengths", lengths, lengths.size == 3) { "must be three numbers, the edges along x, y and z" }
-            lengths.forEachIndexed { k, length ->
-                check.that("box.lengths[$k]", length, length in FrameCheck.LEAST..FrameCheck.MOST) { "must be > 0, ${FrameCheck.LEAST} to ${FrameCheck.MOST}" }
-            }
+            lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
             val box = Box.centred(lengths[0], lengths[1], lengths[2])
             check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) { "give a volume of ${box.volume}; it must be positive and finite" }
             return box
@@ -206,8 +203,12 @@ public class ScenarioSetup private constructor(
             }
             val start = scenario.startTime
             val steps = (scenario.end - start) / longest
-            check.that(key, longest, steps <= MOST_STEPS) { "makes $steps steps to the end at time ${scenario.end}; there can be $MOST_STEPS" }
-            check.that(key, longest, start + longest > start) { "is lost in the rounding of the time, $start, at which the run starts" }
+            check.that(key, longest, steps <= MOST_STEPS) {
+                "makes $steps steps to the end at time ${scenario.end}; there can be $MOST_STEPS"
+            }
+            check.that(key, longest, start + longest > start) {
+                "is lost in the rounding of the time, $start, at which the run starts"
+            }
         }
 
         private fun rmsSpeed(population: Population): Double {

@@ -14,8 +14,8 @@ import daphnis.core.parallel.RangeLoop
  * Places are drawn and judged by the block, see [CandidateBlock]; the outcome is that of one try after the other, bit for bit, for any
  * number of threads and any size of block.
  *
- * A search ends that finds no place for one sphere, or few for all: what cannot be is refused before, see [Crowding], or after a bounded
- * number of tries.
+ * A search ends that finds no place for one sphere, or few for all: what cannot be is refused before, see [Crowding],
+ * or after a bounded number of tries.
  *
  * @param mostTries tries for one sphere before giving up
  * @param obstacles spheres that stand already
@@ -32,7 +32,10 @@ public class RandomPlacement internal constructor(
     public constructor(mostTries: Int = MOST_TRIES, obstacles: List<Obstacle> = emptyList(), threads: Int = 1) :
         this(mostTries, obstacles, threads, null, LEAST_FOR_THREADS)
 
-    /** @throws PlacementException also when the largest sphere does not fit between walls, or the filling is one that no random placement has */
+    /**
+     * @throws PlacementException also when the largest sphere does not fit between walls, or the filling is one that no
+     *   random placement has
+     */
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         Crowding.check(radii, box, walled)
         val order = largestFirst(radii)
@@ -68,7 +71,9 @@ public class RandomPlacement internal constructor(
                     rank++
                     tries = 0
                 } else {
-                    if (++tries == mostTries) refuse("no free place found for a sphere of radius ${space.radius(rank)} in $mostTries tries")
+                    if (++tries == mostTries) {
+                        refuse("no free place found for a sphere of radius ${space.radius(rank)} in $mostTries tries")
+                    }
                     if (++vain == mostVain) refuse("$rank of $spheres spheres found a place in $mostVain tries and more")
                 }
             }
@@ -102,7 +107,10 @@ public class RandomPlacement internal constructor(
     private companion object {
         const val MOST_TRIES = 200_000
 
-        /** Tries in vain per sphere, all together: a bound on the work. Equal spheres at 0.35 take 610, power laws at 0.55 take 30. */
+        /**
+         * Tries in vain per sphere, all together: a bound on the work. Equal spheres at 0.35 take 610, power laws at 0.55
+         * take 30.
+         */
         const val VAIN_PER_SPHERE = 1000L
 
         /** Fewer spheres may take as many tries as these. */

@@ -15,7 +15,9 @@ class CrowdingTest {
     @Test
     fun `what no search can place is said before one is begun`() {
         fun at(count: Int, box: Box, walled: BooleanArray = BooleanArray(3)) =
-            assertThrows(PlacementException::class.java) { Crowding.check(DoubleArray(count) { 0.5 }, box, walled) }.message.orEmpty()
+            assertThrows(PlacementException::class.java) {
+                Crowding.check(DoubleArray(count) { 0.5 }, box, walled)
+            }.message.orEmpty()
         assertTrue("0.7405 at most" in at(1500, Box.centred(10.0, 10.0, 10.0)))
         assertTrue("jam at 0.384" in at(2000, Box.centred(14.0, 14.0, 14.0)))
         // 120 discs of diameter 1 in 10 x 10 cover 0.94 of it.
@@ -41,18 +43,33 @@ class CrowdingTest {
     @Test
     fun `a cubic lattice between walls takes one, two, three and nine spheres`() {
         for (count in listOf(1, 2, 3, 9)) {
-            for (box in listOf(Box.centred(10.0, 10.0, 10.0), Box.centred(40.0, 40.0, 1.5), Box.centred(1.5, 30.0, 1.5))) {
+            for (box in listOf(
+                Box.centred(10.0, 10.0, 10.0),
+                Box.centred(40.0, 40.0, 1.5),
+                Box.centred(1.5, 30.0, 1.5),
+            )) {
                 val radii = DoubleArray(count) { 0.5 }
                 val p = LatticePlacement(Lattice.SIMPLE_CUBIC).place(radii, box, walls, SeededRandom(1))
                 val none = DoubleArray(count)
                 val population = Population(p.x, p.y, p.z, none, none.copyOf(), none.copyOf(), radii, radii.copyOf())
                 assertEquals(0.0, Overlap.deepest(population, Open, 0.0).depth)
                 for ((axis, places) in listOf(p.x, p.y, p.z).withIndex()) {
-                    for (q in places) assertTrue(q - 0.5 >= box.lower(axis) - 1e-12 && q + 0.5 <= box.upper(axis) + 1e-12) { "$count at $q" }
+                    for (q in places) {
+                        assertTrue(
+                            q - 0.5 >= box.lower(axis) - 1e-12 && q + 0.5 <= box.upper(axis) + 1e-12,
+                        ) { "$count at $q" }
+                    }
                 }
             }
         }
-        val alone = LatticePlacement(Lattice.SIMPLE_CUBIC).place(DoubleArray(1) { 0.5 }, Box(1.0, 1.0, 1.0, 4.0, 4.0, 4.0), walls, SeededRandom(1))
+        val alone = LatticePlacement(Lattice.SIMPLE_CUBIC).place(
+            DoubleArray(1) {
+                0.5
+            },
+            Box(1.0, 1.0, 1.0, 4.0, 4.0, 4.0),
+            walls,
+            SeededRandom(1),
+        )
         assertEquals(listOf(2.5, 2.5, 2.5), listOf(alone.x[0], alone.y[0], alone.z[0]))
     }
 
