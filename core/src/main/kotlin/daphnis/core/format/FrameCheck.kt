@@ -69,7 +69,7 @@ internal class FrameCheck private constructor(private val frame: Frame, private 
             must(abs(p) <= FARTHEST) { "$name of particle ${frame.id[k]} is $p; it must be a number within ±$FARTHEST" }
             must(abs(p) <= farthest) {
                 "$name of particle ${frame.id[k]} is $p, more than $MOST_BOXES boxes of $length away; " +
-                    "nothing is left of its place within the box"
+                    "places must be wrapped into the box"
             }
             must(abs(v) <= FARTHEST) {
                 "v$name of particle ${frame.id[k]} is $v; it must be a number within ±$FARTHEST"
@@ -99,7 +99,9 @@ internal class FrameCheck private constructor(private val frame: Frame, private 
 
         /** Bound on coordinates, times and speeds, whose squares are finite. */
         private const val FARTHEST = 1e150
-        private const val MOST_BOXES = 1e9
+
+        /** Bound on how far outside a periodic box a particle can be: a search goes through all images between. */
+        private const val MOST_BOXES = 1000
 
         /** Share of a radius that can be told. */
         private const val VISIBLE = 0.01

@@ -135,6 +135,16 @@ class HostileScenarioTest {
     }
 
     @Test
+    fun `JSON nested beyond reason is refused where it is parsed`() {
+        for (depth in listOf(300, 3000, 30_000, 300_000)) {
+            val deep = gas.replace("\"until\": 1", "\"until\": ${"[".repeat(depth)}1${"]".repeat(depth)}")
+            val parse = ThrowingSupplier { assertThrows(InputException::class.java) { ScenarioJson.parse(deep, "my.json") } }
+            val message = assertTimeoutPreemptively(Duration.ofSeconds(60), parse).message.orEmpty()
+            assertTrue(message.startsWith("my.json") && message.length < 300) { message }
+        }
+    }
+
+    @Test
     fun `units and planets that give no finite constants are named`() {
         val hill = """boundary={"type":"hill-sheet"}"""
         fun planet(km: String) =
