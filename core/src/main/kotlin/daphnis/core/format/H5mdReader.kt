@@ -32,8 +32,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         return Array(3) { axis -> DoubleArray(values.count) { values.data[values.at(t, it, axis)] } }
     }
 
-    private fun Cube<IntArray>.image(t: Int): Array<IntArray> =
-        Array(3) { axis -> IntArray(count) { data[at(t, it, axis)] } }
+    private fun Cube<IntArray>.image(t: Int): Array<IntArray> = Array(3) { axis -> IntArray(count) { data[at(t, it, axis)] } }
 
     /** Numbers by frame, particle and axis, the axis fastest. */
     private class Cube<A>(val data: A, val count: Int) {

@@ -90,8 +90,7 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         )
     }
 
-    private fun step(text: String): Long =
-        text.toLongOrNull() ?: fail("Step is '${TextLines.shown(text)}'; it must be a whole number")
+    private fun step(text: String): Long = text.toLongOrNull() ?: fail("Step is '${TextLines.shown(text)}'; it must be a whole number")
 
     private fun checkLattice(lattice: DoubleArray) {
         for (axis in 0..2) {
@@ -120,8 +119,7 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         return DoubleArray(count) { number(words[it]) }
     }
 
-    private fun number(text: String): Double =
-        text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${TextLines.shown(text)}' must be a finite number")
+    private fun number(text: String): Double = text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${TextLines.shown(text)}' must be a finite number")
 
     private fun fail(problem: String): Nothing = lines.fail(problem)
 

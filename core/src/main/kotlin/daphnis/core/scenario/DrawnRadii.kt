@@ -15,12 +15,7 @@ import java.util.Locale
  * The radii of a scenario: as many as it says, or as bring the box to what it says. Spheres that fit into no box are
  * refused before there is any talk of memory, so that the answer is the same on every machine.
  */
-internal class DrawnRadii(
-    private val spec: ParticlesSpec,
-    private val box: Box,
-    private val check: ValueCheck,
-    private val stream: () -> SeededRandom,
-) {
+internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box, private val check: ValueCheck, private val stream: () -> SeededRandom) {
     private val sizes = sizes(spec.sizes)
     private val least: Double
     private val most: Double

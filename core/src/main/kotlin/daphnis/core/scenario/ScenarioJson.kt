@@ -27,18 +27,16 @@ public object ScenarioJson {
      * @param source what to call it in messages
      * @param settings `path=value` pairs that replace keys, as on the command line, see [Settings]
      */
-    public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario {
-        return try {
-            val tree = Settings.apply(parseTree(text, source), settings)
-            SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
-            json.decodeFromJsonElement(Scenario.serializer(), tree)
-        } catch (e: SerializationException) {
-            throw InputException(source, null, e.message.orEmpty())
-        } catch (e: IllegalArgumentException) {
-            throw InputException(source, null, e.message.orEmpty())
-        } catch (e: StackOverflowError) {
-            throw InputException(source, null, "is nested too deeply")
-        }
+    public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
+        val tree = Settings.apply(parseTree(text, source), settings)
+        SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
+        json.decodeFromJsonElement(Scenario.serializer(), tree)
+    } catch (e: SerializationException) {
+        throw InputException(source, null, e.message.orEmpty())
+    } catch (e: IllegalArgumentException) {
+        throw InputException(source, null, e.message.orEmpty())
+    } catch (e: StackOverflowError) {
+        throw InputException(source, null, "is nested too deeply")
     }
 
     /** Reads the file [path]. */

@@ -99,8 +99,7 @@ internal class SchemaCheck(private val source: String) {
 
     private fun SerialDescriptor.names(): List<String> = (0 until elementsCount).map { getElementName(it) }
 
-    private fun shown(element: JsonElement): String =
-        brief(element.toString().take(MOST_LOOKED_AT).replace(Regex("\\s+"), " "))
+    private fun shown(element: JsonElement): String = brief(element.toString().take(MOST_LOOKED_AT).replace(Regex("\\s+"), " "))
 
     private fun brief(text: String): String = if (text.length > MOST_SHOWN) text.take(MOST_SHOWN) + "…" else text
 

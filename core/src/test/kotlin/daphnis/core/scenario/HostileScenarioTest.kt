@@ -74,8 +74,7 @@ class HostileScenarioTest {
 
     @Test
     fun `an optical depth that no slab holds is refused without a search`() {
-        fun deep(depth: Double) =
-            listOf(slab, "particles={\"opticalDepth\":$depth,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}")
+        fun deep(depth: Double) = listOf(slab, "particles={\"opticalDepth\":$depth,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}")
         assertWrong(deep(8.0), "particles.opticalDepth", "8.0", "jam", "lattice")
         assertWrong(deep(50.0), "particles.opticalDepth", "50.0", "filling factor", "0.7405")
         assertEquals(1273, setup(*deep(0.1).toTypedArray()).population.size)
@@ -147,8 +146,7 @@ class HostileScenarioTest {
     @Test
     fun `units and planets that give no finite constants are named`() {
         val hill = """boundary={"type":"hill-sheet"}"""
-        fun planet(km: String) =
-            arrayOf(hill, "frame={\"type\":\"hill\",\"distanceInKm\":$km}", "units.lengthInMetres=1")
+        fun planet(km: String) = arrayOf(hill, "frame={\"type\":\"hill\",\"distanceInKm\":$km}", "units.lengthInMetres=1")
         assertWrong(planet("1e-300").asList(), "frame.distanceInKm", "angular speed")
         assertWrong(planet("1e300").asList(), "frame.distanceInKm", "angular speed")
         assertWrong(

@@ -14,10 +14,9 @@ class CrowdingTest {
 
     @Test
     fun `what no search can place is said before one is begun`() {
-        fun at(count: Int, box: Box, walled: BooleanArray = BooleanArray(3)) =
-            assertThrows(PlacementException::class.java) {
-                Crowding.check(DoubleArray(count) { 0.5 }, box, walled)
-            }.message.orEmpty()
+        fun at(count: Int, box: Box, walled: BooleanArray = BooleanArray(3)) = assertThrows(PlacementException::class.java) {
+            Crowding.check(DoubleArray(count) { 0.5 }, box, walled)
+        }.message.orEmpty()
         assertTrue("0.7405 at most" in at(1500, Box.centred(10.0, 10.0, 10.0)))
         assertTrue("jam at 0.384" in at(2000, Box.centred(14.0, 14.0, 14.0)))
         // 120 discs of diameter 1 in 10 x 10 cover 0.94 of it.
