@@ -16,6 +16,7 @@ import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
 import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /** `daphnis run`. */
@@ -66,9 +67,17 @@ class RunCommand : CliktCommand(name = "run") {
 
     /** runs/NAME, or runs/NAME-2, -3, … */
     private fun freeDirectory(name: String): Path {
-        val safe = name.map { if (it.isLetterOrDigit() || it in "-_.") it else '-' }.joinToString("").trim('.').take(LONGEST_NAME).ifEmpty { "run" }
+        val letters = name.map { if (isNameable(it)) it else '-' }.joinToString("")
+        val safe = letters.trim('.').take(LONGEST_NAME).ifEmpty { "run" }
         val base = Path.of("runs").resolve(safe)
         return generateSequence(1) { it + 1 }.map { if (it == 1) base else base.resolveSibling("$safe-$it") }.first { !Files.exists(it) }
+    }
+
+    /** Letters beyond ASCII only where the file system takes them, which depends on the locale. */
+    private fun isNameable(c: Char): Boolean = try {
+        c in "-_." || (c.isLetterOrDigit() && Path.of("$c").toString() == "$c")
+    } catch (e: InvalidPathException) {
+        false
     }
 
     private companion object {

@@ -7,12 +7,11 @@ import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** The scenario that a word on the command line means: a file if there is one, else a built-in name. */
 internal fun scenarioNamed(word: String, settings: List<String>): Scenario {
-    if (word in BuiltIn.names && !Files.isRegularFile(Path.of(word))) return BuiltIn.scenario(word, settings)
     val path = pathOf(word, "scenario")
+    if (word in BuiltIn.names && !Files.isRegularFile(path)) return BuiltIn.scenario(word, settings)
     if (!Files.exists(path)) {
         throw InputException(word, null, "no such file, and no built-in scenario; ${Nearest.question(word, BuiltIn.names)}built in are ${BuiltIn.names.joinToString()}")
     }

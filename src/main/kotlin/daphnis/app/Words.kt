@@ -1,6 +1,7 @@
 package daphnis.app
 
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.inputPath
 import java.nio.file.Path
 
 /**
@@ -11,5 +12,5 @@ import java.nio.file.Path
  */
 internal fun pathOf(word: String, what: String): Path {
     if (word.isEmpty()) throw InputException(what, null, "is empty; a name is needed")
-    return Path.of(word)
+    return inputPath(word, what)
 }

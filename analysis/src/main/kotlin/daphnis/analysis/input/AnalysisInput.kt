@@ -122,14 +122,37 @@ public class AnalysisInput private constructor(
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
             val frames = SnapshotFormat.of(path).read(path)
             if (frames.isEmpty()) throw FormatException("$path: holds no frame")
-            if (frames[0].size == 0) throw FormatException("$path: holds no particle")
+            for ((k, frame) in frames.withIndex()) {
+                if (frame.size == 0) throw FormatException("$path: holds no particle in frame $k")
+                val before = if (k == 0) frame.time else frames[k - 1].time
+                if (frame.time < before) {
+                    throw FormatException("$path: frame $k is of time ${frame.time}, after $before; times must ascend")
+                }
+            }
             val setup = scenario?.let { ScenarioSetup.of(it, source, frames[0].population()) }
             val given = setup?.boundary ?: ofFrame(frames[0])
+            if (setup != null) for ((k, frame) in frames.withIndex()) requireNear(given, frame, "$path: frame $k")
             return AnalysisInput(
                 path.name.substringBeforeLast('.'), setup?.scenario, null, DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
                 setup?.angularSpeed, null, null, null, null, emptyList(),
             )
         }
+
+        /** The box of a scenario is not that which a file's places were checked against. */
+        private fun requireNear(boundary: BoundaryConditions, frame: Frame, where: String) {
+            for (axis in 0..2) {
+                if (!boundary.repeats(axis)) continue
+                val farthest = MOST_BOXES * boundary.box.length(axis)
+                for (k in 0 until frame.size) {
+                    val p = frame.position[axis][k]
+                    if (Math.abs(p) <= farthest) continue
+                    val place = "${"xyz"[axis]} of particle ${frame.id[k]} is $p"
+                    throw FormatException("$where: $place, more than $MOST_BOXES of the scenario's boxes away")
+                }
+            }
+        }
+
+        private const val MOST_BOXES = 1000
 
         private fun ofFrame(frame: Frame): BoundaryConditions {
             if (frame.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open

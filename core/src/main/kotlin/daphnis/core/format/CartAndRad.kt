@@ -42,12 +42,21 @@ public object CartAndRad {
     public fun read(path: Path, density: Double = 1.0): Population {
         val size = Files.size(path)
         if (size < 4 || size > Int.MAX_VALUE) throw FormatException("$path: $size bytes is no CartAndRad file")
-        val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN)
-        val n = buffer.getInt()
-        if (n < 0 || size != 4L + (ROW + 8L) * n) throw FormatException("$path: says $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+        val head = Files.newInputStream(path).use { it.readNBytes(4) }
+        val n = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN).getInt()
+        if (n < 0 || size != 4L + (ROW + 8L) * n) {
+            throw FormatException("$path: says $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+        }
+        val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN).position(4)
         val columns = Array(6) { DoubleArray(n) }
         for (k in 0 until n) for (c in columns) c[k] = buffer.getDouble()
         val radius = DoubleArray(n) { buffer.getDouble() }
+        for (k in 0 until n) {
+            if (radius[k] !in FrameCheck.LEAST..FrameCheck.MOST) {
+                val right = "> 0, ${FrameCheck.LEAST} to ${FrameCheck.MOST}"
+                throw FormatException("$path: the radius of particle $k is ${radius[k]}; it must be $right")
+            }
+        }
         val mass = DoubleArray(n) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
         return try {
             Population(columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], radius, mass)

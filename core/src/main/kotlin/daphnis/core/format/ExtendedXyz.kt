@@ -1,8 +1,6 @@
 package daphnis.core.format
 
 import java.io.Writer
-import java.nio.charset.CharacterCodingException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** Extended XYZ, the text format of OVITO and ASE. */
@@ -40,20 +38,17 @@ public object ExtendedXyz {
 
     /**
      * Reads every frame of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius`, `mass` and `id` where they are there, else 0, 1/2, 1 and the line number. A
-     * `Lattice` of edges along the axes gives the lengths; one that leans, along x or y as sliding images do, the offset. Lengths and
-     * velocities are divided by the `Scale` in the comment line, the factor that [write] multiplied them by.
+     * `Lattice` of edges along the axes gives the lengths; one that leans, along x or y as sliding images do, the offset;
+     * another is refused. Lengths and velocities are divided by the `Scale` in the comment line, the factor that [write]
+     * multiplied them by.
      *
      * @throws FormatException that names the line of what is wrong
      */
     public fun read(path: Path): List<Frame> {
         val frames = ArrayList<Frame>()
-        try {
-            Files.newBufferedReader(path).use { input ->
-                val reader = XyzReader(input, path)
-                while (true) frames += reader.frame(frames.size) ?: break
-            }
-        } catch (e: CharacterCodingException) {
-            throw FormatException("$path: is not UTF-8 text")
+        TextLines(path).use { lines ->
+            val reader = XyzReader(lines, path)
+            while (true) frames += reader.frame(frames.size) ?: break
         }
         return frames
     }

@@ -5,7 +5,6 @@ import io.jhdf.WritableHdfFile
 import io.jhdf.api.DatasetCreationOptions
 import io.jhdf.api.WritableDataset
 import io.jhdf.api.WritableGroup
-import io.jhdf.exceptions.HdfException
 import java.nio.file.Path
 
 /**
@@ -117,71 +116,12 @@ public object H5md {
         DatasetCreationOptions.builder().chunkDimensions(1, minOf(frames.first().size, CHUNK), 3).shuffle().deflate(DEFLATE).build()
 
     /**
-     * Reads every frame of a file that [write] wrote. One without a checksum, of an older version or another program, is
-     * taken as it is.
+     * Reads every frame of a file that [write] wrote, or that has the same datasets of numbers of any width. One without a checksum, of an older version or another
+     * program, is taken as it is.
      *
      * @throws FormatException when it is no such file, or is damaged
      */
-    public fun read(path: Path): List<Frame> = try {
-        HdfFile(path).use { file ->
-            fun data(name: String): Any = (file.getDatasetByPath("/particles/all/$name")).data
-            val steps = data("position/step") as LongArray
-            val times = data("position/time") as DoubleArray
-            val present = (file.getByPath("/particles/all") as io.jhdf.api.Group).children.keys
-            val isEmpty = "id" !in present && "velocity" !in present
-            val nothing = Array(steps.size) { arrayOf<DoubleArray>() }
-            val positions = if (isEmpty) nothing else cube(data("position/value"))
-            val velocities = if (isEmpty) nothing else cube(data("velocity/value"))
-            val box = file.getByPath("/particles/all/box") as io.jhdf.api.Group
-            val images = if ("image" in present) data("image/value") as Array<*> else null
-            val edges = if ("edges" in box.children) data("box/edges/value") else null
-
-            @Suppress("UNCHECKED_CAST")
-            val boundary = box.getAttribute("boundary").data as Array<String>
-            val offset = file.getDatasetByPath("/parameters/shear_offset").data as DoubleArray
-            val axes = if (file.getByPath("/parameters").let { "shear_axes" in (it as io.jhdf.api.Group).children }) {
-                file.getDatasetByPath("/parameters/shear_axes").data as IntArray
-            } else {
-                intArrayOf(1, 0)
-            }
-            val id = if (isEmpty) IntArray(0) else data("id") as IntArray
-            val mass = if (isEmpty) DoubleArray(0) else data("mass") as DoubleArray
-            val radius = if (isEmpty) DoubleArray(0) else data("radius") as DoubleArray
-            val frames = steps.indices.map { t ->
-                fun columns(v: Array<Array<DoubleArray>>) = Array(3) { axis -> DoubleArray(id.size) { v[t][it][axis] } }
-                Frame(
-                    steps[t], times[t], lengths(edges, t),
-                    BooleanArray(3) {
-                        boundary[it] == "periodic"
-                    },
-                    offset[t], id, columns(positions), columns(velocities), radius, mass, axes[0], axes[1],
-                    image = images?.let { image(it[t] as Array<*>) },
-                )
-            }
-            val checksum = (file.getByPath("/parameters") as io.jhdf.api.Group).getAttribute(H5mdChecksum.ATTRIBUTE)?.data
-            if (checksum != null && frames.isNotEmpty() && checksum != H5mdChecksum.of(frames)) {
-                throw FormatException("$path: is damaged: its checksum is wrong")
-            }
-            frames
-        }
-    } catch (e: FormatException) {
-        throw e
-    } catch (e: HdfException) {
-        throw FormatException("$path: is not an H5MD file of daphnis: ${e.message}")
-    } catch (e: RuntimeException) {
-        throw FormatException("$path: is not an H5MD file of daphnis: ${e.message ?: e.javaClass.simpleName}")
-    }
-
-    private fun image(rows: Array<*>) = Array(3) { axis -> IntArray(rows.size) { (rows[it] as IntArray)[axis] } }
-
-    private fun lengths(edges: Any?, t: Int): DoubleArray {
-        if (edges == null) return DoubleArray(3) { Double.NaN }
-        val row = (edges as Array<*>)[t]
-        return if (row is DoubleArray) row else (row as Array<*>).let { r -> DoubleArray(3) { (r[it] as DoubleArray)[it] } }
-    }
-
-    @Suppress("UNCHECKED_CAST")
-    private fun cube(data: Any) = data as Array<Array<DoubleArray>>
+    public fun read(path: Path): List<Frame> = H5mdReader.read(path)
 
     private const val CHUNK = 32_768
     private const val DEFLATE = 4

@@ -28,7 +28,11 @@ public enum class SnapshotFormat(public val title: String, public val extensions
         when (this) {
             H5MD -> H5md.read(path)
             EXTENDED_XYZ -> ExtendedXyz.read(path)
-            CART_AND_RAD -> listOf(Frame.of(CartAndRad.read(path), Open, 0, 0.0, hasMass = false))
+            CART_AND_RAD -> {
+                val frame = Frame.of(CartAndRad.read(path), Open, 0, 0.0, hasMass = false)
+                FrameCheck.check(frame, "$path")
+                listOf(frame)
+            }
             CSV -> listOf(ParticleCsv.frame(path))
         }
     } catch (e: IOException) {

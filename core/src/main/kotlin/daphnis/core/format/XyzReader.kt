@@ -1,132 +1,140 @@
 package daphnis.core.format
 
-import java.io.BufferedReader
 import java.nio.file.Path
 
 /** Reads extended XYZ frame by frame. */
-internal class XyzReader(private val input: BufferedReader, private val path: Path) {
-    private var line = 0
-
+internal class XyzReader(private val lines: TextLines, private val path: Path) {
     /** The next frame, null at the end. */
     fun frame(number: Int): Frame? {
-        var head = next() ?: return null
-        while (head.isBlank()) head = next() ?: return null
-        val n = head.trim().toIntOrNull()?.takeIf { it >= 0 } ?: fail("'${head.take(MOST_SHOWN)}' must be the number of particles")
-        val comment = next() ?: fail("the file is cut short")
+        var head = lines.next() ?: return null
+        while (head.isBlank()) head = lines.next() ?: return null
+        val n = count(head)
+        val comment = lines.next() ?: fail("the file is cut short")
         val keys = ENTRY.findAll(comment).associate { it.groupValues[1].lowercase() to it.groupValues[2].trim('"') }
-        val columns = Columns(keys["properties"] ?: "species:S:1:pos:R:3")
-        if (columns.position < 0) fail("Properties has no pos:R:3")
+        val columns = XyzColumns(keys["properties"] ?: "species:S:1:pos:R:3", ::fail)
+        val rows = Rows(n)
+        for (k in 0 until n) {
+            val line = lines.next() ?: fail("the file is cut short: $n particles are announced, $k are there")
+            val cells = line.trim().split(SPACES)
+            if (cells.size < columns.width) fail("${cells.size} values, Properties has ${columns.width}")
+            rows.set(k, cells, columns)
+        }
+        val scale = keys["scale"]?.let { number(it) } ?: 1.0
+        if (scale <= 0) fail("Scale is $scale; it must be > 0")
+        if (scale != 1.0) rows.divide(scale)
+        return made(number, keys, columns, rows, scale).also { FrameCheck.check(it, "$path:${lines.number}") }
+    }
+
+    /** What the file says of the number of particles, as far as it is long enough for so many. */
+    private fun count(head: String): Int {
+        val n = head.trim().toIntOrNull()?.takeIf { it >= 0 }
+            ?: fail("'${TextLines.shown(head)}' must be the number of particles")
+        if (n > lines.bytes / LEAST_BYTES) {
+            fail("$n particles are announced; a file of ${lines.bytes} bytes cannot hold so many")
+        }
+        return n
+    }
+
+    /** The columns of a frame of [n] particles, with what stands for those that the file does not have. */
+    private inner class Rows(n: Int) {
         val position = Array(3) { DoubleArray(n) }
         val velocity = Array(3) { DoubleArray(n) }
         val radius = DoubleArray(n) { 0.5 }
         val mass = DoubleArray(n) { 1.0 }
         val id = IntArray(n) { it }
-        for (k in 0 until n) {
-            val cells = (next() ?: fail("the file is cut short: $n particles are announced, $k are there")).trim().split(SPACES)
-            if (cells.size < columns.width) fail("${cells.size} values, Properties has ${columns.width}")
+
+        fun set(k: Int, cells: List<String>, columns: XyzColumns) {
             for (axis in 0..2) position[axis][k] = number(cells[columns.position + axis])
             if (columns.velocity >= 0) for (axis in 0..2) velocity[axis][k] = number(cells[columns.velocity + axis])
-            if (columns.radius >= 0) radius[k] = number(cells[columns.radius]).also { if (it <= 0) fail("radius is $it; it must be > 0") }
-            if (columns.mass >= 0) mass[k] = number(cells[columns.mass]).also { if (it <= 0) fail("mass is $it; it must be > 0") }
-            if (columns.id >= 0) {
-                id[k] = cells[columns.id].toIntOrNull()?.takeIf { it >= 0 }
-                    ?: fail("id is '${cells[columns.id].take(MOST_SHOWN)}'; it must be a whole number, 0 to ${Int.MAX_VALUE}")
-            }
+            if (columns.radius >= 0) radius[k] = positive("radius", cells[columns.radius])
+            if (columns.mass >= 0) mass[k] = positive("mass", cells[columns.mass])
+            if (columns.id >= 0) id[k] = id(cells[columns.id])
         }
-        unscale(keys, position, velocity, radius)
-        return made(number, keys, columns, id, position, velocity, radius, mass)
+
+        fun divide(scale: Double) {
+            for (column in position + velocity + radius) for (k in column.indices) column[k] /= scale
+        }
+
+        private fun positive(name: String, text: String): Double {
+            val value = number(text)
+            if (value <= 0) fail("$name is $value; it must be > 0")
+            return value
+        }
+
+        private fun id(text: String): Int = text.toIntOrNull()?.takeIf { it >= 0 }
+            ?: fail("id is '${TextLines.shown(text)}'; it must be a whole number in 0..${Int.MAX_VALUE}")
     }
 
-    /** Takes back the factor on lengths and velocities that [ExtendedXyz.write] multiplied by. */
-    private fun unscale(keys: Map<String, String>, position: Array<DoubleArray>, velocity: Array<DoubleArray>, radius: DoubleArray) {
-        val scale = scale(keys)
-        if (scale == 1.0) return
-        for (column in position + velocity + radius) for (k in column.indices) column[k] /= scale
-    }
-
-    private fun scale(keys: Map<String, String>): Double {
-        val scale = keys["scale"]?.let { number(it) } ?: 1.0
-        if (scale <= 0) fail("Scale is $scale; it must be > 0")
-        return scale
-    }
-
-    private fun made(
-        number: Int,
-        keys: Map<String, String>,
-        columns: Columns,
-        id: IntArray,
-        position: Array<DoubleArray>,
-        velocity: Array<DoubleArray>,
-        radius: DoubleArray,
-        mass: DoubleArray,
-    ): Frame {
-        val scale = scale(keys)
-        val lattice = keys["lattice"]?.trim()?.split(SPACES)?.map { number(it) / scale }
-        if (lattice != null && lattice.size != CELL) fail("Lattice has ${lattice.size} numbers; it must have 9")
+    private fun made(number: Int, keys: Map<String, String>, columns: XyzColumns, rows: Rows, scale: Double): Frame {
+        val lattice = keys["lattice"]?.let { numbers("Lattice", it, CELL) }
+        if (lattice != null) for (k in lattice.indices) lattice[k] /= scale
+        if (lattice != null) checkLattice(lattice)
         val lengths = DoubleArray(3) { lattice?.get(4 * it) ?: Double.NaN }
-        lengths.find { it <= 0 }?.let { fail("Lattice has an edge of $it along its axis; it must be > 0") }
-        val periodic = keys["pbc"]?.trim()?.split(SPACES)?.map { it.startsWith("T", ignoreCase = true) || it == "1" } ?: List(3) { lattice != null }
-        if (periodic.size != 3) fail("pbc has ${periodic.size} entries; it must have 3")
         // Row 1 leans along x (Lees–Edwards), or row 0 along y (a shearing sheet).
         val overX = lattice?.get(1) ?: 0.0
         val overY = lattice?.get(3) ?: 0.0
-        val origin = keys["origin"]?.trim()?.split(SPACES)?.map { number(it) / scale }
         if (lattice != null) {
             // Boxes here are centred on the origin.
+            val origin = keys["origin"]?.let { numbers("Origin", it, 3) } ?: DoubleArray(3)
             for (axis in 0..2) {
-                val shift = (origin?.getOrNull(axis) ?: 0.0) + lengths[axis] / 2
-                if (shift != 0.0) for (k in id.indices) position[axis][k] -= shift
+                val shift = origin[axis] / scale + lengths[axis] / 2
+                if (shift != 0.0) for (k in rows.id.indices) rows.position[axis][k] -= shift
             }
         }
+        val time = keys["time"]?.let { number(it) } ?: number.toDouble()
+        val step = keys["step"]?.let { step(it) } ?: number.toLong()
         return Frame(
-            keys["step"]?.toLongOrNull() ?: number.toLong(), keys["time"]?.toDoubleOrNull() ?: number.toDouble(), lengths, periodic.toBooleanArray(),
-            if (overX != 0.0) overX else overY, id, position, velocity, radius, mass, if (overX != 0.0) 0 else 1, if (overX != 0.0) 1 else 0,
-            columns.mass >= 0, columns.radius >= 0,
-        ).also { frame ->
-            try {
-                frame.population()
-            } catch (e: IllegalArgumentException) {
-                fail("${e.message}")
-            }
+            step, time, lengths, periodic(keys, lattice != null),
+            if (overX != 0.0) overX else overY, rows.id, rows.position, rows.velocity, rows.radius, rows.mass,
+            if (overX != 0.0) 0 else 1, if (overX != 0.0) 1 else 0, columns.mass >= 0, columns.radius >= 0,
+        )
+    }
+
+    private fun step(text: String): Long = text.toLongOrNull() ?: fail("Step is '${TextLines.shown(text)}'; it must be a whole number")
+
+    private fun checkLattice(lattice: DoubleArray) {
+        for (axis in 0..2) {
+            val edge = lattice[4 * axis]
+            if (!(edge > 0)) fail("Lattice has an edge of $edge along its axis; it must be > 0")
+        }
+        val leaning = LEANING.count { lattice[it] != 0.0 }
+        val slides = lattice[1] != 0.0 || lattice[3] != 0.0
+        if (leaning > (if (slides) 1 else 0)) {
+            fail(
+                "Lattice leans in a way that sliding images do not; " +
+                    "only its second or its fourth number may be off the diagonal",
+            )
         }
     }
 
-    private fun next(): String? = input.readLine()?.also { line++ }
-
-    private fun number(text: String): Double = text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${text.take(MOST_SHOWN)}' must be a finite number")
-
-    private fun fail(problem: String): Nothing = throw FormatException("$path:$line: $problem")
-
-    /** Where in a line what stands. */
-    private inner class Columns(properties: String) {
-        var position = -1
-        var velocity = -1
-        var radius = -1
-        var mass = -1
-        var id = -1
-        var width = 0
-
-        init {
-            val parts = properties.split(':')
-            if (parts.size % 3 != 0) fail("Properties '${properties.take(MOST_SHOWN)}' must be name:type:count, again and again")
-            for (k in parts.indices step 3) {
-                val count = parts[k + 2].toIntOrNull()?.takeIf { it > 0 } ?: fail("Properties: '${parts[k + 2].take(MOST_SHOWN)}' must be a number of columns")
-                when (parts[k].lowercase()) {
-                    "pos" -> if (count == 3) position = width
-                    "velo", "vel", "velocity", "velocities" -> if (count == 3) velocity = width
-                    "radius" -> radius = width
-                    "mass", "masses" -> mass = width
-                    "id" -> id = width
-                }
-                width += count
-            }
-        }
+    private fun periodic(keys: Map<String, String>, hasLattice: Boolean): BooleanArray {
+        val words = keys["pbc"]?.trim()?.split(SPACES) ?: return BooleanArray(3) { hasLattice }
+        if (words.size != 3) fail("pbc has ${words.size} entries; it must have 3")
+        return BooleanArray(3) { words[it].startsWith("T", ignoreCase = true) || words[it] == "1" }
     }
+
+    private fun numbers(key: String, text: String, count: Int): DoubleArray {
+        val words = text.trim().split(SPACES)
+        if (words.size != count) fail("$key has ${words.size} numbers; it must have $count")
+        return DoubleArray(count) { number(words[it]) }
+    }
+
+    private fun number(text: String): Double = text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${TextLines.shown(text)}' must be a finite number")
+
+    private fun fail(problem: String): Nothing = lines.fail(problem)
 
     private companion object {
         val SPACES = Regex("\\s+")
-        val ENTRY = Regex("""(\w+)=("[^"]*"|\S+)""")
-        const val MOST_SHOWN = 40
+
+        // From the beginning of a word only, so that a long one without '=' is looked at once, not once from each of
+        // its letters.
+        val ENTRY = Regex("""\b(\w++)=("[^"]*"|\S+)""")
         const val CELL = 9
+
+        /** Entries of a Lattice off the diagonal. */
+        val LEANING = intArrayOf(1, 2, 3, 5, 6, 7)
+
+        /** A line of a particle is no shorter than `0 0 0` and its end. */
+        const val LEAST_BYTES = 6
     }
 }

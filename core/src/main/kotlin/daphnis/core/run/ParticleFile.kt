@@ -2,10 +2,11 @@ package daphnis.core.run
 
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.inputPath
 import java.nio.file.Path
 
 /** The scenario with a relative particle file taken from [home]. */
 public fun Scenario.atHome(home: Path): Scenario {
     val placement = placement as? PlacementSpec.File ?: return this
-    return copy(placement = placement.copy(path = home.resolve(placement.path).toString()))
+    return copy(placement = placement.copy(path = "${home.resolve(inputPath(placement.path, name, "placement.path"))}"))
 }

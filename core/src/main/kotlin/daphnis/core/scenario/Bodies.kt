@@ -8,7 +8,7 @@ internal class Bodies(private val specs: List<BodySpec>, private val particleDen
     init {
         specs.forEachIndexed { k, body ->
             val key = "bodies[$k]"
-            check.positive("$key.radius", body.radius)
+            check.extent("$key.radius", body.radius)
             check.that("$key.position", body.position, body.position.size == 3) { "must be three numbers" }
             body.velocity?.let { check.that("$key.velocity", it, it.size == 3) { "must be three numbers" } }
             check.must(key, body.mass == null || body.density == null) { "has a mass and a density; one of the two is enough" }

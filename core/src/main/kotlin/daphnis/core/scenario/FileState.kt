@@ -5,7 +5,6 @@ import daphnis.core.format.Frame
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.population.Population
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** The population of a scenario that is placed from a file: positions, velocities, radii, masses and ids as they stand there. */
 internal class FileState(private val scenario: Scenario, private val spec: PlacementSpec.File, private val check: ValueCheck) {
@@ -19,7 +18,7 @@ internal class FileState(private val scenario: Scenario, private val spec: Place
         check.must("bodies", scenario.bodies.isEmpty()) { "must be left out when the placement is a file, which holds them" }
         check.must("velocities", scenario.velocities == null) { "must be left out when the placement is a file, which holds them" }
         spec.density?.let { check.positive("placement.density", it) }
-        val path = Path.of(spec.path)
+        val path = inputPath(spec.path, check.source, KEY)
         check.that(KEY, spec.path, !Files.isDirectory(path)) { "is a directory; name one file in it, such as a snapshot of a run" }
         check.that(KEY, spec.path, Files.isRegularFile(path)) { "no such file" }
         val population = try {

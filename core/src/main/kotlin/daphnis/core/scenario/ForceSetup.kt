@@ -49,8 +49,10 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
             check.that("$key.constant", given, given >= 0) { "must be >= 0" }
             return given
         }
-        return scenario.units.gravitationalConstant
+        val constant = scenario.units.gravitationalConstant
             ?: check.fail("$key.constant", "is missing; give it, or units.lengthInMetres, from which it follows")
+        check.must("units", constant.isFinite()) { "make Newton's constant $constant; it must be finite" }
+        return constant
     }
 
     private fun satellite(spec: ForceSpec.Satellite, key: String): Satellite {
@@ -66,6 +68,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
                 ?: check.fail("units.lengthInMetres", "is missing; the mass ratio of a satellite needs it")
             spec.massRatio * parameter
         }
+        check.must(key, strength.isFinite()) { "has a mass that makes its gravity $strength; it must be finite" }
         check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
         check.that("$key.e", spec.e, spec.e >= 0) { "must be >= 0" }
         check.that("$key.radius", spec.radius, spec.radius >= 0) { "must be >= 0 (0 for a point)" }

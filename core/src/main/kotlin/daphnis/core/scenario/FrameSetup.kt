@@ -19,7 +19,11 @@ public object FrameSetup {
         scenario.units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
         check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
         val second = scenario.units.timeInSeconds ?: check.fail("units.lengthInMetres", "is missing; frame.distanceInKm needs it")
-        return frame.planet.angularSpeed(distance) * second
+        val speed = frame.planet.angularSpeed(distance) * second
+        check.that("frame.distanceInKm", distance, speed > 0 && speed.isFinite()) {
+            "gives an angular speed of $speed in the scenario's units; it must be > 0 and finite"
+        }
+        return speed
     }
 
     /**

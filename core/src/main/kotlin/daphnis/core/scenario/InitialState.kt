@@ -5,17 +5,11 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.population.Population
-import daphnis.core.setup.EqualSizes
 import daphnis.core.setup.Lattice
 import daphnis.core.setup.LatticePlacement
-import daphnis.core.setup.ListedSizes
-import daphnis.core.setup.LogNormalSizes
 import daphnis.core.setup.PlacementException
-import daphnis.core.setup.PowerLawSizes
 import daphnis.core.setup.RandomPlacement
 import daphnis.core.setup.SeededRandom
-import daphnis.core.setup.SizeDistribution
-import daphnis.core.setup.fillingFactor
 
 /** Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so that changing one leaves the others. */
 internal class InitialState(private val scenario: Scenario, private val box: Box, private val boundary: BoundaryConditions, private val check: ValueCheck) {
@@ -26,7 +20,7 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         val placement = scenario.placement
         if (placement is PlacementSpec.File) return FileState(scenario, placement, check).population(notices)
         val spec = scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
-        val radii = radii(spec)
+        val radii = DrawnRadii(spec, box, check) { stream(SIZES) }.draw()
         val bodies = Bodies(scenario.bodies, spec.density, check)
         val positions = try {
             if (placement is PlacementSpec.Lattice) {
@@ -68,80 +62,6 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
     /** Where there are no images a sphere is put wholly inside. The paper's sheared box has images to wrap to, though none to touch. */
     private fun walled(): BooleanArray = BooleanArray(3) { boundary !is ShearedPeriodic && boundary.contactFaces(it) != ContactFaces.PERIODIC }
 
-    private fun radii(spec: ParticlesSpec): DoubleArray {
-        val given = listOfNotNull(spec.count, spec.fillingFactor, spec.opticalDepth, spec.surfaceDensity).size
-        check.must("particles", given == 1) { "needs exactly one of count, fillingFactor, opticalDepth and surfaceDensity" }
-        val sizes = sizes(spec.sizes)
-        spec.count?.let { count ->
-            check.that("particles.count", count, count in 1..MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
-            checkMemory("particles.count", count.toDouble())
-            val radii = sizes.radii(count, stream(SIZES))
-            val filling = fillingFactor(radii, box)
-            check.that("particles.count", count, filling < CLOSEST_PACKING) { "gives a filling factor of $filling; it must be below $CLOSEST_PACKING" }
-            return radii
-        }
-        val area = box.length(0) * box.length(1)
-        spec.opticalDepth?.let { depth ->
-            check.positive("particles.opticalDepth", depth)
-            return fill(sizes, depth * area, "particles.opticalDepth", depth) { Math.PI * it * it }
-        }
-        spec.surfaceDensity?.let { density ->
-            check.positive("particles.surfaceDensity", density)
-            check.positive("particles.density", spec.density)
-            spec.mass?.let { check.positive("particles.mass", it) }
-            return fill(sizes, density * area, "particles.surfaceDensity", density) { spec.mass ?: (spec.density * volume(it)) }
-        }
-        val filling = spec.fillingFactor!!
-        check.that("particles.fillingFactor", filling, filling > 0 && filling < CLOSEST_PACKING) { "must be in (0, $CLOSEST_PACKING), the closest packing" }
-        return fill(sizes, filling * box.volume, "particles.fillingFactor", filling) { volume(it) }
-    }
-
-    /** As many spheres as bring the sum of [measure] closest to [wanted], in the order they are drawn. */
-    private fun fill(sizes: SizeDistribution, wanted: Double, key: String, value: Double, measure: (Double) -> Double): DoubleArray {
-        if (sizes is EqualSizes) {
-            val count = Math.rint(wanted / measure(sizes.radius))
-            check.that(key, value, count >= 1) { "is less than one sphere in this box" }
-            checkMemory(key, count)
-            return DoubleArray(count.toInt()) { sizes.radius }
-        }
-        val random = stream(SIZES)
-        var radii = DoubleArray(1024)
-        var count = 0
-        var sum = 0.0
-        while (true) {
-            val r = sizes.draw(random)
-            if (sum + measure(r) / 2 > wanted) break
-            if (count == radii.size) {
-                checkMemory(key, 2.0 * count)
-                radii = radii.copyOf(2 * count)
-            }
-            radii[count++] = r
-            sum += measure(r)
-        }
-        check.that(key, value, count >= 1) { "is less than one sphere in this box" }
-        return radii.copyOf(count)
-    }
-
-    private fun sizes(spec: SizesSpec): SizeDistribution = try {
-        when (spec) {
-            is SizesSpec.Equal -> EqualSizes(spec.radius)
-            is SizesSpec.PowerLaw -> PowerLawSizes(spec.minimum, spec.maximum, spec.exponent)
-            is SizesSpec.LogNormal -> LogNormalSizes(spec.median, spec.sigma, spec.minimum, spec.maximum)
-            is SizesSpec.Listed -> ListedSizes(spec.radii.toDoubleArray())
-        }
-    } catch (e: IllegalArgumentException) {
-        check.fail("particles.sizes", e.message.orEmpty())
-    }
-
-    private fun checkMemory(key: String, count: Double) {
-        check.that(key, count, count <= MOST_PARTICLES) { "spheres are too many; it must be at most $MOST_PARTICLES" }
-        val needed = count * ScenarioSetup.BYTES_PER_SPHERE
-        val heap = Runtime.getRuntime().maxMemory()
-        check.that(key, count.toLong(), needed < heap) {
-            "spheres need about ${"%.1f".format(java.util.Locale.ROOT, needed / (1 shl 30))} GiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
-        }
-    }
-
     private fun masses(spec: ParticlesSpec, radii: DoubleArray): DoubleArray {
         check.positive("particles.density", spec.density)
         spec.mass?.let { mass ->
@@ -162,7 +82,5 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         const val SIZES = 0L
         const val PLACES = 1L
         const val VELOCITIES = 2L
-        const val CLOSEST_PACKING = 0.7405
-        const val MOST_PARTICLES = 200_000_000
     }
 }

@@ -27,16 +27,16 @@ public object ScenarioJson {
      * @param source what to call it in messages
      * @param settings `path=value` pairs that replace keys, as on the command line, see [Settings]
      */
-    public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario {
+    public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
         val tree = Settings.apply(parseTree(text, source), settings)
         SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
-        return try {
-            json.decodeFromJsonElement(Scenario.serializer(), tree)
-        } catch (e: SerializationException) {
-            throw InputException(source, null, e.message.orEmpty())
-        } catch (e: IllegalArgumentException) {
-            throw InputException(source, null, e.message.orEmpty())
-        }
+        json.decodeFromJsonElement(Scenario.serializer(), tree)
+    } catch (e: SerializationException) {
+        throw InputException(source, null, e.message.orEmpty())
+    } catch (e: IllegalArgumentException) {
+        throw InputException(source, null, e.message.orEmpty())
+    } catch (e: StackOverflowError) {
+        throw InputException(source, null, "is nested too deeply")
     }
 
     /** Reads the file [path]. */
@@ -61,8 +61,6 @@ public object ScenarioJson {
         json.parseToJsonElement(text)
     } catch (e: SerializationException) {
         throw malformed(e, text, source)
-    } catch (e: StackOverflowError) {
-        throw InputException(source, null, "is nested too deeply")
     }
 
     private fun malformed(e: SerializationException, text: String, source: String): InputException {

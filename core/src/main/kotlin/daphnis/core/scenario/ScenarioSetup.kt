@@ -74,6 +74,7 @@ public class ScenarioSetup private constructor(
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
             val timeStepSpec = resolve(scenario.timeStep, box, population)
             val timeStep = timeStep(timeStepSpec, check)
+            checkSteps(scenario, timeStepSpec, check)
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
             val firstBody = if (scenario.bodies.isEmpty()) null else scenario.firstBody ?: (population.size - scenario.bodies.size)
             val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec, firstBody = firstBody)
@@ -104,7 +105,7 @@ public class ScenarioSetup private constructor(
         private fun box(scenario: Scenario, check: ValueCheck): Box {
             val lengths = scenario.box.lengths
             check.that("box.lengths", lengths, lengths.size == 3) { "must be three numbers, the edges along x, y and z" }
-            lengths.forEachIndexed { k, length -> check.positive("box.lengths[$k]", length) }
+            lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
             val box = Box.centred(lengths[0], lengths[1], lengths[2])
             check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) { "give a volume of ${box.volume}; it must be positive and finite" }
             return box
@@ -193,6 +194,23 @@ public class ScenarioSetup private constructor(
             }
         }
 
+        /** Steps are counted, and each must bring the time forward. */
+        private fun checkSteps(scenario: Scenario, spec: TimeStepSpec, check: ValueCheck) {
+            val (key, longest) = when (spec) {
+                is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
+                is TimeStepSpec.CellCrossing -> "timeStep.longest" to spec.longest
+                is TimeStepSpec.OrbitFraction -> return
+            }
+            val start = scenario.startTime
+            val steps = (scenario.end - start) / longest
+            check.that(key, longest, steps <= MOST_STEPS) {
+                "makes $steps steps to the end at time ${scenario.end}; there can be $MOST_STEPS"
+            }
+            check.that(key, longest, start + longest > start) {
+                "is lost in the rounding of the time, $start, at which the run starts"
+            }
+        }
+
         private fun rmsSpeed(population: Population): Double {
             var sum = 0.0
             for (place in 0 until population.places) {
@@ -203,6 +221,8 @@ public class ScenarioSetup private constructor(
             return if (population.size == 0) 0.0 else sqrt(sum / population.size)
         }
 
+        /** 2⁵³: up to it the time after a number of steps is told from that after one more. */
+        private const val MOST_STEPS = 9.007199254740992e15
         private const val DEFAULT_FLOOR = 1e-6
     }
 }

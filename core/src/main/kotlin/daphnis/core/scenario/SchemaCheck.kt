@@ -46,7 +46,7 @@ internal class SchemaCheck(private val source: String) {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val known = descriptor.names()
         for (key in element.keys) {
-            if (key !in known && key !in alsoAllowed) fail(join(path, key), "unknown key; ${choices(key, known)}")
+            if (key !in known && key !in alsoAllowed) fail(join(path, brief(key)), "unknown key; ${choices(key, known)}")
         }
         for (k in 0 until descriptor.elementsCount) {
             val name = descriptor.getElementName(k)
@@ -99,7 +99,9 @@ internal class SchemaCheck(private val source: String) {
 
     private fun SerialDescriptor.names(): List<String> = (0 until elementsCount).map { getElementName(it) }
 
-    private fun shown(element: JsonElement): String = element.toString().replace(Regex("\\s+"), " ").let { if (it.length > MOST_SHOWN) it.take(MOST_SHOWN) + "…" else it }
+    private fun shown(element: JsonElement): String = brief(element.toString().take(MOST_LOOKED_AT).replace(Regex("\\s+"), " "))
+
+    private fun brief(text: String): String = if (text.length > MOST_SHOWN) text.take(MOST_SHOWN) + "…" else text
 
     private fun join(path: String, key: String) = if (path.isEmpty()) key else "$path.$key"
 
@@ -107,6 +109,7 @@ internal class SchemaCheck(private val source: String) {
 
     private companion object {
         const val MOST_SHOWN = 40
+        const val MOST_LOOKED_AT = 1000
         val JSON_NUMBER = Regex("""-?\d+(\.\d+)?([eE][+-]?\d+)?""")
     }
 }

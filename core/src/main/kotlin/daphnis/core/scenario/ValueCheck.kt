@@ -1,9 +1,11 @@
 package daphnis.core.scenario
 
+import daphnis.core.format.FrameCheck
+
 /** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
-internal class ValueCheck(private val source: String) {
+internal class ValueCheck(val source: String) {
     inline fun that(key: String, value: Any?, ok: Boolean, problem: () -> String) {
-        if (!ok) fail(key, "is $value; ${problem()}")
+        if (!ok) fail(key, "is ${brief(value)}; ${problem()}")
     }
 
     /** Something that is not about one value. */
@@ -15,9 +17,25 @@ internal class ValueCheck(private val source: String) {
         that(key, value, value > 0 && value.isFinite()) { "must be > 0" }
     }
 
+    /** A length or a radius. */
+    fun extent(key: String, value: Double) {
+        val range = FrameCheck.LEAST..FrameCheck.MOST
+        that(key, value, value in range) { "must be > 0, ${range.start} to ${range.endInclusive}" }
+    }
+
     fun fraction(key: String, value: Double) {
         that(key, value, value in 0.0..1.0) { "must be in [0, 1]" }
     }
 
+    /** A list may be as long as its author likes. */
+    fun brief(value: Any?): String {
+        val text = value.toString()
+        return if (text.length > MOST_SHOWN) text.take(MOST_SHOWN) + "…" else text
+    }
+
     fun fail(key: String, problem: String): Nothing = throw InputException(source, key, problem)
+
+    private companion object {
+        const val MOST_SHOWN = 100
+    }
 }

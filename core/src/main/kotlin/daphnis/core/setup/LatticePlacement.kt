@@ -29,12 +29,16 @@ public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRE
             for (axis in 0..2) {
                 val c = cell % cells[axis]
                 cell /= cells[axis]
-                p[axis][k] = low[axis] + (c + b[axis]) * width[axis]
+                // One site between walls has the middle, and its cell no width.
+                p[axis][k] = if (width[axis].isInfinite()) middle(axis, box) else low[axis] + (c + b[axis]) * width[axis]
             }
         }
         return Positions(p[0], p[1], p[2])
     }
 
+    private fun middle(axis: Int, box: Box) = box.lower(axis) + box.length(axis) / 2
+
+    /** Infinite where one site is all there is between two walls. */
     private fun width(axis: Int, cells: Int, radius: Double, box: Box, walled: BooleanArray): Double =
         if (walled[axis]) (box.length(axis) - 2 * radius) / (cells - 2 * lattice.inset) else box.length(axis) / cells
 
@@ -49,7 +53,8 @@ public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRE
                 val c = ceil(n.toDouble() / (a.toDouble() * b * lattice.basis.size)).coerceIn(1.0, 1e6).toInt()
                 val w = doubleArrayOf(width(0, a, radius, box, walled), width(1, b, radius, box, walled), width(2, c, radius, box, walled))
                 val distance = lattice.nearest(w)
-                if (w.all { it > 0 } && distance >= bestDistance) {
+                val isEnough = a.toDouble() * b * c * lattice.basis.size >= n
+                if (isEnough && w.all { it > 0 } && distance >= bestDistance) {
                     bestDistance = distance
                     best = intArrayOf(a, b, c)
                 }

@@ -1,5 +1,7 @@
 package daphnis.core.setup
 
+import kotlin.math.abs
+
 /** How large the spheres are. */
 public fun interface SizeDistribution {
     /** Draws one radius > 0. */
@@ -26,12 +28,28 @@ public class PowerLawSizes(public val minimum: Double, public val maximum: Doubl
         require(exponent.isFinite()) { "exponent is $exponent; it must be finite" }
     }
 
+    private val k = 1 - exponent
+    private val ratio = maximum / minimum
+    private val power = StrictMath.pow(ratio, k)
+
+    /** Whether the law is its limit for exponent 1, beside which the formula has no digits left. */
+    private val isLimit = abs(k * StrictMath.log(ratio)) <= SMALL
+
     override fun draw(random: SeededRandom): Double {
         val u = random.nextDouble()
-        val k = 1 - exponent
-        val ratio = maximum / minimum
-        val r = if (k == 0.0) minimum * StrictMath.pow(ratio, u) else minimum * StrictMath.pow(1 + u * (StrictMath.pow(ratio, k) - 1), 1 / k)
+        val r = if (isLimit) {
+            minimum * StrictMath.pow(ratio, u)
+        } else if (power.isInfinite()) {
+            maximum * StrictMath.pow(u, 1 / k)
+        } else {
+            minimum * StrictMath.pow(1 + u * (power - 1), 1 / k)
+        }
         return r.coerceIn(minimum, maximum)
+    }
+
+    private companion object {
+        /** Of k ln(ratio): below it the law differs from its limit by less than the formula's round-off. */
+        const val SMALL = 1e-12
     }
 }
 

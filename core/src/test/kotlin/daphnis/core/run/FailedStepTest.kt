@@ -24,7 +24,7 @@ class FailedStepTest {
         val m = meta
         val crossed = List(population.size) { id -> List(3) { population.boxesCrossed(id, it) } }
         val counts = listOf(m.collisions, m.wallCollisions, m.guardActivations)
-        listOf(stateDigest(population), crossed, m.step, m.time, counts, m.fileLengths)
+        listOf(stateDigest(population), crossed, m.step, m.time, counts, m.appended.mapValues { it.value.length to it.value.checksum })
     }
 
     @Test

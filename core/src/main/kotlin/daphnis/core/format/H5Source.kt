@@ -1,0 +1,165 @@
+package daphnis.core.format
+
+import io.jhdf.HdfFile
+import io.jhdf.api.Dataset
+import io.jhdf.api.Group
+import io.jhdf.api.Node
+import io.jhdf.api.dataset.ChunkedDataset
+import io.jhdf.api.dataset.ContiguousDataset
+import io.jhdf.links.ExternalLink
+import io.jhdf.links.SoftLink
+import io.jhdf.`object`.datatype.FixedPoint
+import io.jhdf.`object`.datatype.FloatingPoint
+import java.math.BigInteger
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * An HDF5 file that may be anything, as far as states are read from it: numbers of a known shape. The library follows
+ * links wherever they lead and takes the memory that a file asks for; here links end after a few and never leave the
+ * file, and what a dataset declares is held against the file's length and the heap before it is read. Whatever its
+ * type of numbers, it comes as doubles or longs.
+ */
+internal class H5Source(private val path: Path) : AutoCloseable {
+    private val file = HdfFile(path)
+    private val bytes = Files.size(path).toDouble()
+
+    /** Whether there is something of the path [name], from the root, `/` between. */
+    fun has(name: String): Boolean = find(name) != null
+
+    /**
+     * Extents of the dataset [name], slowest first.
+     *
+     * @throws FormatException when there is none
+     */
+    fun shape(name: String): List<Long> = dataset(name).dimensionsAsLong.toList()
+
+    /** The numbers of the dataset [name], the last index fastest, which must have the [shape]. */
+    fun doubles(name: String, shape: List<Long>): DoubleArray = when (val data = numbers(name, shape)) {
+        is DoubleArray -> data
+        is FloatArray -> DoubleArray(data.size) { data[it].toDouble() }
+        is LongArray -> DoubleArray(data.size) { data[it].toDouble() }
+        is IntArray -> DoubleArray(data.size) { data[it].toDouble() }
+        else -> wrongType(name)
+    }
+
+    /** As [doubles], of whole numbers of at most 64 bits. */
+    fun longs(name: String, shape: List<Long>): LongArray = when (val data = numbers(name, shape)) {
+        is LongArray -> data
+        is IntArray -> LongArray(data.size) { data[it].toLong() }
+        is ShortArray -> LongArray(data.size) { data[it].toLong() }
+        is ByteArray -> LongArray(data.size) { data[it].toLong() }
+        is Array<*> -> LongArray(data.size) { k ->
+            (data[k] as? BigInteger)?.takeIf { it.bitLength() < Long.SIZE_BITS }?.toLong()
+                ?: fail(name, "has ${data[k]}; it must be below 2^63")
+        }
+        else -> wrongType(name)
+    }
+
+    /** As [longs], within [range]. */
+    fun ints(name: String, shape: List<Long>, range: IntRange): IntArray {
+        val data = longs(name, shape)
+        return IntArray(data.size) { k ->
+            val value = data[k]
+            if (value < range.first || value > range.last) {
+                fail(name, "has $value; it must be in ${range.first}..${range.last}")
+            }
+            value.toInt()
+        }
+    }
+
+    /** The texts of attribute [attribute] of the group [name]. */
+    fun texts(name: String, attribute: String): List<String> {
+        val data = (find(name) ?: fail(name, "is missing")).getAttribute(attribute)?.data
+        return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be texts") }
+            ?: fail(name, "has no list of texts $attribute")
+    }
+
+    /** The number that is attribute [attribute] of the group [name]; null when it has none of that name. */
+    fun number(name: String, attribute: String): Long? {
+        val held = find(name)?.getAttribute(attribute) ?: return null
+        return held.data as? Long ?: fail(name, "attribute $attribute must be a 64-bit integer")
+    }
+
+    private fun numbers(name: String, shape: List<Long>): Any {
+        val dataset = dataset(name)
+        val found = shape(name)
+        if (found != shape) fail(name, "has the shape $found; it must be $shape")
+        val type = dataset.dataType
+        if (type !is FixedPoint && type !is FloatingPoint) wrongType(name)
+        checkSize(name, dataset)
+        if (shape.any { it == 0L }) return if (type is FixedPoint) LongArray(0) else DoubleArray(0)
+        if (dataset.isEmpty) fail(name, "holds none of the numbers it declares")
+        return dataset.dataFlat
+    }
+
+    /** Before anything is read. */
+    private fun checkSize(name: String, dataset: Dataset) {
+        val wide = dataset.dataType.size.toDouble()
+        val declared = product(dataset.dimensionsAsLong) * wide
+        val most = bytes * if (dataset is ContiguousDataset) 1.0 else DENSEST
+        if (declared > most) fail(name, "declares $declared bytes; a file of $bytes bytes cannot hold so many")
+        val heap = Runtime.getRuntime().maxMemory()
+        if (declared * COPIES > heap) {
+            fail(
+                name,
+                "declares $declared bytes, for which the ${heap shr MEBI} MiB of the JVM are too few; " +
+                    "raise them with -Xmx",
+            )
+        }
+        if (dataset !is ChunkedDataset) return
+        val chunk = product(LongArray(dataset.chunkDimensions.size) { dataset.chunkDimensions[it].toLong() }) * wide
+        if (!(chunk > 0 && chunk <= most && chunk * COPIES <= heap)) fail(name, "declares chunks of $chunk bytes")
+    }
+
+    private fun product(extents: LongArray): Double = extents.fold(1.0) { all, extent -> all * extent }
+
+    private fun dataset(name: String): Dataset {
+        val node = find(name) ?: fail(name, "is missing")
+        return node as? Dataset ?: fail(name, "is a group; it must be a dataset, the same particles in every frame")
+    }
+
+    /** What [name] means, links followed; null when there is nothing. */
+    private fun find(name: String): Node? {
+        var left = name.split('/').filter { it.isNotEmpty() }
+        var node: Node = file
+        var links = 0
+        while (left.isNotEmpty()) {
+            val group = node as? Group ?: return null
+            val child = group.children[left[0]] ?: return null
+            left = left.drop(1)
+            if (child is ExternalLink) fail(name, "is a link to another file, which is not followed")
+            if (child is SoftLink) {
+                if (++links > MOST_LINKS) fail(name, "is a link to links without end")
+                val target = child.targetPath
+                if (target.startsWith('/')) node = file
+                left = target.split('/').filter { it.isNotEmpty() && it != "." } + left
+            } else {
+                node = child
+            }
+        }
+        return node
+    }
+
+    private fun wrongType(name: String): Nothing = fail(name, "is not of numbers of at most 64 bits of the kind that belongs there")
+
+    private fun fail(name: String, problem: String): Nothing = throw FormatException("$path: $name $problem")
+
+    override fun close() {
+        file.close()
+    }
+
+    private companion object {
+        const val MOST_LINKS = 16
+
+        /**
+         * Bytes out of one byte of a compressed file, at most: the bound of deflate, and some for what a file has
+         * besides.
+         */
+        const val DENSEST = 1100.0
+
+        /** Times a dataset is in memory while it is read: its bytes, its numbers, and these by column. */
+        const val COPIES = 3.0
+        const val MEBI = 20
+    }
+}

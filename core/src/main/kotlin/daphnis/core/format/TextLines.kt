@@ -1,0 +1,66 @@
+package daphnis.core.format
+
+import java.io.IOException
+import java.io.Reader
+import java.nio.charset.CharacterCodingException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The lines of a text file that may be anything: a line longer than [longest] characters is refused before it is held
+ * in memory, and bytes that are no UTF-8 text are too. Lines end as those of [java.io.BufferedReader] do.
+ */
+internal class TextLines(private val path: Path, private val longest: Int = LONGEST) : AutoCloseable {
+    private val input: Reader = Files.newBufferedReader(path)
+    private val text = StringBuilder()
+
+    /** Size of the file in bytes. */
+    val bytes: Long = Files.size(path)
+
+    /** Number of the line that [next] gave last, from 1. */
+    var number = 0
+        private set
+
+    private var afterReturn = false
+
+    /**
+     * The next line without its end, null at the end of the file.
+     *
+     * @throws FormatException for a line that is too long or no text
+     */
+    fun next(): String? {
+        text.setLength(0)
+        number++
+        try {
+            while (true) {
+                val c = input.read()
+                if (c < 0) return if (text.isEmpty()) null else text.toString()
+                val isSecondOfPair = afterReturn && c == '\n'.code
+                afterReturn = c == '\r'.code
+                if (isSecondOfPair) continue
+                if (c == '\n'.code || afterReturn) return text.toString()
+                if (text.length == longest) fail("the line is longer than $longest characters")
+                text.append(c.toChar())
+            }
+        } catch (e: CharacterCodingException) {
+            throw FormatException("$path: is not UTF-8 text")
+        } catch (e: IOException) {
+            throw FormatException("$path: cannot be read: ${e.message}")
+        }
+    }
+
+    fun fail(problem: String): Nothing = throw FormatException("$path:$number: $problem")
+
+    override fun close() {
+        input.close()
+    }
+
+    companion object {
+        const val LONGEST = 1 shl 20
+
+        /** [word] as a message can hold it. */
+        fun shown(word: String): String = word.take(MOST_SHOWN)
+
+        private const val MOST_SHOWN = 40
+    }
+}
