@@ -69,13 +69,8 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
      * [every] of them: first of the calls around the engine, then of those within, which it may get over.
      */
     fun throwAtEachCall(every: Int = 1, failure: (Int) -> Throwable = { IllegalStateException("on purpose, $it") }) {
-        throwAroundEngine(every, failure)
-        throwAtEachCall(every, failure) { it in WITHIN_ENGINE }
-    }
-
-    /** The first half of [throwAtEachCall]. */
-    fun throwAroundEngine(every: Int, failure: (Int) -> Throwable) {
         throwAtEachCall(every, failure) { it !in WITHIN_ENGINE }
+        throwAtEachCall(every, failure) { it in WITHIN_ENGINE }
     }
 
     private fun throwAtEachCall(every: Int, failure: (Int) -> Throwable, counts: (String) -> Boolean) {

@@ -31,9 +31,6 @@ class FailingStepsTest {
         { InterruptedException("on purpose, $it") },
     )
 
-    /** Engines that do not yet survive an [Error] within a collision. */
-    private val mortal = setOf("pekko")
-
     private fun each(check: (FailingCase, String, FailingSteps) -> Unit) = FailingCase.entries.flatMap { case ->
         engines.map { (name, engine) ->
             dynamicTest("$case, $name") {
@@ -62,10 +59,10 @@ class FailingStepsTest {
     }
 
     @TestFactory
-    fun `so does whatever else can be thrown`() = each { _, name, steps ->
+    fun `so does whatever else can be thrown`() = each { _, _, steps ->
         for ((k, kind) in kinds.withIndex()) {
             val every = 1 + k
-            if (name in mortal) steps.throwAroundEngine(every, kind) else steps.throwAtEachCall(every, kind)
+            steps.throwAtEachCall(every, kind)
         }
         assertTrue(steps.failed > 0)
     }

@@ -1,10 +1,12 @@
 package daphnis.drills
 
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
 
+@Tag("drill")
 class DamageTest {
     @TempDir
     lateinit var home: Path

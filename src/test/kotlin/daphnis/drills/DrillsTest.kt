@@ -16,14 +16,14 @@ class DrillsTest {
     }
 
     @Test
-    fun `runs that are killed and resumed leave the files of unbroken ones`() = assertNothingLost(KillDrill, 6)
+    fun `runs that are killed and resumed leave the files of unbroken ones`() = assertNothingLost(KillDrill, 5)
 
     @Test
-    fun `a live run notices nothing of who else uses its directory`() = assertNothingLost(LiveDirectoryDrill, 6)
+    fun `a live run notices nothing of who else uses its directory`() = assertNothingLost(LiveDirectoryDrill, 3)
 
     @Test
     fun `with too little memory everything ends by itself`() = assertNothingLost(SmallHeapDrill, 5)
 
     @Test
-    fun `on and on nothing overlaps, heats up or grows`() = assertNothingLost(SoakDrill, 60_000)
+    fun `on and on nothing overlaps, heats up or grows`() = assertNothingLost(SoakDrill, 30_000)
 }

@@ -3,6 +3,7 @@ package daphnis.drills
 import daphnis.app.assertDone
 import daphnis.app.daphnis
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.api.parallel.Execution
@@ -12,6 +13,7 @@ import java.nio.file.Path
 
 /** Short forms of the fuzzes; [main] runs long ones. */
 @Execution(ExecutionMode.SAME_THREAD)
+@Tag("drill")
 class FuzzTest {
     @TempDir
     lateinit var home: Path

@@ -26,7 +26,7 @@ internal object RunFiles {
 
     private fun files(directory: Path): Map<String, Path> = Files.walk(directory).use { paths ->
         paths.filter { it.isRegularFile() }.toList().associateBy { it.relativeTo(directory).toString() }
-    }.filterKeys { !it.startsWith("plots/") && !it.startsWith("checkpoint") && it != "lock" }
+    }.filterKeys { !it.startsWith("plots/") && !it.startsWith("checkpoint") && it != ".lock" }
 
     private fun same(a: Path, b: Path): Boolean = when (a.name) {
         "summary.json" -> json(a) - TOLD == json(b) - TOLD

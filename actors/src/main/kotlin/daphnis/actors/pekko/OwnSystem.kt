@@ -5,6 +5,8 @@ import daphnis.actors.region.onFreshThread
 import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.DispatcherSelector
 import org.apache.pekko.actor.typed.javadsl.Behaviors
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
 
 /**
  * An actor system with [threads] threads, started when it is first wanted, and anew when the last one has ended. From
@@ -31,8 +33,30 @@ internal class OwnSystem(private val threads: Int) {
     @Synchronized
     fun end() {
         isEnded = true
-        system?.terminate()
+        val ending = system ?: return
         system = null
+        val thread = Thread({ terminate(ending) }, "daphnis-end").apply { isDaemon = true }
+        try {
+            thread.start()
+        } catch (e: Throwable) {
+            // No thread, or no memory, to be had: said once must do.
+            ending.terminate()
+        }
+    }
+
+    /** An interrupt of this thread or of the system's can lose the message that ends it, so it is said until that has happened. */
+    private fun terminate(ending: ActorSystem<Void>) {
+        repeat(MOST_TRIES) {
+            try {
+                ending.terminate()
+                ending.getWhenTerminated().toCompletableFuture().get(PAUSE_MILLIS, TimeUnit.MILLISECONDS)
+                return
+            } catch (e: TimeoutException) {
+                // Again.
+            } catch (e: InterruptedException) {
+                // Again.
+            }
+        }
     }
 
     private fun start(): ActorSystem<Void> = ActorSystem.create(
@@ -45,10 +69,23 @@ internal class OwnSystem(private val threads: Int) {
                 "pekko.daemonic" to "on",
                 "pekko.jvm-exit-on-fatal-error" to "off",
                 "pekko.coordinated-shutdown.run-by-jvm-shutdown-hook" to "off",
+                // With it on, only the first call of terminate() would do anything.
+                "pekko.coordinated-shutdown.run-by-actor-system-terminate" to "off",
                 "pekko.actor.default-dispatcher.executor" to "thread-pool-executor",
                 "pekko.actor.default-dispatcher.thread-pool-executor.fixed-pool-size" to threads,
                 "pekko.actor.default-dispatcher.throughput" to 1,
+                // A system that interrupts have reached while it ended may not shut its executors down; their threads must not stay for long.
+                "pekko.actor.default-dispatcher.thread-pool-executor.keep-alive-time" to KEEP_ALIVE,
+                "pekko.actor.internal-dispatcher.executor" to "thread-pool-executor",
+                "pekko.actor.internal-dispatcher.thread-pool-executor.fixed-pool-size" to 2,
+                "pekko.actor.internal-dispatcher.thread-pool-executor.keep-alive-time" to KEEP_ALIVE,
             ),
         ).withFallback(ConfigFactory.load(PekkoEngine::class.java.classLoader)),
     )
+
+    private companion object {
+        const val MOST_TRIES = 100
+        const val PAUSE_MILLIS = 500L
+        const val KEEP_ALIVE = "2s"
+    }
 }
