@@ -57,6 +57,10 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
     var failed = 0
         private set
 
+    /** Calls that threw, those which an engine got over included. */
+    var thrown = 0
+        private set
+
     /** Where it has thrown at all. */
     val places = sortedSetOf<String>()
 
@@ -96,6 +100,7 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
                 assertSame(thrown, caught) { "$story at $place" }
             }
             places += place
+            this.thrown++
             call += every
         }
     }

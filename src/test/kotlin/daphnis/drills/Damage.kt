@@ -7,7 +7,6 @@ import java.nio.file.Path
 import java.util.Random
 import kotlin.concurrent.thread
 import kotlin.io.path.name
-import kotlin.system.exitProcess
 
 /** What a command made of a damaged run directory. */
 internal enum class Verdict(val isGood: Boolean) {
@@ -112,16 +111,5 @@ internal class Damage(private val home: Path, seed: Long) {
 
     companion object {
         private const val LONGEST_MILLISECONDS = 180_000L
-
-        /** `Damage CASES SEED`: exit code 1 when a case is not good. */
-        @JvmStatic
-        fun main(args: Array<String>) {
-            val home = Files.createTempDirectory("daphnis-damage")
-            val cases = Damage(home, args[1].toLong()).run(args[0].toInt())
-            for (verdict in Verdict.entries) println("$verdict ${cases.count { it.verdict == verdict }}")
-            val bad = cases.filterNot { it.verdict.isGood }
-            for (case in bad) println("$case\n    in $home/case-${case.number}")
-            exitProcess(if (bad.isEmpty()) 0 else 1)
-        }
     }
 }

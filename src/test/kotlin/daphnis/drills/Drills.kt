@@ -3,7 +3,16 @@ package daphnis.drills
 import kotlin.system.exitProcess
 
 /** All drills there are. */
-internal val drills: List<Drill> = listOf(KillDrill, LiveDirectoryDrill, SmallHeapDrill, SoakDrill)
+internal val drills: List<Drill> = listOf(
+    KillDrill,
+    LiveDirectoryDrill,
+    SmallHeapDrill,
+    SoakDrill,
+    DamageDrill,
+    ScenarioFuzzDrill,
+    ForeignFuzzDrill,
+    ThrowDrill,
+)
 
 /** `drill NAME [CASES [SEED]]`: tells every case, then what was tried and lost; exit code 1 when anything was. */
 fun main(args: Array<String>) {

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Short forms of the fuzzes; [main] runs long ones. */
+/** Short forms of the fuzzes; tools/drills has the long ones. */
 @Execution(ExecutionMode.SAME_THREAD)
 @Tag("drill")
 class FuzzTest {
