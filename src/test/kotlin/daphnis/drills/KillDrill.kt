@@ -18,7 +18,7 @@ internal object KillDrill : Drill {
     private val SCENARIOS = listOf(
         "cooling-gas --until 12 $ALWAYS output.collisionLog=true particles.count=2000 box.lengths=[21.9,21.9,21.9]",
         "shear-cell --until 3 $ALWAYS",
-        "ring-patch --until 4000 $ALWAYS box.lengths=[40,40,20]",
+        "ring-patch --until 20000 $ALWAYS box.lengths=[40,40,20]",
         "cooling-gas --until 12 $ALWAYS particles.count=2000 boundary={\"type\":\"walls\"} box.lengths=[24,24,24]",
     )
     private val ENGINES = listOf("islands", "thread-pool", "actors", "pekko")

@@ -35,6 +35,8 @@ internal class Checkpoints(private val directory: RunDirectory) {
     fun lastGood(acceptLoss: Boolean, notices: MutableList<String>): GoodCheckpoint? {
         val found = listOf(directory.checkpoint, directory.previousCheckpoint).filter { Files.exists(it) }
         if (found.isEmpty()) return null
+        // Nothing could take its place.
+        found.find { !Files.isRegularFile(it) }?.let { throw InputException("$it", null, "is no file; take it away, and resume again") }
         val problems = ArrayList<String>()
         val whole = ArrayList<Pair<Path, Checkpoint>>()
         for (file in found) {

@@ -72,6 +72,18 @@ class ResumeTest {
     }
 
     @Test
+    fun `a directory in the place of a checkpoint is named`() {
+        for (name in listOf("checkpoint", "checkpoint.previous")) {
+            val directory = damaged("directory-for-$name") {
+                Files.delete(it.resolve(name))
+                Files.createDirectory(it.resolve(name))
+            }
+            val message = assertThrows(InputException::class.java) { resume(directory) }.message.orEmpty()
+            assertTrue("$name: is no file" in message && '\n' !in message) { message }
+        }
+    }
+
+    @Test
     fun `a table that is shorter or changed where both checkpoints know it is refused by name, and accepted when asked for`() {
         val damages = listOf<Pair<String, (Path) -> Unit>>(
             "cut" to { cut(it, 150) },
