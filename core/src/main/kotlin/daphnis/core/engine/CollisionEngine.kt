@@ -37,7 +37,8 @@ public interface CollisionEngine : AutoCloseable {
      *   most 1e-13 of the step after the one before
      * @throws IllegalArgumentException when a sphere meets images too far away, when the step has more than 2,000,000
      *   collisions and 1000 for each sphere, or when sizes, speeds and duration are too far apart to compute contacts.
-     *   Like the state, whether and why a step fails is the same for every engine
+     *   Like the state, whether a step fails, and with which exception, is the same for every engine; not so an [Error],
+     *   which a parallel engine throws on from wherever it came
      * @throws IllegalStateException after [close]
      */
     public fun advance(step: CollisionStep)

@@ -34,7 +34,10 @@ internal class Checkpoints(private val directory: RunDirectory) {
      */
     fun lastGood(acceptLoss: Boolean, notices: MutableList<String>): GoodCheckpoint? {
         val found = listOf(directory.checkpoint, directory.previousCheckpoint).filter { Files.exists(it) }
-        if (found.isEmpty()) return null
+        if (found.isEmpty()) {
+            requireUnbegun(acceptLoss, notices)
+            return null
+        }
         // Nothing could take its place.
         found.find { !Files.isRegularFile(it) }?.let { throw InputException("$it", null, "is no file; take it away, and resume again") }
         val problems = ArrayList<String>()
@@ -64,6 +67,14 @@ internal class Checkpoints(private val directory: RunDirectory) {
         val appended = AppendedCheck(directory, checkpoint.meta)
         notices += appended.acceptLoss()
         return taken(file, GoodCheckpoint(checkpoint, appended.beginnings), emptyList(), notices)
+    }
+
+    /** A run has a checkpoint as soon as its start has been written; one that has gone on and has none has lost it. */
+    private fun requireUnbegun(acceptLoss: Boolean, notices: MutableList<String>) {
+        if (!Files.exists(directory.summary) && directory.snapshotSteps().none { it > 0 }) return
+        val missing = "${directory.checkpoint}: is missing, and so is ${directory.previousCheckpoint.fileName}, though the run has gone on"
+        if (!acceptLoss) throw InputException("", null, "$missing; bring one back, or run it again from its start: resume --accept-loss")
+        notices += "$missing; it begins anew"
     }
 
     private fun taken(file: Path, good: GoodCheckpoint, problems: List<String>, notices: MutableList<String>): GoodCheckpoint {

@@ -5,7 +5,9 @@ import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import java.io.IOException
+import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
+import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
@@ -42,7 +44,8 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         val lock = try {
             RunLock.take(path)
         } catch (e: InputException) {
-            unmake()
+            // The lock file is another's; a directory with one is not empty and stays.
+            if (isMade) files.deleteQuietly(path)
             throw e
         }
         try {
@@ -57,8 +60,14 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     private fun make() {
         if (path.exists()) return
         if (Files.isSymbolicLink(path)) throw InputException(path.toString(), null, "is a link that leads nowhere")
-        Files.createDirectories(path)
-        isMade = true
+        path.toAbsolutePath().parent?.let { Files.createDirectories(it) }
+        isMade = try {
+            Files.createDirectory(path)
+            true
+        } catch (e: FileAlreadyExistsException) {
+            // Somebody was quicker; the lock will tell.
+            false
+        }
     }
 
     private fun checkFree() {
@@ -66,9 +75,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         if (!path.isDirectory()) refuse("exists and is no directory")
         if (directory.scenario.exists()) {
             if (!force) refuse("exists; give another directory with --out, or --force to replace the run in it")
-            for (part in parts()) {
-                if (part.exists() && !Files.isWritable(part)) refuse("cannot be replaced: $part is not writable")
-            }
+            checkReplaceable { refuse("cannot be replaced: $it") }
             return
         }
         if (pending.exists()) return
@@ -76,6 +83,18 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         if (others.isEmpty()) return
         if (force) refuse("is not empty and holds no run; --force replaces runs only")
         refuse("is not empty; give another directory with --out")
+    }
+
+    /** Whether all that [removeRun] takes away can go, asked before anything goes. */
+    private inline fun checkReplaceable(refuse: (String) -> Nothing) {
+        for (file in directory.ownFiles() + directory.scenario) {
+            if (Files.isDirectory(file, NOFOLLOW_LINKS)) refuse("$file is a directory")
+        }
+        for (part in parts()) {
+            if (Files.isSymbolicLink(part)) refuse("$part is a link; what it leads to is not touched, take the link away")
+            if (part.exists() && !part.isDirectory()) refuse("$part is no directory")
+            if (part.exists() && !Files.isWritable(part)) refuse("$part is not writable")
+        }
     }
 
     private fun isEmptySnapshots(file: Path): Boolean = file == directory.snapshots && file.isDirectory() && file.listDirectoryEntries().isEmpty()
@@ -128,10 +147,17 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks whole.
         files.delete(directory.scenario)
         for (file in directory.ownFiles()) files.delete(file)
-        for (part in parts()) if (part.isDirectory()) for (file in part.listDirectoryEntries()) files.delete(file)
+        for (part in parts()) {
+            if (part.isDirectory()) for (file in part.listDirectoryEntries().filter(::isOwn)) files.delete(file)
+        }
     }
+
+    /** Of a snapshot, plot or table; what others have put beside them stays. */
+    private fun isOwn(file: Path) = Files.isRegularFile(file, NOFOLLOW_LINKS) &&
+        file.name.removeSuffix(".tmp").substringAfterLast('.') in OWN_ENDINGS
 
     private companion object {
         val REPLACE = java.nio.file.StandardCopyOption.REPLACE_EXISTING
+        val OWN_ENDINGS = setOf("h5", "png", "svg", "csv")
     }
 }

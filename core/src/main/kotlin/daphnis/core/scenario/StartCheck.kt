@@ -5,6 +5,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
+import daphnis.core.search.Reach
 import kotlin.math.abs
 
 /** Whether a population can start in its box: inside, wide enough for its images, nobody in anybody's place. */
@@ -30,11 +31,19 @@ internal class StartCheck(private val scenario: Scenario, private val population
         }
         checkSlide(timeStep)
         checkSatellites(timeStep)
-        val overlap = Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
+        computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
+        val overlap = computable("box") { Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart) }
         val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
         check.must(key, overlap.depth <= TOLERANCE) {
             "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; nobody may overlap at the start"
         }
+    }
+
+    /** What the search says of sizes beyond what it can compute is said of the scenario. */
+    private inline fun <T> computable(key: String, work: () -> T): T = try {
+        work()
+    } catch (e: IllegalArgumentException) {
+        check.fail(key, e.message.orEmpty())
     }
 
     private fun checkInside(axis: Int) {

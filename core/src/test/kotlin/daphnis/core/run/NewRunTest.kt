@@ -59,6 +59,32 @@ class NewRunTest {
     }
 
     @Test
+    fun `what is in the way of force is named before anything goes, and what others put beside the run stays`() {
+        val directory = home.resolve("a")
+        startIn(directory).toStep(7)
+        for (name in listOf("summary.json", "report.html")) {
+            Files.deleteIfExists(directory.resolve(name))
+            Files.createDirectories(directory.resolve(name).resolve("inner"))
+            val before = bytesIn(directory)
+            refused("$name is a directory") { startIn(directory, force = true) }
+            assertEquals(before, bytesIn(directory))
+            Files.delete(directory.resolve(name).resolve("inner"))
+            Files.delete(directory.resolve(name))
+        }
+        val elsewhere = Files.createDirectories(home.resolve("elsewhere"))
+        val precious = Files.writeString(elsewhere.resolve("precious.csv"), "1")
+        val link = Files.createSymbolicLink(directory.resolve("tables"), elsewhere)
+        refused("tables is a link") { startIn(directory, force = true) }
+        Files.delete(link)
+        assertTrue(Files.exists(precious))
+        val notes = Files.createDirectories(directory.resolve("plots/mine")).resolve("notes")
+        Files.writeString(notes, "1")
+        val text = Files.writeString(directory.resolve("snapshots/readme.txt"), "1")
+        startIn(directory, force = true).toStep(7)
+        assertTrue(Files.exists(notes) && Files.exists(text))
+    }
+
+    @Test
     fun `a start that has no space leaves no directory`() {
         val full = FullFiles(0, "No space left on device")
         val e = assertThrows(RunException::class.java) { startIn(home.resolve("none"), files = full) }

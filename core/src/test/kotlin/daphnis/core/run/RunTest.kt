@@ -142,8 +142,24 @@ class RunTest {
         run("broken", 0)
         Files.delete(home.resolve("broken/checkpoint"))
         Files.deleteIfExists(home.resolve("broken/checkpoint.previous"))
+        Files.delete(home.resolve("broken/summary.json"))
         assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
         assertEquals(files("whole"), files("broken"))
+    }
+
+    @Test
+    fun `a run that has gone on and lost both checkpoints does not begin anew without being told to`() {
+        val whole = run("whole")
+        run("broken")
+        for (name in listOf("checkpoint", "checkpoint.previous")) Files.delete(home.resolve("broken").resolve(name))
+        val before = files("broken")
+        val e = assertThrows(InputException::class.java) { resume("broken") }
+        assertTrue("--accept-loss" in e.message.orEmpty() && "checkpoint" in e.message.orEmpty()) { e.message }
+        assertEquals(before, files("broken"))
+        Run.resume(home.resolve("broken"), acceptLoss = true).use { run ->
+            assertTrue(run.notices.any { "begins anew" in it }) { run.notices.toString() }
+            assertEquals(whole.stateDigest, run.execute().stateDigest)
+        }
     }
 
     @Test

@@ -15,7 +15,12 @@ internal class IslandLimits(spheres: Int) {
     /** Potential collisions of the step that lie beyond the window: 24 bytes each. */
     val hints: Long = LEAST_HINTS + HINTS_A_SPHERE * spheres
 
+    /** Collisions of one attempt at an island: beyond it the path is a false one, or most spheres hang together. */
+    val collisions: Long = LEAST_COLLISIONS + COLLISIONS_A_SPHERE * spheres
+
     private companion object {
+        const val LEAST_COLLISIONS = 4_000L
+        const val COLLISIONS_A_SPHERE = 4L
         const val LEAST_PIECES = 500_000L
         const val PIECES_A_SPHERE = 2L
         const val LEAST_EVENTS = 1_000_000L

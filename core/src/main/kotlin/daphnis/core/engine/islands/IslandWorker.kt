@@ -152,7 +152,9 @@ public class IslandWorker internal constructor(private val field: IslandField, p
             queue.add(seeds.time[s], first, if (second < 0) second else join(second), seeds.image[s])
             s = seeds.next[s]
         }
+        var collisions = 0L
         while (queue.pop()) {
+            if (++collisions > field.limits.collisions) throw IslandsTooLargeException("collisions of one island", field.limits.collisions)
             if (field.stopped || !collide()) return false
             if (refused != FREE) {
                 attempts.drop(attemptIndex)
