@@ -30,7 +30,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             val summary = run.execute(progress) { interruption.requested }
             progress.close()
             if (!summary.finished) {
-                println("interrupted after step ${summary.steps}; go on with: daphnis resume $directory")
+                println("interrupted after step ${summary.steps}; go on with: daphnis resume ${quoted("$directory")}")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             if (run.hasSeries) drawPlot(run, summary)
@@ -59,6 +59,9 @@ private fun drawPlot(run: Run, summary: Summary) {
         none(e)
     }
 }
+
+/** As a shell takes it for one word. */
+private fun quoted(word: String) = if (word.all { it.isLetterOrDigit() || it in "/._-+:@%=," }) word else "'${word.replace("'", "'\\''")}'"
 
 /** Loads what the plot needs beside the start of the run. What fails here fails again when the plot is drawn, and is said then. */
 private fun preparePlot() {

@@ -27,8 +27,14 @@ class CompareCommand : CliktCommand(name = "compare") {
             println("differ at step $step: $difference")
             throw ProgramResult(EXIT_FAILED)
         }
-        val digestA = digest(a)
-        val digestB = digest(b)
+        val endA = summary(a)
+        val endB = summary(b)
+        val digestA = endA?.stateDigest
+        val digestB = endB?.stateDigest
+        if (endA != null && endB != null && endA.steps != endB.steps) {
+            println("differ: one ended after step ${endA.steps}, the other after step ${endB.steps}; ${common.size} common snapshots are identical")
+            throw ProgramResult(EXIT_FAILED)
+        }
         if (digestA != null && digestB != null && digestA != digestB) {
             println("differ at the end: state digest $digestA against $digestB; ${common.size} common snapshots are identical")
             throw ProgramResult(EXIT_FAILED)
@@ -44,9 +50,9 @@ class CompareCommand : CliktCommand(name = "compare") {
         return directory
     }
 
-    private fun digest(directory: RunDirectory): String? {
+    private fun summary(directory: RunDirectory): Summary? {
         if (!Files.exists(directory.summary)) return null
         RunRecord.of(directory).problems(directory.summary).firstOrNull()?.let { throw FormatException(it) }
-        return Summary.read(directory.summary).stateDigest
+        return Summary.read(directory.summary)
     }
 }

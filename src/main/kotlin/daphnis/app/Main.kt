@@ -12,6 +12,7 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
 import daphnis.core.run.Version
+import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
 import kotlin.system.exitProcess
 
@@ -48,6 +49,7 @@ internal fun runDaphnis(args: Array<String>): Int {
     val words = args.filter { it != DEBUG }.toTypedArray()
     val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), AnalyzeCommand(), ScenariosCommand(), DescribeCommand())
     return try {
+        requireReadable(words)
         command.parse(command.understood(words))
         EXIT_DONE
     } catch (e: ProgramResult) {
@@ -62,6 +64,16 @@ internal fun runDaphnis(args: Array<String>): Int {
         complain(e)
     }
 }
+
+/** In a locale without their letters, words and the name of the working directory arrive as others, which would be taken for what was meant. */
+private fun requireReadable(words: Array<String>) {
+    val mend = "has letters that the locale's encoding, ${System.getProperty("sun.jnu.encoding")}, has not; try LC_ALL=C.UTF-8"
+    words.find { UNREADABLE in it }?.let { throw InputException("'$it'", null, mend) }
+    val here = System.getProperty("user.dir")
+    if (UNREADABLE in here) throw InputException("working directory", null, mend)
+}
+
+private const val UNREADABLE = '\uFFFD'
 
 /** `help` and `help run` mean `--help` and `run --help`. A first word that is no command goes alone, so that it is what the message is about. */
 private fun CliktCommand.understood(args: Array<String>): Array<String> {

@@ -64,9 +64,9 @@ class FailuresTest {
         for (words in listOf(listOf("resume", at("x"), "--debug"), listOf("--debug", "resume", at("x")))) {
             val result = daphnis(*words.toTypedArray())
             assertEquals(2, result.code)
-            assertTrue("\tat daphnis" in result.err && "no such directory" in result.err.trim().lines().last()) { result.err }
+            assertTrue("\tat daphnis" in result.err && "no such file or directory" in result.err.trim().lines().last()) { result.err }
         }
-        assertRefused(daphnis("resume", at("x")), "no such directory")
+        assertRefused(daphnis("resume", at("x")), "no such file or directory")
         assertTrue("--debug" in assertDone(daphnis("--help")))
     }
 

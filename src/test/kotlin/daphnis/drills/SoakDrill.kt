@@ -30,7 +30,6 @@ internal object SoakDrill : Drill {
             val soaked = soak(engine, cases, seed)
             lost += soaked.lost
             notes += soaked.notes
-            soaked.notes.forEach(say)
         }
         return Tally(cases * allEngines.names.size, lost, notes)
     }

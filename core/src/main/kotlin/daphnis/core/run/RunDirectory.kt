@@ -63,14 +63,19 @@ public class RunDirectory internal constructor(public val path: Path, internal v
      */
     public fun frame(step: Long): Frame {
         val file = snapshot(step)
-        val frame = H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
+        val frame = try {
+            H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
+        } catch (e: FormatException) {
+            throw FormatException("${e.message}; take the file away to go on without this snapshot")
+        }
         if (frame.step != step) throw FormatException("$file: holds the state after step ${frame.step}; its name says $step")
         return frame
     }
 
     /** @throws InputException when there is no run here */
     public fun requireRun() {
-        if (!path.isDirectory()) throw InputException(path.toString(), null, "no such directory")
+        if (!path.exists()) throw InputException(path.toString(), null, "no such file or directory")
+        if (!path.isDirectory()) throw InputException(path.toString(), null, "is no directory")
         if (scenario.exists()) return
         val isCutShort = files.besideOf(scenario).exists()
         val why = if (isCutShort) "its start was cut short, run the scenario again" else "it has no $SCENARIO"

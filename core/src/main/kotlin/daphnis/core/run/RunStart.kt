@@ -57,8 +57,13 @@ private fun resumed(directory: RunDirectory, until: Double?, engines: EngineFact
     val checkpoints = Checkpoints(directory)
     val good = checkpoints.lastGood(acceptLoss, notices)
     val checkpoint = good?.checkpoint
-    checkSame(directory, checkpoint, read, notices)
-    if (until != null) checkLater(until, checkpoint?.meta?.time ?: 0.0, scenario)
+    val changes = checkSame(directory, checkpoint, read, notices)
+    val now = checkpoint?.meta?.time ?: 0.0
+    if (until != null) {
+        checkLater("--until", until, now, scenario)
+    } else if (changes.harmless.any { it.startsWith("until") }) {
+        checkLater("${directory.scenario}: until", scenario.end, now, scenario)
+    }
     val source = directory.scenario.toString()
     val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
     val parts = RunParts(setup, checkpoint?.meta, source, engines)
@@ -74,19 +79,20 @@ private fun resumed(directory: RunDirectory, until: Double?, engines: EngineFact
 }
 
 /** Another scenario would go on from the checkpoint to a run that never was. */
-private fun checkSame(directory: RunDirectory, checkpoint: Checkpoint?, scenario: Scenario, notices: MutableList<String>) {
+private fun checkSame(directory: RunDirectory, checkpoint: Checkpoint?, scenario: Scenario, notices: MutableList<String>): ScenarioChanges {
     val changes = ScenarioChanges.between(checkpoint?.scenario, scenario)
     changes.essential.firstOrNull()?.let {
         val mend = "take the change back, or run the changed scenario into another directory"
         throw InputException(directory.scenario.toString(), null, "$it; $mend")
     }
-    for (change in changes.harmless) notices += "${directory.scenario}: $change"
+    for (change in changes.harmless) notices += "${directory.scenario}: $change, which changes no state"
+    return changes
 }
 
 /** A time that is past cannot be an end; the last step may have fallen on either side of it by round-off. */
-private fun checkLater(until: Double, now: Double, scenario: Scenario) {
+private fun checkLater(source: String, until: Double, now: Double, scenario: Scenario) {
     if (until >= now - endSlack(scenario)) return
-    throw InputException("--until", null, "is $until; the run is at time $now, give a later end")
+    throw InputException(source, null, "is $until; the run is at time $now, give a later end")
 }
 
 /** A whole number of fixed steps can fall short of the end by round-off; so much is no other step. */

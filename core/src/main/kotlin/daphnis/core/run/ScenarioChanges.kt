@@ -57,5 +57,5 @@ internal class ScenarioChanges private constructor(val essential: List<String>, 
         return path != "output.transportEvery" || then.toString() != "0" && now.toString() != "0"
     }
 
-    private fun words(value: JsonElement?) = value?.toString()?.let { if (it.length > LONGEST) it.take(LONGEST) + "…" else it } ?: "absent"
+    private fun words(value: JsonElement?) = value?.toString()?.let { if (it.length > LONGEST) it.take(LONGEST) + "…" else it } ?: "none"
 }
