@@ -1,12 +1,12 @@
 package daphnis.app
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.oneLine
 import daphnis.core.run.RunException
 import daphnis.core.run.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.nio.file.InvalidPathException
-import java.util.Locale
 
 /** Says in one line on the error stream what went wrong. @return the exit code for it */
 internal fun complain(e: Throwable): Int = when (e) {
@@ -39,17 +39,6 @@ internal fun complain(message: String, code: Int): Int {
 
 /** Says [message] in one line on the error stream, whatever stands in it. */
 internal fun warn(message: String): Unit = System.err.println("daphnis: ${oneLine(message)}")
-
-/** Names and texts of others may hold line ends and codes that a terminal obeys. */
-private fun oneLine(text: String) = buildString {
-    for (c in text) {
-        when {
-            c == '\n' -> append("\\n")
-            c.isISOControl() -> append("\\u%04x".format(Locale.ROOT, c.code))
-            else -> append(c)
-        }
-    }
-}
 
 private fun words(e: Throwable) = e.javaClass.simpleName + e.message?.let { ": $it" }.orEmpty()
 

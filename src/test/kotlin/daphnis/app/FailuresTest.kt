@@ -40,7 +40,7 @@ class FailuresTest {
     @Test
     fun `every kind of failure is one line with its exit code`() {
         val cases = listOf(
-            Triple(InputException("a\nb", "key", "is wrong"), 2, "a?b: key: is wrong"),
+            Triple(InputException("a\nb", "key", "is wrong"), 2, "a\\nb: key: is wrong"),
             Triple(RunException("step 3: failed"), 1, "step 3: failed"),
             Triple(InvalidPathException("x\u0000y", "Nul character not allowed"), 2, "x\\u0000y"),
             Triple(AccessDeniedException("/etc/a"), 1, "/etc/a: permission denied"),

@@ -2,7 +2,7 @@ package daphnis.actors.region
 
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
-import daphnis.core.parallel.RangeBody
+import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.RangeLoop
 import java.util.concurrent.CancellationException
 import java.util.concurrent.Semaphore
@@ -41,27 +41,19 @@ internal class RegionSteps(
     @Volatile
     private var current: StepCoordinator? = null
 
-    @Volatile
-    private var isClosed = false
-
     /** Called by every region before each command; for tests. Set before the first step. */
     var probe: ((RegionCommand) -> Unit)? = null
 
     /** See [StepExchange]; tests shorten it. Set before the first step. */
     var patience: Long = StepExchange.PATIENCE
 
-    /** The loop on the engine's threads, until it is closed. */
-    val loop: RangeLoop = object : RangeLoop {
-        override val workers: Int get() = inner.workers
+    private val gate = ClosableLoop(inner, CLOSED)
 
-        override fun run(size: Int, grain: Int, body: RangeBody) {
-            requireOpen()
-            inner.run(size, grain, body)
-        }
-    }
+    /** The loop on the engine's threads, until it is closed. */
+    val loop: RangeLoop get() = gate
 
     fun requireOpen() {
-        check(!isClosed) { CLOSED }
+        gate.requireOpen()
     }
 
     /** Takes [step] on this thread. An interrupt does not end it; the flag is set again afterwards. */
@@ -107,7 +99,7 @@ internal class RegionSteps(
             exchange.begin(step, waker)
             current = exchange.coordinator
             // Who closes before it sees the coordinator has set the mark before this line.
-            if (isClosed) exchange.coordinator.cancel()
+            if (gate.isClosed) exchange.coordinator.cancel()
             return exchange
         } catch (e: Throwable) {
             leave(exchange)
@@ -129,7 +121,7 @@ internal class RegionSteps(
             failure is Error -> throw failure
             lost is Error -> throw lost
             exchange.coordinator.isCancelled ->
-                throw CancellationException(if (isClosed) CLOSED else "the step was cancelled")
+                throw CancellationException(if (gate.isClosed) CLOSED else "the step was cancelled")
             lost != null -> throw lost
             failure != null -> {
                 judge.advance(step)
@@ -147,7 +139,7 @@ internal class RegionSteps(
             }
         } finally {
             stepping.release()
-            if (isClosed) takeDown()
+            if (gate.isClosed) takeDown()
         }
     }
 
@@ -169,7 +161,7 @@ internal class RegionSteps(
     }
 
     override fun close() {
-        isClosed = true
+        gate.close()
         current?.cancel()
         takeDown()
     }

@@ -110,7 +110,7 @@ public class AnalysisInput private constructor(
             if (problems.isNotEmpty() && !acceptLoss) {
                 throw FormatException("${problems.first()}; bring it back, or take what is there: analyze --accept-loss")
             }
-            return problems + record.harmlessChanges(scenario)
+            return problems + record.losses + record.harmlessChanges(scenario)
         }
 
         /**

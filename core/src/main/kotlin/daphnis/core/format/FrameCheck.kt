@@ -89,9 +89,9 @@ internal class FrameCheck private constructor(private val frame: Frame, private 
     }
 
     companion object {
-        /** Bounds on sizes; their cubes are normal numbers. */
-        const val LEAST: Double = 1e-100
-        const val MOST: Double = 1e100
+        /** Bounds on sizes, those of [daphnis.core.search.Scales]. */
+        const val LEAST: Double = 1e-70
+        const val MOST: Double = 1e70
 
         /** Bound on coordinates, times and speeds, whose squares are finite. */
         private const val FARTHEST = 1e150

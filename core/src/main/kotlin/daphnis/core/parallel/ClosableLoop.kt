@@ -4,9 +4,10 @@ package daphnis.core.parallel
  * The [loop] of somebody who can be closed, after which it throws [IllegalStateException] with [message] and starts
  * nothing.
  */
-internal class ClosableLoop(private val loop: RangeLoop, private val message: String) : RangeLoop {
+public class ClosableLoop(private val loop: RangeLoop, private val message: String) : RangeLoop {
+    /** Whether [close] has been called. */
     @Volatile
-    var isClosed = false
+    public var isClosed: Boolean = false
         private set
 
     override val workers: Int get() = loop.workers
@@ -17,12 +18,12 @@ internal class ClosableLoop(private val loop: RangeLoop, private val message: St
     }
 
     /** @throws IllegalStateException after [close] */
-    fun requireOpen() {
+    public fun requireOpen() {
         check(!isClosed) { message }
     }
 
     /** Loops under way are finished. Closing twice is allowed. */
-    fun close() {
+    public fun close() {
         isClosed = true
     }
 }

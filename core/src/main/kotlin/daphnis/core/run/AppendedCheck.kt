@@ -26,7 +26,7 @@ internal class AppendedCheck(private val directory: RunDirectory, private val me
     /**
      * Takes the files that have [problems] for what they are, cut back to whole lines.
      *
-     * @return a line for each, what is lost
+     * @return a line for each, with its name and what is lost
      * @throws InputException when one cannot be read
      */
     fun acceptLoss(): List<String> = meta.appended.filterKeys { it !in beginnings }.map { (name, mark) ->
@@ -42,9 +42,9 @@ internal class AppendedCheck(private val directory: RunDirectory, private val me
         val end = if (Files.exists(path)) endOfLine(path, minOf(mark.length, Files.size(path))) else 0
         if (end > 0) beginnings[name] = Beginning.of(path, end)
         return when (end) {
-            0L -> "$path: all rows up to step ${meta.step} are lost"
-            mark.length -> "$path: its checksum is wrong; its rows are kept as they are"
-            else -> "$path: ${mark.length - end} of its ${mark.length} bytes are lost"
+            0L -> "$name: all rows up to step ${meta.step} are lost"
+            mark.length -> "$name: its checksum was wrong at step ${meta.step}; its rows are kept as they are"
+            else -> "$name: ${mark.length - end} of its ${mark.length} bytes up to step ${meta.step} are lost"
         }
     }
 

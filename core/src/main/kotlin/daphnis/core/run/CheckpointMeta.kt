@@ -9,6 +9,7 @@ import kotlinx.serialization.Serializable
  *   lies beyond was written after the checkpoint and is cut off on resume
  * @property whole likewise files that are written anew with each checkpoint; `summary.json` among them in the last of a
  *   run
+ * @property losses what was lost of tables, and accepted on a resume, since the start of the run; a line each
  * @property collisionSums of the statistics of collisions, when they are kept; likewise [impactSpeeds]
  */
 @Serializable
@@ -25,6 +26,7 @@ internal class CheckpointMeta(
     val whole: Map<String, FileMark> = emptyMap(),
     val collisionSums: List<Double> = emptyList(),
     val impactSpeeds: List<Long> = emptyList(),
+    val losses: List<String> = emptyList(),
 )
 
 /** [CheckpointMeta] as format 2 has it. */

@@ -5,8 +5,15 @@ import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A checkpoint that a run can go on from, and the beginnings of the files that it appends to, by name. */
-internal class GoodCheckpoint(val checkpoint: Checkpoint, val beginnings: Map<String, Beginning>)
+/**
+ * A checkpoint that a run can go on from.
+ *
+ * @property beginnings of the files that it appends to, by name
+ * @property losses what was lost of them and accepted, now or earlier, a line each
+ */
+internal class GoodCheckpoint(val checkpoint: Checkpoint, val beginnings: Map<String, Beginning>, accepted: List<String> = emptyList()) {
+    val losses: List<String> = checkpoint.meta.losses + accepted
+}
 
 /**
  * The two checkpoints of a run directory. A new one is written whole beside them; then the last becomes the previous
@@ -65,8 +72,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
         }
         val (file, checkpoint) = whole.first()
         val appended = AppendedCheck(directory, checkpoint.meta)
-        notices += appended.acceptLoss()
-        return taken(file, GoodCheckpoint(checkpoint, appended.beginnings), emptyList(), notices)
+        return taken(file, GoodCheckpoint(checkpoint, appended.beginnings, appended.acceptLoss()), emptyList(), notices)
     }
 
     /** A run has a checkpoint as soon as its start has been written; one that has gone on and has none has lost it. */
@@ -78,7 +84,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
     }
 
     private fun taken(file: Path, good: GoodCheckpoint, problems: List<String>, notices: MutableList<String>): GoodCheckpoint {
-        notices += problems
+        notices += problems + good.losses.map { "${directory.path}/$it" }
         if (notices.isNotEmpty()) notices += "going on from $file, step ${good.checkpoint.meta.step}"
         if (good.checkpoint.scenario == null) {
             notices += "$file: is of format 2, without checksums of scenario and tables; they are not checked"

@@ -115,6 +115,7 @@ public class Run internal constructor(
             simulation.step, simulation.time,
             c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
             wallSeconds, appended, whole, statistics?.sums().orEmpty(), statistics?.speeds?.asList().orEmpty(),
+            from?.losses.orEmpty(),
         )
         checkpoints.write(meta, scenarioText, simulation.population)
     }

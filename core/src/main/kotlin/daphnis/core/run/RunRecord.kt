@@ -24,6 +24,9 @@ public class RunRecord private constructor(private val directory: RunDirectory, 
         }
     }
 
+    /** What of the tables was lost and accepted when the run was resumed, a line each. */
+    public val losses: List<String> get() = head?.meta?.losses.orEmpty().map { "${directory.path}/$it" }
+
     /** Where [scenario], read from the directory, would make another run than the one that is there; a line each. */
     public fun changes(scenario: Scenario): List<String> = compare(scenario).essential.map { "${directory.scenario}: $it" }
 

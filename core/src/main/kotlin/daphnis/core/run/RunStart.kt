@@ -85,7 +85,7 @@ private fun checkSame(directory: RunDirectory, checkpoint: Checkpoint?, scenario
         val mend = "take the change back, or run the changed scenario into another directory"
         throw InputException(directory.scenario.toString(), null, "$it; $mend")
     }
-    for (change in changes.harmless) notices += "${directory.scenario}: $change, which changes no state"
+    for (change in changes.harmless) notices += "${directory.scenario}: $change"
     return changes
 }
 

@@ -15,7 +15,7 @@ import kotlinx.serialization.json.JsonObject
  *   state, which are name and description, the end, engine and search, and how often outputs are written
  * @property harmless the other changes, a line each
  */
-internal class ScenarioChanges private constructor(val essential: List<String>, val harmless: List<String>) {
+internal class ScenarioChanges private constructor(val essential: MutableList<String>, val harmless: MutableList<String>) {
     companion object {
         private val FREE = setOf("name", "description", "until", "untilOrbits", "engine", "search")
         private val CADENCES = setOf("output.seriesEvery", "output.snapshotEvery", "output.checkpointEvery", "output.transportEvery")
@@ -24,11 +24,11 @@ internal class ScenarioChanges private constructor(val essential: List<String>, 
 
         /** @param then text of the scenario that the run was made with; null when it is not known, and nothing can be said */
         fun between(then: String?, now: Scenario): ScenarioChanges {
-            if (then == null) return ScenarioChanges(emptyList(), emptyList())
+            if (then == null) return ScenarioChanges(ArrayList(), ArrayList())
             val before = try {
                 ScenarioJson.parse(then, "the checkpoint's scenario")
             } catch (e: InputException) {
-                return ScenarioChanges(emptyList(), listOf("cannot be compared with ${e.message}"))
+                return ScenarioChanges(ArrayList(), arrayListOf("cannot be compared with ${e.message}"))
             }
             val changes = ScenarioChanges(ArrayList(), ArrayList())
             changes.compare("", tree(before), tree(now))
@@ -46,7 +46,7 @@ internal class ScenarioChanges private constructor(val essential: List<String>, 
             for (k in then.indices) compare("$path[$k]", then[k], now[k])
         } else {
             val line = "$path: is ${words(now)}; the run was made with ${words(then)}"
-            (if (isFree(path, then, now)) harmless else essential) as MutableList<String> += line
+            if (isFree(path, then, now)) harmless += "$line, which changes no state" else essential += line
         }
     }
 

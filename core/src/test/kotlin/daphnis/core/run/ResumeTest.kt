@@ -102,7 +102,9 @@ class ResumeTest {
                 for ((other, text) in whole) if (other != table) assertEquals(text, results(directory)[other]) { "$other beside a $name $table" }
                 val lines = Files.readAllLines(directory.resolve(table))
                 assertEquals(whole.getValue(table).lines().dropLast(1).last(), lines.last()) { "$name $table" }
-                assertEquals(emptyList<String>(), resume(directory)) { "accepted is accepted" }
+                val loss = notices.filter { "/$table: " in it }
+                assertEquals(loss, resume(directory).filter { "/$table: " in it }) { "accepted is accepted, and said again" }
+                assertEquals(loss, RunRecord.of(RunDirectory(directory)).losses)
             }
         }
     }
