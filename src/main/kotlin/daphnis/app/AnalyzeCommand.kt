@@ -21,17 +21,46 @@ import java.nio.file.Files
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
 class AnalyzeCommand : CliktCommand(name = "analyze") {
     private val what by argument("dir-or-file", help = "run directory, or a particle file: ${SnapshotFormat.known}")
-    private val scenario by option("--scenario", help = "for a file: scenario file or built-in name that says what the box and the frame are")
-    private val settings by option("--set", metavar = "path=value", help = "with --scenario: replace any key of it").multiple()
-    private val from by option("--from", help = "averages begin at this time, in the scenario's unit of time (default: after 3/8 of the run)").double()
-    private val slabs by option("--slabs", help = "slabs of azimuth for streamlines (default: by the number of particles)").int().default(0)
-    private val groups by option("--groups", help = "groups of equal count in a slab (default: by the number of particles)").int().default(0)
-    private val elevation by option("--elevation", help = "elevation of the rays of the occultation above the x-y plane, degrees in (0, 90] (default 28)")
+    private val scenario by option(
+        "--scenario",
+        help = "for a file: scenario file or built-in name that says what the box and the frame are",
+    )
+    private val settings by option(
+        "--set",
+        metavar = "path=value",
+        help = "with --scenario: replace any key of it",
+    ).multiple()
+    private val from by option(
+        "--from",
+        help = "averages begin at this time, in the scenario's unit of time (default: after 3/8 of the run)",
+    ).double()
+    private val slabs by option(
+        "--slabs",
+        help = "slabs of azimuth for streamlines (default: by the number of particles)",
+    ).int().default(0)
+    private val groups by option(
+        "--groups",
+        help = "groups of equal count in a slab (default: by the number of particles)",
+    ).int().default(0)
+    private val elevation by option(
+        "--elevation",
+        help = "elevation of the rays of the occultation above the x-y plane, degrees in (0, 90] (default 28)",
+    )
         .double().default(28.0)
-    private val azimuth by option("--azimuth", help = "direction in which these rays climb, from x toward y, degrees (default 0)").double().default(0.0)
+    private val azimuth by option(
+        "--azimuth",
+        help = "direction in which these rays climb, from x toward y, degrees (default 0)",
+    ).double().default(0.0)
     private val frames by option("--frames", help = "states that are averaged at most (default 40)").int().default(40)
-    private val out by option("--out", metavar = "dir", help = "where to write (default: into the run directory; FILE-analysis for a file)")
-    private val acceptLoss by option("--accept-loss", help = "take files that are not what the run wrote as they are; which is said").flag()
+    private val out by option(
+        "--out",
+        metavar = "dir",
+        help = "where to write (default: into the run directory; FILE-analysis for a file)",
+    )
+    private val acceptLoss by option(
+        "--accept-loss",
+        help = "take files that are not what the run wrote as they are; which is said",
+    ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 
     override fun help(context: Context) = "Write tables, plots and a report of a run."
@@ -46,7 +75,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             AnalysisInput.ofRun(path, acceptLoss)
         }
         for (notice in input.notices) warn(notice)
-        val directory = out?.let { pathOf(it, "--out") } ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
+        val directory =
+            out?.let { pathOf(it, "--out") }
+                ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
         Files.createDirectories(directory)
         analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
@@ -54,7 +85,8 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     }
 
     private fun checkOptions() {
-        fun wrong(option: String, value: Any, right: String): Nothing = throw InputException(option, null, "is $value; it must be $right")
+        fun wrong(option: String, value: Any, right: String): Nothing =
+            throw InputException(option, null, "is $value; it must be $right")
         if (slabs < 0 || slabs > MOST) wrong("--slabs", slabs, "in 1..$MOST")
         if (groups < 0 || groups > MOST) wrong("--groups", groups, "in 1..$MOST")
         if (!(elevation > 0 && elevation <= 90)) wrong("--elevation", elevation, "in (0, 90] degrees")
@@ -73,7 +105,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             val now = System.nanoTime()
             if (onTerminal) {
                 val columns = columnsFor(terminal)
-                System.err.print("\r" + "%3d %% %-60s".format(java.util.Locale.ROOT, 100 * done / all, what).take(columns))
+                System.err.print(
+                    "\r" + "%3d %% %-60s".format(java.util.Locale.ROOT, 100 * done / all, what).take(columns),
+                )
                 if (done == all) System.err.println()
             } else if (now - last > EVERY_NANOSECONDS && done < all) {
                 System.err.println("%d of %d: %s".format(java.util.Locale.ROOT, done, all, what))

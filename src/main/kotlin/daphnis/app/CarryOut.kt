@@ -23,7 +23,11 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             val directory = run.directory.path
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else ""
-                println("${spheres(run.simulation.population.size)}, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
+                println(
+                    "${spheres(
+                        run.simulation.population.size,
+                    )}, ${from}time ${run.simulation.time} to ${run.until}, into $directory",
+                )
             }
             val progress = Progress(quiet)
             interruption.armed = true
@@ -61,9 +65,13 @@ private fun drawPlot(run: Run, summary: Summary) {
 }
 
 /** As a shell takes it for one word. */
-private fun quoted(word: String) = if (word.all { it.isLetterOrDigit() || it in "/._-+:@%=," }) word else "'${word.replace("'", "'\\''")}'"
+private fun quoted(word: String) =
+    if (word.all { it.isLetterOrDigit() || it in "/._-+:@%=," }) word else "'${word.replace("'", "'\\''")}'"
 
-/** Loads what the plot needs beside the start of the run. What fails here fails again when the plot is drawn, and is said then. */
+/**
+ * Loads what the plot needs beside the start of the run. What fails here fails again when the plot is drawn, and is
+ * said then.
+ */
 private fun preparePlot() {
     thread(isDaemon = true, name = "daphnis-plot", priority = Thread.MIN_PRIORITY) {
         try {
@@ -76,16 +84,22 @@ private fun preparePlot() {
 
 private fun report(summary: Summary) {
     fun say(format: String, vararg values: Any) = println(String.format(Locale.ROOT, format, *values))
-    say("%d steps to time %.6g in %.1f s, %d collisions", summary.steps, summary.time, summary.wallSeconds, summary.collisions)
+    say(
+        "%d steps to time %.6g in %.1f s, %d collisions",
+        summary.steps,
+        summary.time,
+        summary.wallSeconds,
+        summary.collisions,
+    )
     say("temperature %.6g, energy %.6g, deepest overlap %.2g", summary.temperature, summary.energy, summary.maxOverlap)
     if (summary.guardActivations > 0) say("the collapse guard made %d collisions elastic", summary.guardActivations)
     println("state digest ${summary.stateDigest}")
 }
 
 /**
- * Turns Ctrl-C and a polite kill into a request that the run sees between two steps. The JVM ends as soon as its hooks have, so
- * the hook waits until the run has written its checkpoint, but not for ever: a step that does not end is given up, and
- * the last checkpoint stands.
+ * Turns Ctrl-C and a polite kill into a request that the run sees between two steps. The JVM ends as soon as its hooks
+ * have, so the hook waits until the run has written its checkpoint, but not for ever: a step that does not end is given
+ * up, and the last checkpoint stands.
  */
 private class Interruption {
     @Volatile

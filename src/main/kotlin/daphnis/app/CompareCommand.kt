@@ -16,7 +16,8 @@ class CompareCommand : CliktCommand(name = "compare") {
     private val first by argument("dir1", help = "run directory")
     private val second by argument("dir2", help = "run directory")
 
-    override fun help(context: Context) = "Say whether two runs are identical, or the first step and particle that differ."
+    override fun help(context: Context) =
+        "Say whether two runs are identical, or the first step and particle that differ."
 
     override fun run() {
         val a = directory(first)
@@ -32,15 +33,29 @@ class CompareCommand : CliktCommand(name = "compare") {
         val digestA = endA?.stateDigest
         val digestB = endB?.stateDigest
         if (endA != null && endB != null && endA.steps != endB.steps) {
-            println("differ: one ended after step ${endA.steps}, the other after step ${endB.steps}; ${common.size} common snapshots are identical")
+            println(
+                "differ: one ended after step ${endA.steps}, the other after step ${endB.steps}; ${common.size} common snapshots are identical",
+            )
             throw ProgramResult(EXIT_FAILED)
         }
         if (digestA != null && digestB != null && digestA != digestB) {
-            println("differ at the end: state digest $digestA against $digestB; ${common.size} common snapshots are identical")
+            println(
+                "differ at the end: state digest $digestA against $digestB; ${common.size} common snapshots are identical",
+            )
             throw ProgramResult(EXIT_FAILED)
         }
-        if (common.isEmpty() && (digestA == null || digestB == null)) throw InputException(first, null, "has no snapshot or summary in common with $second")
-        val digest = if (digestA != null && digestA == digestB) ", state digest $digestA" else "; at least one has not ended, so the ends are not compared"
+        if (common.isEmpty() &&
+            (digestA == null || digestB == null)
+        ) {
+            throw InputException(first, null, "has no snapshot or summary in common with $second")
+        }
+        val digest = if (digestA != null &&
+            digestA == digestB
+        ) {
+            ", state digest $digestA"
+        } else {
+            "; at least one has not ended, so the ends are not compared"
+        }
         println("identical: ${common.size} common snapshots$digest")
     }
 

@@ -14,7 +14,10 @@ import daphnis.core.run.engineOf
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings
 
-/** `daphnis describe`: makes the initial state and says what it amounts to; does not run. The physics comes first, with units, for that is where mistakes are. */
+/**
+ * `daphnis describe`: makes the initial state and says what it amounts to; does not run. The physics comes first, with
+ * units, for that is where mistakes are.
+ */
 class DescribeCommand : CliktCommand(name = "describe") {
     private val word by argument("scenario", help = "scenario file or built-in name")
     private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenario").multiple()

@@ -10,8 +10,8 @@ import com.github.ajalt.clikt.parameters.types.double
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.FormatException
-import daphnis.core.format.Frame
 import daphnis.core.format.H5md
+import daphnis.core.format.Snapshot
 import daphnis.core.format.Vtp
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
@@ -30,8 +30,14 @@ class ExportCommand : CliktCommand(name = "export") {
         help = "xyz (OVITO, ASE), vtp (ParaView), h5md (h5py, MDAnalysis) or cartandrad (SwiftVis)",
     ).choice("xyz", "vtp", "h5md", "cartandrad").required()
     private val out by option("--out", metavar = "dir", help = "where to write (default: DIR/export)")
-    private val units by option("--units", help = "of h5md: as the scenario's, without names (default), or si, with names").choice("scenario", "si")
-    private val scale by option("--scale", help = "factor on lengths in xyz (default: 1, or 1 / mean radius for boxes no longer than 4)").double()
+    private val units by option(
+        "--units",
+        help = "of h5md: as the scenario's, without names (default), or si, with names",
+    ).choice("scenario", "si")
+    private val scale by option(
+        "--scale",
+        help = "factor on lengths in xyz (default: 1, or 1 / mean radius for boxes no longer than 4)",
+    ).double()
 
     override fun help(context: Context) = "Write the snapshots of a run as xyz, vtp, h5md or cartandrad."
 
@@ -40,7 +46,13 @@ class ExportCommand : CliktCommand(name = "export") {
         val run = RunDirectory(pathOf(directory, "dir"))
         run.requireRun()
         val steps = run.snapshotSteps()
-        if (steps.isEmpty()) throw InputException(directory, null, "has no snapshots; run with --set output.snapshotEvery=10, say")
+        if (steps.isEmpty()) {
+            throw InputException(
+                directory,
+                null,
+                "has no snapshots; run with --set output.snapshotEvery=10, say",
+            )
+        }
         val target = out?.let { pathOf(it, "--out") } ?: run.path.resolve("export")
         Files.createDirectories(target)
         val frames = steps.asSequence().map { run.frame(it) }
@@ -55,16 +67,32 @@ class ExportCommand : CliktCommand(name = "export") {
 
     private fun checkOptions() {
         scale?.let {
-            if (format != "xyz") throw InputException("--scale", null, "is $it; it is for --format xyz only, $format keeps all lengths as they are")
+            if (format !=
+                "xyz"
+            ) {
+                throw InputException(
+                    "--scale",
+                    null,
+                    "is $it; it is for --format xyz only, $format keeps all lengths as they are",
+                )
+            }
             if (!(it > 0 && it.isFinite())) throw InputException("--scale", null, "is $it; it must be > 0")
         }
-        if (units != null && format != "h5md") throw InputException("--units", null, "is $units; it is for --format h5md only")
+        if (units != null &&
+            format != "h5md"
+        ) {
+            throw InputException("--units", null, "is $units; it is for --format h5md only")
+        }
     }
 
-    private fun h5md(frames: Sequence<Frame>, run: RunDirectory, target: Path): Path {
+    private fun h5md(frames: Sequence<Snapshot>, run: RunDirectory, target: Path): Path {
         val si = if (units == "si") {
             scenario(run).units.si
-                ?: throw InputException("--units", null, "is si; the scenario in $directory does not say units.lengthInMetres")
+                ?: throw InputException(
+                    "--units",
+                    null,
+                    "is si; the scenario in $directory does not say units.lengthInMetres",
+                )
         } else {
             null
         }
@@ -72,7 +100,11 @@ class ExportCommand : CliktCommand(name = "export") {
         val all = frames.toList()
         all.find { !it.id.contentEquals(all[0].id) }?.let {
             val where = "those of steps ${all[0].step} and ${it.step} differ"
-            throw InputException("--format", null, "is h5md, which needs the same particles in every state; $where; xyz and vtp do not")
+            throw InputException(
+                "--format",
+                null,
+                "is h5md, which needs the same particles in every state; $where; xyz and vtp do not",
+            )
         }
         H5md.write(all, file, Version.text, si)
         val nameless = "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False"
@@ -83,11 +115,13 @@ class ExportCommand : CliktCommand(name = "export") {
     /** The scenario in the directory, if it is the one that the run was made with. */
     private fun scenario(run: RunDirectory): Scenario {
         val scenario = ScenarioJson.read(run.scenario)
-        RunRecord.of(run).changes(scenario).firstOrNull()?.let { throw FormatException("$it; bring it back to have SI units") }
+        RunRecord.of(run).changes(scenario).firstOrNull()?.let {
+            throw FormatException("$it; bring it back to have SI units")
+        }
         return scenario
     }
 
-    private fun xyz(frames: Sequence<Frame>, target: Path): Path {
+    private fun xyz(frames: Sequence<Snapshot>, target: Path): Path {
         val file = target.resolve("trajectory.xyz")
         var factor = scale
         Files.newBufferedWriter(file).use { out ->
@@ -99,13 +133,19 @@ class ExportCommand : CliktCommand(name = "export") {
         if (factor != 1.0) {
             println(
                 "lengths and velocities are multiplied by $factor" +
-                    if (scale == null) " (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them" else "",
+                    if (scale ==
+                        null
+                    ) {
+                        " (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them"
+                    } else {
+                        ""
+                    },
             )
         }
         return file
     }
 
-    private fun vtp(frames: Sequence<Frame>, target: Path): Path {
+    private fun vtp(frames: Sequence<Snapshot>, target: Path): Path {
         val names = frames.map { frame ->
             val name = "%010d.vtp".format(java.util.Locale.ROOT, frame.step)
             Vtp.write(frame, target.resolve(name))
@@ -114,9 +154,11 @@ class ExportCommand : CliktCommand(name = "export") {
         return target.resolve("trajectory.pvd").also { Vtp.writeIndex(names, it) }
     }
 
-    private fun cartAndRad(frames: Sequence<Frame>, target: Path): Path {
+    private fun cartAndRad(frames: Sequence<Snapshot>, target: Path): Path {
         for (frame in frames) CartAndRad.write(frame.population(), target.resolve("CartAndRad.${frame.step}.bin"))
-        println("CartAndRad has no place for masses and ids: they are left out, spheres stand in the order of their ids")
+        println(
+            "CartAndRad has no place for masses and ids: they are left out, spheres stand in the order of their ids",
+        )
         return target
     }
 }

@@ -25,9 +25,11 @@ class Daphnis : CliktCommand(name = "daphnis") {
         context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
     }
 
-    override fun help(context: Context) = "Event-driven simulation of very many colliding spheres: planetary rings, granular flow, hard-sphere gases."
+    override fun help(context: Context) =
+        "Event-driven simulation of very many colliding spheres: planetary rings, granular flow, hard-sphere gases."
 
-    override fun helpEpilog(context: Context) = "daphnis help COMMAND, or daphnis COMMAND --help, says what a command takes."
+    override fun helpEpilog(context: Context) =
+        "daphnis help COMMAND, or daphnis COMMAND --help, says what a command takes."
 
     override fun run() = Unit
 }
@@ -42,12 +44,20 @@ fun main(args: Array<String>) {
 }
 
 /**
- * Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted after a checkpoint. Whatever goes wrong is
- * one line on the error stream, and a stack trace only with [DEBUG].
+ * Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted after a checkpoint. Whatever goes
+ * wrong is one line on the error stream, and a stack trace only with [DEBUG].
  */
 internal fun runDaphnis(args: Array<String>): Int {
     val words = args.filter { it != DEBUG }.toTypedArray()
-    val command = Daphnis().subcommands(RunCommand(), ResumeCommand(), CompareCommand(), ExportCommand(), AnalyzeCommand(), ScenariosCommand(), DescribeCommand())
+    val command = Daphnis().subcommands(
+        RunCommand(),
+        ResumeCommand(),
+        CompareCommand(),
+        ExportCommand(),
+        AnalyzeCommand(),
+        ScenariosCommand(),
+        DescribeCommand(),
+    )
     return try {
         requireReadable(words)
         command.parse(command.understood(words))
@@ -65,9 +75,14 @@ internal fun runDaphnis(args: Array<String>): Int {
     }
 }
 
-/** In a locale without their letters, words and the name of the working directory arrive as others, which would be taken for what was meant. */
+/**
+ * In a locale without their letters, words and the name of the working directory arrive as others, which would be taken
+ * for what was meant.
+ */
 private fun requireReadable(words: Array<String>) {
-    val mend = "has letters that the locale's encoding, ${System.getProperty("sun.jnu.encoding")}, has not; try LC_ALL=C.UTF-8"
+    val mend = "has letters that the locale's encoding, ${System.getProperty(
+        "sun.jnu.encoding",
+    )}, has not; try LC_ALL=C.UTF-8"
     words.find { UNREADABLE in it }?.let { throw InputException("'$it'", null, mend) }
     val here = System.getProperty("user.dir")
     if (UNREADABLE in here) throw InputException("working directory", null, mend)
@@ -75,7 +90,10 @@ private fun requireReadable(words: Array<String>) {
 
 private const val UNREADABLE = '\uFFFD'
 
-/** `help` and `help run` mean `--help` and `run --help`. A first word that is no command goes alone, so that it is what the message is about. */
+/**
+ * `help` and `help run` mean `--help` and `run --help`. A first word that is no command goes alone, so that it is what
+ * the message is about.
+ */
 private fun CliktCommand.understood(args: Array<String>): Array<String> {
     val words = if (args.firstOrNull() != "help") args else arrayOf(*args.drop(1).take(1).toTypedArray(), "--help")
     val first = words.firstOrNull() ?: return words

@@ -4,7 +4,8 @@ import com.github.ajalt.mordant.terminal.Terminal
 import java.util.Locale
 
 /**
- * What there is to say about a run that began at time [start] and goes on. [left] is the time left in seconds, or not finite when it is not known.
+ * What there is to say about a run that began at time [start] and goes on. [left] is the time left in seconds, or not
+ * finite when it is not known.
  */
 internal class ProgressLine(
     private val start: Double,
@@ -49,7 +50,10 @@ internal class ProgressLine(
     }
 }
 
-/** Columns that a line which is written over may use: one less than the terminal has, or it would wrap; asked anew, for windows change. */
+/**
+ * Columns that a line which is written over may use: one less than the terminal has, or it would wrap; asked anew, for
+ * windows change.
+ */
 internal fun columnsFor(terminal: Terminal): Int {
     val width = terminal.updateSize().width
     return (if (width > 0) width else USUAL_COLUMNS) - 1

@@ -12,10 +12,14 @@ import daphnis.core.run.Run
 class ResumeCommand : CliktCommand(name = "resume") {
     private val directory by argument("dir", help = "run directory")
     private val until by option("--until", help = "end at this time instead of the scenario's").double()
-    private val acceptLoss by option("--accept-loss", help = "go on with tables that are damaged, as they are; what is lost is said").flag()
+    private val acceptLoss by option(
+        "--accept-loss",
+        help = "go on with tables that are damaged, as they are; what is lost is said",
+    ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 
-    override fun help(context: Context) = "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
+    override fun help(context: Context) =
+        "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
 
     override fun run() {
         carryOut(quiet) { Run.resume(pathOf(directory, "dir"), until, allEngines, acceptLoss) }

@@ -21,14 +21,24 @@ import java.nio.file.Path
 
 /** `daphnis run`. */
 class RunCommand : CliktCommand(name = "run") {
-    private val scenario by argument(help = "scenario file or built-in name (default: paper-figure-1)").default("paper-figure-1")
+    private val scenario by argument(
+        help = "scenario file or built-in name (default: paper-figure-1)",
+    ).default("paper-figure-1")
     private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
     private val threads by option("--threads", help = "threads of the engine (default: all there are)").int()
     private val steps by option("--steps", help = "end after this many steps").long()
     private val until by option("--until", help = "end at this time").double()
     private val seed by option("--seed", help = "seed of the initial state").long()
-    private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenario, such as timeStep.dt=0.05 or 'forces[0].x=-167'").multiple()
-    private val out by option("--out", metavar = "dir", help = "run directory (default: runs/NAME, numbered when it exists)")
+    private val settings by option(
+        "--set",
+        metavar = "path=value",
+        help = "replace any key of the scenario, such as timeStep.dt=0.05 or 'forces[0].x=-167'",
+    ).multiple()
+    private val out by option(
+        "--out",
+        metavar = "dir",
+        help = "run directory (default: runs/NAME, numbered when it exists)",
+    )
     private val force by option("--force", help = "replace the run in the run directory").flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 
@@ -58,10 +68,16 @@ class RunCommand : CliktCommand(name = "run") {
 
     private fun resolve(scenario: Scenario): Scenario {
         val steps = steps ?: return scenario
-        if (until != null) throw InputException("--steps", null, "is given together with --until; one of the two is enough")
+        if (until !=
+            null
+        ) {
+            throw InputException("--steps", null, "is given together with --until; one of the two is enough")
+        }
         if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
         val timed = FrameSetup.withTimes(scenario.copy(until = 1.0), this.scenario)
-        val step = timed.timeStep as? TimeStepSpec.Fixed ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
+        val step =
+            timed.timeStep as? TimeStepSpec.Fixed
+                ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
         return timed.copy(until = timed.startTime + steps * step.dt)
     }
 
@@ -70,7 +86,15 @@ class RunCommand : CliktCommand(name = "run") {
         val letters = name.map { if (isNameable(it)) it else '-' }.joinToString("")
         val safe = letters.trim('.').take(LONGEST_NAME).ifEmpty { "run" }
         val base = Path.of("runs").resolve(safe)
-        return generateSequence(1) { it + 1 }.map { if (it == 1) base else base.resolveSibling("$safe-$it") }.first { !Files.exists(it) }
+        return generateSequence(1) { it + 1 }.map {
+            if (it ==
+                1
+            ) {
+                base
+            } else {
+                base.resolveSibling("$safe-$it")
+            }
+        }.first { !Files.exists(it) }
     }
 
     /** Letters beyond ASCII only where the file system takes them, which depends on the locale. */

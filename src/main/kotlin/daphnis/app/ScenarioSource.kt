@@ -13,8 +13,20 @@ internal fun scenarioNamed(word: String, settings: List<String>): Scenario {
     val path = pathOf(word, "scenario")
     if (word in BuiltIn.names && !Files.isRegularFile(path)) return BuiltIn.scenario(word, settings)
     if (!Files.exists(path)) {
-        throw InputException(word, null, "no such file, and no built-in scenario; ${Nearest.question(word, BuiltIn.names)}built in are ${BuiltIn.names.joinToString()}")
+        throw InputException(
+            word,
+            null,
+            "no such file, and no built-in scenario; ${Nearest.question(
+                word,
+                BuiltIn.names,
+            )}built in are ${BuiltIn.names.joinToString()}",
+        )
     }
-    if (Files.isDirectory(path)) throw InputException(word, null, "is a directory; a scenario file or a built-in name is needed")
+    if (Files.isDirectory(
+            path,
+        )
+    ) {
+        throw InputException(word, null, "is a directory; a scenario file or a built-in name is needed")
+    }
     return ScenarioJson.read(path, settings).atHome(path.toAbsolutePath().parent)
 }

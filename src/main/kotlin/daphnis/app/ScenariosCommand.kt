@@ -26,6 +26,10 @@ class ScenariosCommand : CliktCommand(name = "scenarios") {
 
     private fun unknown(name: String): InputException {
         val known = BuiltIn.names
-        return InputException(name, null, "no built-in scenario; ${Nearest.question(name, known)}known: ${known.joinToString()}")
+        return InputException(
+            name,
+            null,
+            "no built-in scenario; ${Nearest.question(name, known)}known: ${known.joinToString()}",
+        )
     }
 }

@@ -44,7 +44,9 @@ internal class StandardOutput(private val target: OutputStream) : OutputStream()
 
         /** What `System.out` has. */
         private fun charset(): Charset {
-            val name = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding").firstNotNullOfOrNull { System.getProperty(it) }
+            val name = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding").firstNotNullOfOrNull {
+                System.getProperty(it)
+            }
             return if (name != null && Charset.isSupported(name)) Charset.forName(name) else Charset.defaultCharset()
         }
 

@@ -10,11 +10,15 @@ import org.junit.jupiter.api.Test
 
 /** Modules know what the design allows, and no packages know one another in a circle. */
 class ArchitectureTest {
-    private val classes: JavaClasses = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("daphnis")
+    private val classes: JavaClasses = ClassFileImporter().withImportOption(
+        ImportOption.DoNotIncludeTests(),
+    ).importPackages("daphnis")
 
     @Test
     fun `there is something to look at`() {
-        assertTrue(classes.any { it.name == "daphnis.core.Simulation" } && classes.any { it.packageName == "daphnis.app" })
+        assertTrue(
+            classes.any { it.name == "daphnis.core.Simulation" } && classes.any { it.packageName == "daphnis.app" },
+        )
     }
 
     @Test
@@ -44,7 +48,10 @@ class ArchitectureTest {
         noClasses().that().resideInAPackage("daphnis.actors.coroutine..").should().dependOnClassesThat()
             .resideInAnyPackage("org.apache.pekko..", "daphnis.actors.pekko..").allowEmptyShould(true).check(classes)
         noClasses().that().resideInAPackage("daphnis.actors.pekko..").should().dependOnClassesThat()
-            .resideInAnyPackage("kotlinx.coroutines..", "daphnis.actors.coroutine..").allowEmptyShould(true).check(classes)
+            .resideInAnyPackage(
+                "kotlinx.coroutines..",
+                "daphnis.actors.coroutine..",
+            ).allowEmptyShould(true).check(classes)
     }
 
     @Test

@@ -15,7 +15,8 @@ class CommandLineTest {
 
     private fun at(name: String) = home.resolve(name).toString()
 
-    private fun small(name: String, vararg more: String) = daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--out", at(name), *more)
+    private fun small(name: String, vararg more: String) =
+        daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--out", at(name), *more)
 
     @Test
     fun `a run leaves a plot in both formats and says its digest`() {
@@ -42,14 +43,23 @@ class CommandLineTest {
     fun `every engine gives the same digest and the same log of collisions, and the summary says which it was`() {
         val logs = HashSet<String>()
         val digests = HashSet<String>()
-        for ((engine, threads) in listOf("serial" to 1, "islands" to 1, "islands" to 3, "thread-pool" to 2, "actors" to 2, "pekko" to 2)) {
+        for ((engine, threads) in listOf(
+            "serial" to 1,
+            "islands" to 1,
+            "islands" to 3,
+            "thread-pool" to 2,
+            "actors" to 2,
+            "pekko" to 2,
+        )) {
             val name = "$engine-$threads"
             val result = small(name, "--engine", engine, "--threads", "$threads", "--set", "output.collisionLog=true")
             assertEquals(0, result.code) { result.err }
             digests += result.out.lines().first { it.startsWith("state digest") }
             logs += Files.readString(home.resolve(name).resolve("collisions.csv"))
             val summary = Files.readString(home.resolve(name).resolve("summary.json"))
-            assertTrue(summary.contains("\"engine\": \"$engine\"") && summary.contains("\"threads\": $threads")) { summary }
+            assertTrue(summary.contains("\"engine\": \"$engine\"") && summary.contains("\"threads\": $threads")) {
+                summary
+            }
         }
         assertEquals(1, digests.size)
         assertEquals(1, logs.size)
@@ -70,7 +80,12 @@ class CommandLineTest {
     @Test
     fun `every format is exported`() {
         small("a", "--set", "output.snapshotEvery=10")
-        for ((format, file) in listOf("xyz" to "trajectory.xyz", "vtp" to "trajectory.pvd", "h5md" to "trajectory.h5", "cartandrad" to "CartAndRad.20.bin")) {
+        for ((format, file) in listOf(
+            "xyz" to "trajectory.xyz",
+            "vtp" to "trajectory.pvd",
+            "h5md" to "trajectory.h5",
+            "cartandrad" to "CartAndRad.20.bin",
+        )) {
             val result = daphnis("export", at("a"), "--format", format)
             assertEquals(0, result.code) { result.err }
             assertTrue(Files.size(home.resolve("a/export").resolve(file)) > 100) { format }
@@ -110,13 +125,22 @@ class CommandLineTest {
         assertRefused(daphnis("run", "--seed", "abc"), "--seed", "abc")
         assertRefused(daphnis("fly"), "fly")
         assertRefused(daphnis("resume"), "dir")
-        assertRefused(daphnis("analyze", at("a"), "--from", "99", "--out", at("elsewhere")), "--from", "99", "last state", "time 2")
+        assertRefused(
+            daphnis("analyze", at("a"), "--from", "99", "--out", at("elsewhere")),
+            "--from",
+            "99",
+            "last state",
+            "time 2",
+        )
         assertFalse(Files.exists(home.resolve("elsewhere")))
     }
 
     @Test
     fun `a collapse ends with exit code 1 and says what to do`() {
-        Files.writeString(home.resolve("line.csv"), "x,y,z,vx,radius\n" + (0 until 40).joinToString("\n") { "${2.0001 * it - 40},0,0,${20 - it},1" })
+        Files.writeString(
+            home.resolve("line.csv"),
+            "x,y,z,vx,radius\n" + (0 until 40).joinToString("\n") { "${2.0001 * it - 40},0,0,${20 - it},1" },
+        )
         Files.writeString(
             home.resolve("collapse.json"),
             """{ "box": { "lengths": [100, 10, 10] }, "boundary": { "type": "open" }, "placement": { "type": "file", "path": "line.csv" },

@@ -10,24 +10,43 @@ import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.abs
 
-/** `describe` says the physics first and in units in which a mistake of a thousand is seen; numbers against those worked out by hand. */
+/**
+ * `describe` says the physics first and in units in which a mistake of a thousand is seen; numbers against those worked
+ * out by hand.
+ */
 class DescribeTest {
     @TempDir
     lateinit var home: Path
 
-    private fun describe(word: String, vararg settings: String) = assertDone(daphnis("describe", word, *settings.flatMap { listOf("--set", it) }.toTypedArray()))
+    private fun describe(word: String, vararg settings: String) = assertDone(
+        daphnis(
+            "describe",
+            word,
+            *settings.flatMap {
+                listOf("--set", it)
+            }.toTypedArray(),
+        ),
+    )
 
     /** The row with [label], continued rows joined. */
     private fun row(text: String, label: String): String {
         val lines = text.lines()
         val at = lines.indexOfFirst { it.startsWith(label.padEnd(18)) }
         assertTrue(at >= 0) { "no $label in\n$text" }
-        return (listOf(lines[at]) + lines.drop(at + 1).takeWhile { it.startsWith(" ") }).joinToString("\n") { it.drop(18) }
+        return (
+            listOf(lines[at]) + lines.drop(at + 1).takeWhile {
+                it.startsWith(" ")
+            }
+            ).joinToString("\n") { it.drop(18) }
     }
 
-    private fun assertNear(expected: Double, found: String) = assertTrue(abs(found.toDouble() / expected - 1) < 6e-4) { "$found is not $expected" }
+    private fun assertNear(expected: Double, found: String) = assertTrue(abs(found.toDouble() / expected - 1) < 6e-4) {
+        "$found is not $expected"
+    }
 
-    private fun after(text: String, words: String) = text.substringAfter(words).trim().takeWhile { it in "0123456789.e-" }
+    private fun after(text: String, words: String) = text.substringAfter(words).trim().takeWhile {
+        it in "0123456789.e-"
+    }
 
     @Test
     fun `metres taken for kilometres are seen`() {
@@ -51,8 +70,16 @@ class DescribeTest {
         assertEquals(0.04, row(text, "velocities").substringBefore(" cm/s").toDouble(), 0.002)
         assertTrue("0.340 at 1 cm/s" in row(text, "restitution")) { text }
         val outputs = row(text, "outputs")
-        assertTrue("41 snapshots" in outputs && "401 rows of series.csv" in outputs && "401 rows of transport.csv" in outputs) { outputs }
-        assertTrue(text.indexOf("particles") < text.indexOf("steps") && text.indexOf("optical depth") < text.indexOf("cells")) { text }
+        assertTrue(
+            "41 snapshots" in outputs && "401 rows of series.csv" in outputs && "401 rows of transport.csv" in outputs,
+        ) {
+            outputs
+        }
+        assertTrue(
+            text.indexOf("particles") < text.indexOf("steps") && text.indexOf("optical depth") < text.indexOf("cells"),
+        ) {
+            text
+        }
     }
 
     @Test
@@ -60,11 +87,17 @@ class DescribeTest {
         val text = describe("self-gravity-wakes")
         val omega = 0.00013143527
         val surface = row(text, "surface density").substringBefore(" ").toDouble()
-        assertNear(4 * Math.PI * Math.PI * 6.6743e-11 * surface / (omega * omega), after(row(text, "Toomre"), "critical wavelength"))
+        assertNear(
+            4 * Math.PI * Math.PI * 6.6743e-11 * surface / (omega * omega),
+            after(row(text, "Toomre"), "critical wavelength"),
+        )
         val c = row(text, "velocities").substringBefore(" cm/s").toDouble() / 100
         assertNear(c * omega / (3.36 * 6.6743e-11 * surface), after(row(text, "Toomre"), "Q ="))
         // Of equal density r_p = (ρ 8πG / 9Ω²)^⅓ / 2 whatever the size.
-        assertNear(Math.cbrt(400 * 8 * Math.PI * 6.6743e-11 / (9 * omega * omega)) / 2, after(row(text, "Hill radius"), "(r_1 + r_2) ="))
+        assertNear(
+            Math.cbrt(400 * 8 * Math.PI * 6.6743e-11 / (9 * omega * omega)) / 2,
+            after(row(text, "Hill radius"), "(r_1 + r_2) ="),
+        )
         assertFalse("no self-gravity" in text)
         assertTrue("self-gravity, opening angle 0.7, softening 0.1 m, reaches 500 m" in row(text, "forces")) { text }
         assertTrue("no self-gravity" in describe("ring-patch"))
@@ -81,7 +114,9 @@ class DescribeTest {
     @Test
     fun `what has no unit is said to have none`() {
         val text = describe("cooling-gas")
-        assertTrue("radius 0.5 length units" in row(text, "particles") && "units of speed" in row(text, "velocities")) { text }
+        assertTrue("radius 0.5 length units" in row(text, "particles") && "units of speed" in row(text, "velocities")) {
+            text
+        }
         assertFalse(" m\n" in text || "kg" in text || "Toomre" in text || "orbit" in text) { text }
     }
 
@@ -106,13 +141,34 @@ class DescribeTest {
     @Test
     fun `what is written is what a run writes`() {
         for (steps in listOf(20, 25)) {
-            val settings = listOf("particles.count=3000", "until=${steps / 10.0}", "output.snapshotEvery=10", "output.seriesEvery=4")
+            val settings =
+                listOf(
+                    "particles.count=3000",
+                    "until=${steps / 10.0}",
+                    "output.snapshotEvery=10",
+                    "output.seriesEvery=4",
+                )
             val outputs = row(describe("cooling-gas", *settings.toTypedArray()), "outputs")
             val directory = home.resolve("a$steps")
-            assertDone(daphnis("run", "cooling-gas", "--quiet", "--out", "$directory", *settings.flatMap { listOf("--set", it) }.toTypedArray()))
+            assertDone(
+                daphnis(
+                    "run",
+                    "cooling-gas",
+                    "--quiet",
+                    "--out",
+                    "$directory",
+                    *settings.flatMap {
+                        listOf("--set", it)
+                    }.toTypedArray(),
+                ),
+            )
             val snapshots = Files.list(directory.resolve("snapshots")).use { it.toList() }
             assertTrue("${snapshots.size} snapshots" in outputs) { outputs }
-            assertEquals(snapshots.sumOf { Files.size(it) } / 1e3, after(outputs, "snapshots,").toDouble(), 0.1 * snapshots.sumOf { Files.size(it) } / 1e3)
+            assertEquals(
+                snapshots.sumOf { Files.size(it) } / 1e3,
+                after(outputs, "snapshots,").toDouble(),
+                0.1 * snapshots.sumOf { Files.size(it) } / 1e3,
+            )
             val rows = Files.readAllLines(directory.resolve("series.csv")).size - 1
             assertTrue("\n$rows rows of series.csv" in outputs) { outputs }
         }
@@ -129,7 +185,8 @@ class DescribeTest {
     @Test
     fun `numbers are short and written out where that is short`() {
         val cases = listOf(
-            0.0 to "0", 1.0 to "1", -2.5 to "-2.5", 133746.0 to "133700", 12600.0 to "12600", 0.00013143 to "0.0001314", 1.0e-6 to "1e-6", 1.2345678e10 to "1.235e10",
+            0.0 to "0", 1.0 to "1", -2.5 to "-2.5", 133746.0 to "133700", 12600.0 to "12600", 0.00013143 to "0.0001314",
+            1.0e-6 to "1e-6", 1.2345678e10 to "1.235e10",
             -1.5e-20 to "-1.5e-20", 1e20 to "1e20", 1e-10 to "1e-10", Double.NaN to "NaN",
         )
         for ((value, text) in cases) assertEquals(text, Quantities.number(value))

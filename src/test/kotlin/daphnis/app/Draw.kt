@@ -8,7 +8,6 @@ import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
@@ -23,11 +22,17 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
-import daphnis.core.force.Epicycle
 import daphnis.core.force.Force
-import daphnis.core.force.HillFrame
-import daphnis.core.force.Satellite
 import daphnis.core.force.SelfGravity
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
+import daphnis.core.hill.Satellite
+import daphnis.core.initial.Lattice
+import daphnis.core.initial.LatticePlacement
+import daphnis.core.initial.PlacementException
+import daphnis.core.initial.RandomPlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ThreadHandler
@@ -35,11 +40,6 @@ import daphnis.core.parallel.ThreadPerTask
 import daphnis.core.population.Population
 import daphnis.core.search.GridSort
 import daphnis.core.search.SearchStructure
-import daphnis.core.setup.Lattice
-import daphnis.core.setup.LatticePlacement
-import daphnis.core.setup.PlacementException
-import daphnis.core.setup.RandomPlacement
-import daphnis.core.setup.SeededRandom
 import org.apache.pekko.actor.typed.ActorSystem
 
 /** A random gas for engines: everything follows from [seed]. */
@@ -61,17 +61,39 @@ class Draw(override val seed: Long) : Case {
         private set
     override val population = populate()
 
-    /** Three decades, in units of the mean time between collisions, so that some steps have a collision a thousand spheres and some several each. */
-    override val dt = Math.exp(random.nextDouble(Math.log(1e-3), Math.log(1.0))) * radii.average() / (6 * population.fillingNow())
-    private val restitution = listOf(ConstantRestitution(1.0), ConstantRestitution(0.6), BridgesRestitution())[random.nextInt(3)]
+    /**
+     * Three decades, in units of the mean time between collisions, so that some steps have a collision a thousand
+     * spheres and some several each.
+     */
+    override val dt =
+        Math.exp(random.nextDouble(Math.log(1e-3), Math.log(1.0))) * radii.average() / (6 * population.fillingNow())
+    private val restitution = listOf(
+        ConstantRestitution(1.0),
+        ConstantRestitution(0.6),
+        BridgesRestitution(),
+    )[random.nextInt(3)]
 
     // Inelastic spheres in dense heaps collapse without one.
-    private val guard = listOf(FloorSpeedGuard(1e-3), ContactDurationGuard(1e-4 * dt), NoGuard)[if (filling > 0.05 || clumped) random.nextInt(2) else random.nextInt(3)]
+    private val guard = listOf(FloorSpeedGuard(1e-3), ContactDurationGuard(1e-4 * dt), NoGuard)[
+        if (filling > 0.05 ||
+            clumped
+        ) {
+            random.nextInt(2)
+        } else {
+            random.nextInt(3)
+        },
+    ]
 
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 
     private fun drawRadii(): DoubleArray {
-        val count = if (random.nextInt(5) == 0) 1 + random.nextInt(30) else Math.exp(random.nextDouble(Math.log(30.0), Math.log(3000.0))).toInt()
+        val count = if (random.nextInt(5) ==
+            0
+        ) {
+            1 + random.nextInt(30)
+        } else {
+            Math.exp(random.nextDouble(Math.log(30.0), Math.log(3000.0))).toInt()
+        }
         val smallest = if (filling > 0.3 || random.nextInt(2) == 0) 1.0 else random.nextDouble(0.1, 1.0)
         // Some with a few much larger ones among many small, for the search by size.
         val wide = smallest < 0.5 && random.nextInt(2) == 0
@@ -138,23 +160,53 @@ class Draw(override val seed: Long) : Case {
     private fun made(x: DoubleArray, y: DoubleArray, z: DoubleArray): Population {
         val n = x.size
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
-        return Population(x, y, z, gauss(), gauss(), gauss(), radii, DoubleArray(n) { radii[it] * radii[it] * radii[it] })
+        return Population(
+            x,
+            y,
+            z,
+            gauss(),
+            gauss(),
+            gauss(),
+            radii,
+            DoubleArray(n) {
+                radii[it] * radii[it] * radii[it]
+            },
+        )
     }
 
-    override fun simulation(engine: CollisionEngine) =
-        Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine, recordCollisions = true, search = search), FixedTimeStep(dt), forces())
+    override fun simulation(engine: CollisionEngine) = Simulation(
+        population.copy(),
+        boundary,
+        CollisionForcing(restitution, guard, engine, recordCollisions = true, search = search),
+        FixedTimeStep(dt),
+        forces(),
+    )
 
-    /** In the sheet: Hill's frame, a moon beside it, and in some gravity, whose sums engines spread over their threads. */
+    /**
+     * In the sheet: Hill's frame, a moon beside it, and in some gravity, whose sums engines spread over their threads.
+     */
     private fun forces(): List<Force> {
         if (boundary !is HillSheet || dt * omega > 1) return emptyList()
         val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), omega, softening = 0.5)
         val frame = HillFrame(omega, verticalFactor = 1.5)
-        return if (seed % 3 == 0L) listOf(frame, moon, SelfGravity(boundary, omega * omega / 50)) else listOf(moon, frame)
+        return if (seed % 3 ==
+            0L
+        ) {
+            listOf(frame, moon, SelfGravity(boundary, omega * omega / 50))
+        } else {
+            listOf(moon, frame)
+        }
     }
 
     override fun engines(host: ActorSystem<*>): List<CollisionEngine> {
         fun threads() = 1 + random.nextInt(8)
-        val handler: ThreadHandler = if (random.nextInt(4) == 0) ThreadPerTask(1 + random.nextInt(3)) else FixedPool(threads())
+        val handler: ThreadHandler = if (random.nextInt(4) ==
+            0
+        ) {
+            ThreadPerTask(1 + random.nextInt(3))
+        } else {
+            FixedPool(threads())
+        }
         return listOf(
             IslandsEngine(FixedPool(threads()), fewest = 0),
             ThreadPoolEngine(handler, LoopStrategy.entries[random.nextInt(3)], GridSort.entries[random.nextInt(2)]),
@@ -171,5 +223,6 @@ class Draw(override val seed: Long) : Case {
         RegionLayout.Blocks(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))
     }
 
-    override fun toString() = "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, ${boundary.javaClass.simpleName}, dt $dt"
+    override fun toString() =
+        "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, ${boundary.javaClass.simpleName}, dt $dt"
 }

@@ -11,10 +11,10 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import daphnis.core.setup.SeededRandom
 import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -23,7 +23,10 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.parallel.Execution
 import org.junit.jupiter.api.parallel.ExecutionMode
 
-/** The contract: every engine gives the bits of the serial one, after every step, for every number of threads and every division into regions. */
+/**
+ * The contract: every engine gives the bits of the serial one, after every step, for every number of threads and every
+ * division into regions.
+ */
 @Execution(ExecutionMode.SAME_THREAD)
 class EnginesAgreeTest {
     @Test
@@ -53,9 +56,13 @@ class EnginesAgreeTest {
         } finally {
             host.terminate()
         }
-        println("$DRAWS draws, $collisions collisions an engine, $replays replays, $failures that end by an exception, $asked steps with every pair asked")
+        println(
+            "$DRAWS draws, $collisions collisions an engine, $replays replays, $failures that end by an exception, $asked steps with every pair asked",
+        )
         assertTrue(collisions > 100 * DRAWS) { "only $collisions collisions" }
-        assertTrue(DRAWS < 250 || (failures > 0 && asked > 100)) { "$failures cases fail, $asked steps asked: the draws do not test what they should" }
+        assertTrue(DRAWS < 250 || (failures > 0 && asked > 100)) {
+            "$failures cases fail, $asked steps asked: the draws do not test what they should"
+        }
     }
 
     private var asked = 0
@@ -73,7 +80,9 @@ class EnginesAgreeTest {
                 for (other in others) {
                     val name = other.collisions!!.engine.name
                     assertEquals(expected, failure(other)) { "$case, step $step, $name" }
-                    assertEquals(stateDigest(serial.population), stateDigest(other.population)) { "$case, step $step, $name" }
+                    assertEquals(stateDigest(serial.population), stateDigest(other.population)) {
+                        "$case, step $step, $name"
+                    }
                 }
                 return false
             }
@@ -94,20 +103,32 @@ class EnginesAgreeTest {
     fun `islands of very many spheres give the digest of the serial engine over a hundred steps, whichever way they take them`() {
         val random = SeededRandom(11)
         val n = 21_000
-        fun drawn(scale: Double, at: (Int) -> Int) = DoubleArray(n) { 2.6 * at(it) + scale * random.nextDouble(-1.0, 1.0) }
+        fun drawn(scale: Double, at: (Int) -> Int) = DoubleArray(n) {
+            2.6 * at(it) +
+                scale * random.nextDouble(-1.0, 1.0)
+        }
         val x = drawn(0.2) { it % 28 }
         val y = drawn(0.2) { it / 28 % 28 }
         val z = drawn(0.2) { it / 28 / 28 }
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
         val start = Population(x, y, z, gauss(), gauss(), gauss(), DoubleArray(n) { 1.0 }, DoubleArray(n) { 1.0 })
         val boundary = Periodic(Box(-1.3, -1.3, -1.3, 71.5, 71.5, 71.5))
-        fun simulation(engine: CollisionEngine) = Simulation(start.copy(), boundary, CollisionForcing(ConstantRestitution(0.9), engine = engine), FixedTimeStep(0.02))
+        fun simulation(engine: CollisionEngine) = Simulation(
+            start.copy(),
+            boundary,
+            CollisionForcing(ConstantRestitution(0.9), engine = engine),
+            FixedTimeStep(0.02),
+        )
         val serial = simulation(SerialEngine())
         simulation(IslandsEngine(FixedPool(3))).use { islands ->
             for (step in 1..100) {
                 serial.advance()
                 islands.advance()
-                if (step % 10 == 0) assertEquals(stateDigest(serial.population), stateDigest(islands.population)) { "step $step" }
+                if (step % 10 ==
+                    0
+                ) {
+                    assertEquals(stateDigest(serial.population), stateDigest(islands.population)) { "step $step" }
+                }
             }
             assertEquals(serial.collisions!!.counters.collisions, islands.collisions!!.counters.collisions)
         }
@@ -118,7 +139,10 @@ class EnginesAgreeTest {
         val floor = object : BoundaryConditions {
             override val box = Box.UNBOUNDED
 
-            override fun endStep(population: Population, time: Double) = population.retain { population.id[it] >= 100 * time }
+            override fun endStep(population: Population, time: Double) = population.retain {
+                population.id[it] >=
+                    100 * time
+            }
         }
         for (count in listOf(0, 1, 400)) {
             val start = Population(
@@ -131,9 +155,16 @@ class EnginesAgreeTest {
                 DoubleArray(count) { 0.5 },
                 DoubleArray(count) { 1.0 },
             )
-            val digests = listOf(SerialEngine(), IslandsEngine(FixedPool(3), fewest = 0)) + listOf("thread-pool", "actors", "pekko").map { allEngines.create(it, 3)!! }
+            val digests =
+                listOf(SerialEngine(), IslandsEngine(FixedPool(3), fewest = 0)) +
+                    listOf("thread-pool", "actors", "pekko").map { allEngines.create(it, 3)!! }
             val ends = digests.map { engine ->
-                Simulation(start.copy(), floor, CollisionForcing(ConstantRestitution(1.0), engine = engine), FixedTimeStep(0.5)).use {
+                Simulation(
+                    start.copy(),
+                    floor,
+                    CollisionForcing(ConstantRestitution(1.0), engine = engine),
+                    FixedTimeStep(0.5),
+                ).use {
                     repeat(10) { _ -> it.advance() }
                     engine.name to stateDigest(it.population)
                 }

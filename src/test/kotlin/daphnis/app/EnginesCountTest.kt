@@ -12,10 +12,10 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -37,18 +37,33 @@ class EnginesCountTest {
         allEngines.create("pekko", 3)!!,
     )
 
-    private fun counts(forcing: CollisionForcing) = with(forcing.counters) { listOf(collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays) }
+    private fun counts(forcing: CollisionForcing) = with(forcing.counters) {
+        listOf(collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays)
+    }
 
     private fun row(x: DoubleArray, vx: DoubleArray, mass: DoubleArray, radius: Double): Population {
         val n = x.size
-        return Population(x, DoubleArray(n), DoubleArray(n), vx, DoubleArray(n), DoubleArray(n), DoubleArray(n) { radius }, mass)
+        return Population(
+            x,
+            DoubleArray(n),
+            DoubleArray(n),
+            vx,
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n) {
+                radius
+            },
+            mass,
+        )
     }
 
     @Test
     fun `a step that throws and is tried again counts once, in every engine`() {
         // A heavy one hits a light one, which outruns its bound, so that the step is redone before it ends.
-        fun start() = row(doubleArrayOf(0.0, 2.0, 30.0), doubleArrayOf(1.0, 0.0, 0.0), doubleArrayOf(1000.0, 0.001, 1.0), 0.5)
-        fun simulation(engine: CollisionEngine, restitution: Restitution) = Simulation(start(), Open, CollisionForcing(restitution, engine = engine), FixedTimeStep(20.0))
+        fun start() =
+            row(doubleArrayOf(0.0, 2.0, 30.0), doubleArrayOf(1.0, 0.0, 0.0), doubleArrayOf(1000.0, 0.001, 1.0), 0.5)
+        fun simulation(engine: CollisionEngine, restitution: Restitution) =
+            Simulation(start(), Open, CollisionForcing(restitution, engine = engine), FixedTimeStep(20.0))
         val undisturbed = simulation(SerialEngine()) { 1.0 }.also { it.advance() }
         assertTrue(undisturbed.collisions!!.counters.redoneSteps > 0)
         for (kind in engines().indices) {
@@ -57,14 +72,27 @@ class EnginesCountTest {
                 val calls = AtomicInteger()
                 // Broken for good until it is mended: parallel engines put what it throws before the serial one.
                 val broken = AtomicBoolean(true)
-                val restitution = Restitution { if (broken.get() && calls.getAndIncrement() >= call) throw ArithmeticException("on purpose") else 1.0 }
+                val restitution = Restitution {
+                    if (broken.get() &&
+                        calls.getAndIncrement() >= call
+                    ) {
+                        throw ArithmeticException("on purpose")
+                    } else {
+                        1.0
+                    }
+                }
                 simulation(engines()[kind], restitution).use {
                     try {
                         it.advance()
                     } catch (e: RuntimeException) {
                         thrown++
                         broken.set(false)
-                        assertEquals(List(5) { 0L }, counts(it.collisions!!)) { "${it.collisions!!.engine.name}, call $call" }
+                        assertEquals(
+                            List(5) {
+                                0L
+                            },
+                            counts(it.collisions!!),
+                        ) { "${it.collisions!!.engine.name}, call $call" }
                         it.advance()
                     }
                     assertEquals(stateDigest(undisturbed.population), stateDigest(it.population))
@@ -80,7 +108,8 @@ class EnginesCountTest {
 
     @Test
     fun `of collisions at one time every engine records the cause before its effect`() {
-        // Rows of touching spheres, each struck at t = 2; the push runs through all ten at that time. Ids are dealt at random, so they do not tell.
+        // Rows of touching spheres, each struck at t = 2; the push runs through all ten at that time. Ids are dealt at
+        // random, so they do not tell.
         val rows = 24
         val each = 11
         val n = rows * each
@@ -129,7 +158,13 @@ class EnginesCountTest {
             val start = row(doubleArrayOf(1.0, 3.0, 7.0), doubleArrayOf(0.0, 0.0, -1.0), DoubleArray(3) { 1.0 }, 1.0)
             Simulation(start, Walls(box), forcing, FixedTimeStep(4.0)).use { it.advance() }
             val record = forcing.record!!
-            assertEquals(listOf(1 to 2, 0 to 1, 0 to 1, 1 to 2), (0 until record.size).map { record.lower[it] to record.higher[it] }) { engine.name }
+            assertEquals(
+                listOf(1 to 2, 0 to 1, 0 to 1, 1 to 2),
+                (0 until record.size).map {
+                    record.lower[it] to
+                        record.higher[it]
+                },
+            ) { engine.name }
             assertEquals(listOf(1, 2, 3, 4), (0 until record.size).map { record.rank[it] }) { engine.name }
         }
     }

@@ -27,13 +27,16 @@ class EveryPairEngine : CollisionEngine {
     private var codes = IntArray(0)
 
     /** Whether [population] moves over few enough images of [case] to ask them all. */
-    fun canDo(case: Case, population: Population, dt: Double): Boolean = population.size <= MOST_SPHERES && (0..2).all { boxes(case, population, dt, it) <= MOST_BOXES }
+    fun canDo(case: Case, population: Population, dt: Double): Boolean =
+        population.size <= MOST_SPHERES && (0..2).all { boxes(case, population, dt, it) <= MOST_BOXES }
 
     private fun boxes(case: Case, p: Population, dt: Double, axis: Int): Int {
         if (case.boundary.contactFaces(axis) != ContactFaces.PERIODIC) return 0
         val fastest = (0 until p.size).maxOf { maxOf(abs(p.vx[it]), abs(p.vy[it]), abs(p.vz[it])) }
         val length = case.boundary.box.length(axis)
-        val slide = case.boundary.shear?.let { if (it.slideAxis == axis) 2 + abs(it.velocity) * dt * 4 / length else 0.0 } ?: 0.0
+        val slide =
+            case.boundary.shear?.let { if (it.slideAxis == axis) 2 + abs(it.velocity) * dt * 4 / length else 0.0 }
+                ?: 0.0
         // Twice as far as the fastest could come.
         return 1 + ceil((2 * p.radius.max() + 4 * fastest * dt) / length + slide).toInt()
     }

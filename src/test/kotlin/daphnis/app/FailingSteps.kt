@@ -5,23 +5,23 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
-import daphnis.core.force.Epicycle
 import daphnis.core.force.Force
-import daphnis.core.force.HillFrame
-import daphnis.core.force.Satellite
-import daphnis.core.force.SatelliteSurface
 import daphnis.core.force.SelfGravity
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
+import daphnis.core.hill.Satellite
+import daphnis.core.hill.SatelliteSurface
+import daphnis.core.initial.RandomPlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import daphnis.core.setup.RandomPlacement
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -45,8 +45,14 @@ enum class FailingCase {
  *
  * @param engine makes the engine, null for none
  */
-class FailingSteps(private val case: FailingCase, private val seed: Long, engine: () -> CollisionEngine?) : AutoCloseable {
-    private class Made(val simulation: Simulation, val wire: Tripwire, val outputs: List<WiredOutput>, val moon: SatelliteSurface?)
+class FailingSteps(private val case: FailingCase, private val seed: Long, engine: () -> CollisionEngine?) :
+    AutoCloseable {
+    private class Made(
+        val simulation: Simulation,
+        val wire: Tripwire,
+        val outputs: List<WiredOutput>,
+        val moon: SatelliteSurface?,
+    )
 
     private val made = make(engine())
     private val undisturbed = make(if (made.simulation.collisions == null) null else SerialEngine())
@@ -128,7 +134,11 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         assertEquals(BitState(undisturbed.simulation).byId(), BitState(simulation).byId()) { story }
     }
 
-    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean = generateSequence(caught) { it.cause }.any { it === thrown || thrown in it.suppressed }
+    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean = generateSequence(caught) { it.cause }.any {
+        it ===
+            thrown ||
+            thrown in it.suppressed
+    }
 
     private fun make(engine: CollisionEngine?): Made {
         val wire = Tripwire()

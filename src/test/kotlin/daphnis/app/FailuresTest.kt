@@ -1,6 +1,6 @@
 package daphnis.app
 
-import daphnis.core.format.Frame
+import daphnis.core.format.Snapshot
 import daphnis.core.run.RunException
 import daphnis.core.scenario.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -24,7 +24,8 @@ class FailuresTest {
 
     private fun at(name: String) = home.resolve(name).toString()
 
-    private fun small(name: String, vararg more: String) = daphnis("run", "cooling-gas", *SMALL, "--out", at(name), "--quiet", *more)
+    private fun small(name: String, vararg more: String) =
+        daphnis("run", "cooling-gas", *SMALL, "--out", at(name), "--quiet", *more)
 
     private fun said(e: Throwable): Pair<Int, String> {
         val old = System.err
@@ -49,7 +50,11 @@ class FailuresTest {
             Triple(StackOverflowError(), 1, "stack"),
             Triple(NoClassDefFoundError("java/awt/Font"), 1, "java/awt/Font"),
             Triple(ExceptionInInitializerError(IllegalStateException("no fonts")), 1, "no fonts"),
-            Triple(IllegalStateException("first\nsecond"), 1, "IllegalStateException: first\\nsecond; this is a fault of daphnis, --debug"),
+            Triple(
+                IllegalStateException("first\nsecond"),
+                1,
+                "IllegalStateException: first\\nsecond; this is a fault of daphnis, --debug",
+            ),
             Triple(NullPointerException(), 1, "NullPointerException"),
         )
         for ((e, code, part) in cases) {
@@ -64,7 +69,11 @@ class FailuresTest {
         for (words in listOf(listOf("resume", at("x"), "--debug"), listOf("--debug", "resume", at("x")))) {
             val result = daphnis(*words.toTypedArray())
             assertEquals(2, result.code)
-            assertTrue("\tat daphnis" in result.err && "no such file or directory" in result.err.trim().lines().last()) { result.err }
+            assertTrue(
+                "\tat daphnis" in result.err && "no such file or directory" in result.err.trim().lines().last(),
+            ) {
+                result.err
+            }
         }
         assertRefused(daphnis("resume", at("x")), "no such file or directory")
         assertTrue("--debug" in assertDone(daphnis("--help")))
@@ -105,7 +114,9 @@ class FailuresTest {
         Files.writeString(home.resolve("a/plots"), "in the way")
         val result = daphnis("resume", at("a"), "--until", "1.5", "--quiet")
         assertEquals(0, result.code) { result.err }
-        assertTrue("no plot" in result.err && "complete" in result.err && result.err.trim().lines().size == 1) { result.err }
+        assertTrue("no plot" in result.err && "complete" in result.err && result.err.trim().lines().size == 1) {
+            result.err
+        }
     }
 
     @Test
@@ -117,10 +128,10 @@ class FailuresTest {
         assertTrue("differ at step 0: particle 0, mass =" in result.out) { result.out }
     }
 
-    private fun frame(change: Int = -1): Frame {
+    private fun frame(change: Int = -1): Snapshot {
         fun next(k: Int, value: Double) = if (k == change) Math.nextUp(value) else value
         fun columns(k: Int) = Array(3) { axis -> doubleArrayOf(1.0, if (axis == 2) next(k, 2.0) else 2.0) }
-        return Frame(
+        return Snapshot(
             if (change == 0) 4 else 3,
             next(1, 1.5),
             doubleArrayOf(9.0, 9.0, next(2, 9.0)),
@@ -157,7 +168,10 @@ class FailuresTest {
 
     @Test
     fun `a full device is remembered, a reader that has gone is not missed, and neither stops the work`() {
-        for ((message, problem) in listOf("No space left on device" to "No space left on device", "Broken pipe" to null)) {
+        for ((message, problem) in listOf(
+            "No space left on device" to "No space left on device",
+            "Broken pipe" to null,
+        )) {
             val target = Failing(message)
             val output = StandardOutput(target)
             PrintStream(output, true).use { for (k in 0..9) it.println("line $k") }

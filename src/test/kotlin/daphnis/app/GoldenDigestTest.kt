@@ -19,9 +19,9 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.MethodSource
 
 /**
- * State digests that are written down, of the built-in scenarios and of ten odd ones. What engines give is compared with
- * these and not only with one another, so a change that alters the bits of all of them fails here. A new digest takes an ADR
- * and a line in the changelog (ADR 28).
+ * State digests that are written down, of the built-in scenarios and of ten odd ones. What engines give is compared
+ * with these and not only with one another, so a change that alters the bits of all of them fails here. A new digest
+ * takes an ADR and a line in the changelog (ADR 28).
  */
 @Execution(ExecutionMode.SAME_THREAD)
 class GoldenDigestTest {

@@ -131,7 +131,11 @@ class HostileInputTest {
     @Test
     fun `a place far outside the box is refused, be the box the file's or the scenario's`() {
         val own = "2\nLattice=\"10 0 0 0 10 0 0 0 10\"\nX 0 0 0\nX 3 3 2e9\n"
-        assertRefused(daphnis("analyze", "${Files.writeString(home.resolve("far.xyz"), own)}"), "z of particle 1", "1000")
+        assertRefused(
+            daphnis("analyze", "${Files.writeString(home.resolve("far.xyz"), own)}"),
+            "z of particle 1",
+            "1000",
+        )
         val open = Files.writeString(home.resolve("open.xyz"), "2\n\nX 0 0 0\nX 3 3 2e9\n")
         val scenario = arrayOf("--scenario", "elastic-gas", "--quiet", "--out", "${home.resolve("an")}")
         assertRefused(daphnis("analyze", "$open", *scenario), "z of particle 1", "1000 of the scenario's boxes")

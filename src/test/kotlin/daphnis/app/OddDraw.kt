@@ -19,9 +19,9 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import org.apache.pekko.actor.typed.ActorSystem
 
 /**
@@ -63,7 +63,17 @@ class OddDraw(override val seed: Long) : Case {
 
     private fun column(): (Int) -> DoubleArray = { field -> DoubleArray(spheres.size) { spheres[it][field] } }
 
-    private fun add(x: Double, y: Double, z: Double, vx: Double, vy: Double, vz: Double, r: Double, m: Double = r * r * r) {
+    private fun add(
+        x: Double,
+        y: Double,
+        z: Double,
+        vx: Double,
+        vy: Double,
+        vz: Double,
+        r: Double,
+        m: Double = r * r *
+            r,
+    ) {
         spheres += doubleArrayOf(x, y, z, vx, vy, vz, r, m)
     }
 
@@ -74,10 +84,21 @@ class OddDraw(override val seed: Long) : Case {
     /** Spheres at rest that touch exactly, and two that hit them. */
     private fun touchingAtRest() {
         val edge = 2 + random.nextInt(4)
-        for (k in 0 until edge * edge * edge) add(1.0 * (k % edge), 1.0 * (k / edge % edge), 1.0 * (k / edge / edge), zero(), zero(), zero(), 0.5)
+        for (k in 0 until edge * edge * edge) {
+            add(
+                1.0 * (k % edge),
+                1.0 * (k / edge % edge),
+                1.0 * (k / edge / edge),
+                zero(),
+                zero(),
+                zero(),
+                0.5,
+            )
+        }
         add(-3.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.5)
         add(1.0 * edge + 3, random.nextDouble(0.0, 1.0), 0.0, -3.0, 0.0, 0.0, 0.5)
-        boundary = if (random.nextInt(2) == 0) Open else Walls(Box(-4.0, -0.5, -0.5, edge + 5.0, edge - 0.5, edge + 0.5), 1.0)
+        boundary =
+            if (random.nextInt(2) == 0) Open else Walls(Box(-4.0, -0.5, -0.5, edge + 5.0, edge - 0.5, edge + 0.5), 1.0)
         dt = 2.0
     }
 
@@ -86,7 +107,21 @@ class OddDraw(override val seed: Long) : Case {
         val edge = 2 * (1 + random.nextInt(4))
         for (k in 0 until edge * edge * edge) {
             val odd = if ((k % edge + k / edge % edge + k / edge / edge) % 2 == 0) 1.0 else -1.0
-            add(2.0 * (k % edge), 2.0 * (k / edge % edge), 2.0 * (k / edge / edge), odd, if (random.nextInt(20) == 0) 0.5 else 0.0, -0.5 * odd, 0.4)
+            add(
+                2.0 * (k % edge),
+                2.0 * (k / edge % edge),
+                2.0 * (k / edge / edge),
+                odd,
+                if (random.nextInt(20) ==
+                    0
+                ) {
+                    0.5
+                } else {
+                    0.0
+                },
+                -0.5 * odd,
+                0.4,
+            )
         }
         val box = Box(-1.0, -1.0, -1.0, 2.0 * edge - 1, 2.0 * edge - 1, 2.0 * edge - 1)
         boundary = listOf(Periodic(box), Walls(box, 0.9), Open, LeesEdwards(box, 0.25))[random.nextInt(4)]
@@ -97,7 +132,18 @@ class OddDraw(override val seed: Long) : Case {
     private fun images() {
         val box = Box.centred(random.nextDouble(1.0, 2.0), random.nextDouble(3.0, 6.0), random.nextDouble(3.0, 6.0))
         repeat(2 + random.nextInt(4)) { k ->
-            add(0.0, -1.4 + 0.5 * k, random.nextDouble(-1.0, 1.0), 2 * gauss(), 0.1 * gauss(), 0.1 * gauss(), 0.2, Math.exp(2 * gauss()))
+            add(
+                0.0,
+                -1.4 + 0.5 * k,
+                random.nextDouble(-1.0, 1.0),
+                2 * gauss(),
+                0.1 * gauss(),
+                0.1 * gauss(),
+                0.2,
+                Math.exp(
+                    2 * gauss(),
+                ),
+            )
         }
         boundary = if (random.nextInt(2) == 0) Periodic(box) else LeesEdwards(box, random.nextDouble(-1.0, 1.0))
         dt = random.nextDouble(1.0, 4.0)
@@ -134,7 +180,15 @@ class OddDraw(override val seed: Long) : Case {
         val edge = 2 + random.nextInt(3)
         for (k in 0 until edge * edge * edge) {
             fun at(c: Int) = 0.5 + 1.0001 * c
-            add(at(k % edge), at(k / edge % edge), at(k / edge / edge), -1.0 + 0.1 * gauss(), -1.0, -1.0 + 0.1 * gauss(), 0.5)
+            add(
+                at(k % edge),
+                at(k / edge % edge),
+                at(k / edge / edge),
+                -1.0 + 0.1 * gauss(),
+                -1.0,
+                -1.0 + 0.1 * gauss(),
+                0.5,
+            )
         }
         boundary = Walls(Box(0.0, 0.0, 0.0, 20.0, 20.0, 20.0), listOf(0.0, 0.5, 1.0)[random.nextInt(3)])
         guard = if (coefficient == 1.0) NoGuard else FloorSpeedGuard(1e-3)
@@ -144,7 +198,17 @@ class OddDraw(override val seed: Long) : Case {
     /** One sphere fifty times as large as the many that fall on it. */
     private fun pile() {
         add(0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 5.0)
-        repeat(150) { k -> add(0.25 * (k % 12 - 6), 0.25 * (k / 12 - 6), 5.3 + 0.01 * gauss(), 0.0, 0.0, -1.0 + 0.1 * gauss(), 0.1) }
+        repeat(150) { k ->
+            add(
+                0.25 * (k % 12 - 6),
+                0.25 * (k / 12 - 6),
+                5.3 + 0.01 * gauss(),
+                0.0,
+                0.0,
+                -1.0 + 0.1 * gauss(),
+                0.1,
+            )
+        }
         guard = if (coefficient == 1.0) NoGuard else FloorSpeedGuard(1e-3)
         dt = 0.3
     }
@@ -162,7 +226,18 @@ class OddDraw(override val seed: Long) : Case {
         val edge = Math.ceil(Math.cbrt(1.0 * count)).toInt()
         val apart = random.nextDouble(2.05, 4.0)
         fun at(c: Int) = offset + length * apart * c
-        repeat(count) { add(at(it % edge), at(it / edge % edge), at(it / edge / edge), gauss(), gauss(), gauss(), length, Math.exp(gauss())) }
+        repeat(count) {
+            add(
+                at(it % edge),
+                at(it / edge % edge),
+                at(it / edge / edge),
+                gauss(),
+                gauss(),
+                gauss(),
+                length,
+                Math.exp(gauss()),
+            )
+        }
         val low = offset - length * apart / 2
         val high = low + length * apart * edge
         val box = Box(low, low, low, high, high, high)
@@ -170,8 +245,12 @@ class OddDraw(override val seed: Long) : Case {
         dt = random.nextDouble(0.1, 1.0)
     }
 
-    override fun simulation(engine: CollisionEngine): Simulation =
-        Simulation(population.copy(), boundary, CollisionForcing(ConstantRestitution(coefficient), guard, engine, recordCollisions = true), FixedTimeStep(dt))
+    override fun simulation(engine: CollisionEngine): Simulation = Simulation(
+        population.copy(),
+        boundary,
+        CollisionForcing(ConstantRestitution(coefficient), guard, engine, recordCollisions = true),
+        FixedTimeStep(dt),
+    )
 
     override fun engines(host: ActorSystem<*>): List<CollisionEngine> {
         fun threads() = if (kind == Kind.THREADS) 16 + random.nextInt(49) else 1 + random.nextInt(4)
@@ -184,7 +263,8 @@ class OddDraw(override val seed: Long) : Case {
         )
     }
 
-    override fun toString() = "seed $seed: $kind, ${population.size} spheres, ${boundary.javaClass.simpleName}, coefficient $coefficient, dt $dt"
+    override fun toString() =
+        "seed $seed: $kind, ${population.size} spheres, ${boundary.javaClass.simpleName}, coefficient $coefficient, dt $dt"
 
     private companion object {
         val PRIMES = intArrayOf(2, 3, 5, 7, 11, 13, 31)

@@ -16,7 +16,9 @@ class PlacementFileTest {
 
     private fun at(name: String) = home.resolve(name).toString()
 
-    /** A gas of two sizes, ten steps; a scenario in the same box that starts from [file] and ends before it moves much. */
+    /**
+     * A gas of two sizes, ten steps; a scenario in the same box that starts from [file] and ends before it moves much.
+     */
     private fun from(file: String, more: String = "") = Files.writeString(
         home.resolve("from.json"),
         """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "$file"$more },
@@ -34,7 +36,8 @@ class PlacementFileTest {
         for (format in listOf("xyz", "h5md", "cartandrad")) assertDone(daphnis("export", at("a"), "--format", format))
     }
 
-    private fun field(run: String, key: String) = Regex("\"$key\": (.*?),?\n").find(Files.readString(home.resolve(run).resolve("summary.json")))!!.groupValues[1]
+    private fun field(run: String, key: String) =
+        Regex("\"$key\": (.*?),?\n").find(Files.readString(home.resolve(run).resolve("summary.json")))!!.groupValues[1]
 
     /** The state after a step from [file]; masses show in the energy. */
     private fun start(file: String, more: String = "", name: String = "b"): Pair<String, String> {
@@ -58,7 +61,12 @@ class PlacementFileTest {
         assertEquals(fifth, start("a/export/trajectory.h5", ", \"step\": 5").first)
         assertEquals(fifth, start("a/export/trajectory.xyz", ", \"step\": 5").first)
         assertFalse(fifth == start("a/export/trajectory.h5").first)
-        assertRefused(daphnis("describe", from("a/export/trajectory.h5", ", \"step\": 7")), "placement.step", "7", "0, 5, 10")
+        assertRefused(
+            daphnis("describe", from("a/export/trajectory.h5", ", \"step\": 7")),
+            "placement.step",
+            "7",
+            "0, 5, 10",
+        )
     }
 
     @Test
@@ -78,8 +86,16 @@ class PlacementFileTest {
         assertTrue("no masses" in noticed.err && "placement.density" in noticed.err) { noticed.err }
         assertEquals(3.0, field("b", "energy").toDouble() / field("c", "energy").toDouble(), 1e-12)
         assertTrue("no masses" in daphnis("describe", from("a/export/CartAndRad.10.bin")).out)
-        assertRefused(daphnis("describe", from("a/export/trajectory.xyz", ", \"density\": 3")), "placement.density", "has masses")
-        assertRefused(daphnis("describe", from("a/export/CartAndRad.10.bin", ", \"density\": -3")), "placement.density", "> 0")
+        assertRefused(
+            daphnis("describe", from("a/export/trajectory.xyz", ", \"density\": 3")),
+            "placement.density",
+            "has masses",
+        )
+        assertRefused(
+            daphnis("describe", from("a/export/CartAndRad.10.bin", ", \"density\": -3")),
+            "placement.density",
+            "> 0",
+        )
     }
 
     @Test
@@ -97,14 +113,24 @@ class PlacementFileTest {
     @Test
     fun `what cannot be placed from is refused`() {
         assertRefused(daphnis("describe", from("a/series.csv")), "placement.path", "unknown column 'step'")
-        assertRefused(daphnis("describe", from("a/summary.json")), "placement.path", "unknown format", ".h5", ".xyz", ".csv")
+        assertRefused(
+            daphnis("describe", from("a/summary.json")),
+            "placement.path",
+            "unknown format",
+            ".h5",
+            ".xyz",
+            ".csv",
+        )
         assertRefused(daphnis("describe", from("a/snapshots")), "placement.path", "is a directory")
         assertRefused(daphnis("describe", from("nowhere.h5")), "placement.path", "no such file")
         Files.writeString(home.resolve("point.xyz"), "1\nProperties=species:S:1:pos:R:3\nX 0 0 0\n")
         assertRefused(daphnis("describe", from("point.xyz")), "placement.path", "no radii")
         Files.writeString(home.resolve("none.xyz"), "")
         assertRefused(daphnis("describe", from("none.xyz")), "placement.path", "no state")
-        Files.writeString(home.resolve("scale.xyz"), "1\nScale=0 Properties=species:S:1:pos:R:3:radius:R:1\nX 0 0 0 1\n")
+        Files.writeString(
+            home.resolve("scale.xyz"),
+            "1\nScale=0 Properties=species:S:1:pos:R:3:radius:R:1\nX 0 0 0 1\n",
+        )
         assertRefused(daphnis("describe", from("scale.xyz")), "scale.xyz:3", "Scale is 0.0")
     }
 
@@ -114,9 +140,16 @@ class PlacementFileTest {
             "particles": { "count": 150, "sizes": { "type": "equal", "radius": 0.5 } }, "placement": { "type": "lattice" },
             "velocities": { "type": "gaussian", "sigma": 1, "shearProfile": true },
             "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.0625 }"""
-        Files.writeString(home.resolve("sheared.json"), "$sheared, \"until\": 2, \"output\": { \"snapshotEvery\": 16 } }")
+        Files.writeString(
+            home.resolve("sheared.json"),
+            "$sheared, \"until\": 2, \"output\": { \"snapshotEvery\": 16 } }",
+        )
         assertDone(daphnis("run", at("sheared.json"), "--out", at("s"), "--quiet"))
-        val placed = listOf("particles" to "null", "velocities" to "null", "placement" to """{ "type": "file", "path": "s/snapshots/0000000016.h5" }""")
+        val placed = listOf(
+            "particles" to "null",
+            "velocities" to "null",
+            "placement" to """{ "type": "file", "path": "s/snapshots/0000000016.h5" }""",
+        )
             .flatMap { (key, value) -> listOf("--set", "$key=$value") }
         assertRefused(daphnis("run", at("sheared.json"), *placed.toTypedArray()), "placement.time", "1.0")
         val at = arrayOf(*placed.toTypedArray(), "--set", "placement.time=1", "--out", at("t"), "--quiet")

@@ -11,12 +11,21 @@ class ProgressLineTest {
 
     @Test
     fun `everything is said where there is room`() {
-        assertEquals(" 25 %  step 1250  time 12.50 of 50.00  1:02:05 left  1.20e+06 collisions/s  energy 3.1416", line.text(200))
+        assertEquals(
+            " 25 %  step 1250  time 12.50 of 50.00  1:02:05 left  1.20e+06 collisions/s  energy 3.1416",
+            line.text(200),
+        )
     }
 
     @Test
     fun `a line never is wider than the terminal`() {
-        for (progress in listOf(line, longest)) for (columns in 0..200) assertTrue(progress.text(columns).length <= columns) { progress.text(columns) }
+        for (progress in listOf(line, longest)) {
+            for (columns in 0..200) {
+                assertTrue(
+                    progress.text(columns).length <= columns,
+                ) { progress.text(columns) }
+            }
+        }
     }
 
     @Test

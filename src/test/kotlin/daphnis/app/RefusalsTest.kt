@@ -16,8 +16,13 @@ class RefusalsTest {
 
     private fun at(name: String) = home.resolve(name).toString()
 
-    private fun small(name: String) =
-        daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--set", "output.snapshotEvery=10", "--out", at(name), "--quiet")
+    private fun small(name: String) = daphnis(
+        "run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--set", "output.snapshotEvery=10", "--out",
+        at(
+            name,
+        ),
+        "--quiet",
+    )
 
     @Test
     fun `a resumed run cannot end before now, and is left as it was`() {
@@ -34,15 +39,29 @@ class RefusalsTest {
     @Test
     fun `orbits need a frame, also when a time is given`() {
         assertRefused(daphnis("describe", "cooling-gas", "--set", "untilOrbits=4"), "untilOrbits", "4.0", "frame")
-        Files.writeString(home.resolve("both.json"), daphnis("scenarios", "cooling-gas").out.replace("\"until\":", "\"untilOrbits\": 3, \"until\":"))
+        Files.writeString(
+            home.resolve("both.json"),
+            daphnis("scenarios", "cooling-gas").out.replace("\"until\":", "\"untilOrbits\": 3, \"until\":"),
+        )
         assertRefused(daphnis("describe", at("both.json")), "both.json", "untilOrbits", "3.0", "frame")
-        assertRefused(daphnis("describe", "ring-patch", "--set", "untilOrbits=4", "--set", "until=3"), "untilOrbits", "until")
-        assertRefused(daphnis("run", "ring-patch", "--set", "untilOrbits=4", "--until", "3", "--out", at("x")), "untilOrbits", "until")
+        assertRefused(
+            daphnis("describe", "ring-patch", "--set", "untilOrbits=4", "--set", "until=3"),
+            "untilOrbits",
+            "until",
+        )
+        assertRefused(
+            daphnis("run", "ring-patch", "--set", "untilOrbits=4", "--until", "3", "--out", at("x")),
+            "untilOrbits",
+            "until",
+        )
     }
 
     @Test
     fun `orbits on the command line go before the time in the file`() {
-        val time = Files.writeString(home.resolve("t.json"), daphnis("scenarios", "ring-patch").out.replace(Regex("\"untilOrbits\": *[0-9.]+"), "\"until\": 1000"))
+        val time = Files.writeString(
+            home.resolve("t.json"),
+            daphnis("scenarios", "ring-patch").out.replace(Regex("\"untilOrbits\": *[0-9.]+"), "\"until\": 1000"),
+        )
         val steps = Regex("""steps +(\d+)""")
         fun steps(vararg more: String) = steps.find(assertDone(daphnis("describe", *more)))!!.groupValues[1]
         assertEquals(steps("ring-patch", "--set", "untilOrbits=2"), steps("$time", "--set", "untilOrbits=2"))
@@ -52,18 +71,30 @@ class RefusalsTest {
     @Test
     fun `Hill's frame takes the faces that it can have`() {
         fun hill(boundary: String, more: String = "seed=1"): CommandResult {
-            val settings = listOf("boundary=$boundary", "velocities.shearProfile=false", more).flatMap { listOf("--set", it) }
+            val settings = listOf("boundary=$boundary", "velocities.shearProfile=false", more).flatMap {
+                listOf("--set", it)
+            }
             return daphnis("describe", "ring-patch", *settings.toTypedArray())
         }
         assertRefused(hill("""{"type":"periodic"}"""), "boundary.type", "is periodic", "hill-sheet", "open")
-        assertRefused(hill("""{"type":"lees-edwards","shearRate":0.1}"""), "boundary.type", "lees-edwards", "hill-sheet")
+        assertRefused(
+            hill("""{"type":"lees-edwards","shearRate":0.1}"""),
+            "boundary.type",
+            "lees-edwards",
+            "hill-sheet",
+        )
         assertRefused(hill("""{"type":"sheared-periodic","velocityJump":0.1}"""), "boundary.type", "sheared-periodic")
         assertRefused(hill("""{"type":"walls","axes":"z"}"""), "boundary.type", "walls", "x and z")
         assertRefused(hill("""{"type":"walls","axes":"x"}"""), "boundary.type", "walls")
         assertDone(hill("""{"type":"walls","axes":"x"}""", "frame.verticalFactor=0"))
         assertDone(hill("""{"type":"walls"}"""))
         assertDone(hill("""{"type":"open"}"""))
-        assertRefused(daphnis("describe", "cooling-gas", "--set", """boundary={"type":"hill-sheet"}"""), "boundary", "hill-sheet", "frame")
+        assertRefused(
+            daphnis("describe", "cooling-gas", "--set", """boundary={"type":"hill-sheet"}"""),
+            "boundary",
+            "hill-sheet",
+            "frame",
+        )
     }
 
     @Test
@@ -79,10 +110,22 @@ class RefusalsTest {
     @Test
     fun `SI units are for H5MD and for scenarios that know their own`() {
         assertDone(small("a"))
-        assertRefused(daphnis("export", at("a"), "--format", "h5md", "--units", "si"), "--units", "units.lengthInMetres")
+        assertRefused(
+            daphnis("export", at("a"), "--format", "h5md", "--units", "si"),
+            "--units",
+            "units.lengthInMetres",
+        )
         assertRefused(daphnis("export", at("a"), "--format", "xyz", "--units", "si"), "--units", "h5md")
         val known = arrayOf("--set", "units.lengthInMetres=0.5", "--set", "units.speedInCmPerSecond=10")
-        assertDone(daphnis("run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known, "--out", at("b"), "--quiet"))
+        assertDone(
+            daphnis(
+                "run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known, "--out",
+                at(
+                    "b",
+                ),
+                "--quiet",
+            ),
+        )
         assertTrue("m s-1" in assertDone(daphnis("export", at("b"), "--format", "h5md", "--units", "si")))
         val own = H5md.read(home.resolve("b/snapshots/0000000001.h5")).single()
         val si = H5md.read(home.resolve("b/export/trajectory-si.h5")).last()

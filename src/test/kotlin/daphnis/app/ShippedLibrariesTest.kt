@@ -7,7 +7,9 @@ import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Runs under either build, so both resolve what the table says: the same versions, and nothing that nobody knows of. */
+/**
+ * Runs under either build, so both resolve what the table says: the same versions, and nothing that nobody knows of.
+ */
 class ShippedLibrariesTest {
     private val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
         .first { Files.exists(it.resolve("settings.gradle.kts")) }
@@ -17,10 +19,22 @@ class ShippedLibrariesTest {
         .mapNotNull { Regex("""\| [\w.-]+:([\w.-]+) \| ([\w.-]+) \| (\S.*) \|""").matchEntire(it) }
         .associate { it.groupValues[1] to it.groupValues[2] }
 
-    /** Version by artifact, from where the jars on the class path lie: …/artifact/version/file.jar, or with a hash between in Gradle's cache. */
+    /**
+     * Version by artifact, from where the jars on the class path lie: …/artifact/version/file.jar, or with a hash
+     * between in Gradle's cache.
+     */
     private val present = System.getProperty("java.class.path").split(File.pathSeparator)
-        .filter { it.endsWith(".jar") && "/target/" !in it && "/build/libs/" !in it && !it.endsWith("/gradle-worker.jar") }
-        .map { Path.of(it).parent.map(Path::toString).filterNot { name -> name.matches(Regex("[0-9a-f]{30,40}")) }.takeLast(2) }
+        .filter {
+            it.endsWith(".jar") &&
+                "/target/" !in it &&
+                "/build/libs/" !in it &&
+                !it.endsWith("/gradle-worker.jar")
+        }
+        .map {
+            Path.of(it).parent.map(Path::toString).filterNot { name ->
+                name.matches(Regex("[0-9a-f]{30,40}"))
+            }.takeLast(2)
+        }
         .associate { (artifact, version) -> artifact to version }
 
     @Test
@@ -35,6 +49,7 @@ class ShippedLibrariesTest {
     }
 
     private companion object {
-        val FOR_TESTS = Regex("junit-.*|opentest4j|apiguardian-api|archunit|surefire-.*|maven-surefire-.*|kotlin-test.*")
+        val FOR_TESTS =
+            Regex("junit-.*|opentest4j|apiguardian-api|archunit|surefire-.*|maven-surefire-.*|kotlin-test.*")
     }
 }

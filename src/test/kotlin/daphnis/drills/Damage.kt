@@ -30,7 +30,14 @@ internal enum class Verdict(val isGood: Boolean) {
 }
 
 /** One damaged directory and one command on it. */
-internal class DamageCase(val number: Int, val file: String, val damage: String, val command: String, val verdict: Verdict, val said: String) {
+internal class DamageCase(
+    val number: Int,
+    val file: String,
+    val damage: String,
+    val command: String,
+    val verdict: Verdict,
+    val said: String,
+) {
     override fun toString() = "$number: $command, $file $damage: $verdict: $said"
 }
 
@@ -106,7 +113,11 @@ internal class Damage(private val home: Path, seed: Long) {
     }
 
     private fun delete(directory: Path) {
-        if (Files.exists(directory)) Files.walk(directory).use { all -> all.sorted(Comparator.reverseOrder()).forEach { Files.delete(it) } }
+        if (Files.exists(directory)) {
+            Files.walk(directory).use { all ->
+                all.sorted(Comparator.reverseOrder()).forEach { Files.delete(it) }
+            }
+        }
     }
 
     companion object {

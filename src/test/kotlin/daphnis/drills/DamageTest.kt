@@ -16,7 +16,11 @@ class DamageTest {
         val cases = Damage(home, SEED).run(CASES)
         val bad = cases.filterNot { it.verdict.isGood }
         assertTrue(bad.isEmpty()) { "seed $SEED:\n" + bad.joinToString("\n") }
-        for (verdict in listOf(Verdict.SAME, Verdict.TOLD)) assertTrue(cases.count { it.verdict == verdict } > CASES / 10) { "$verdict" }
+        for (verdict in listOf(Verdict.SAME, Verdict.TOLD)) {
+            assertTrue(
+                cases.count { it.verdict == verdict } > CASES / 10,
+            ) { "$verdict" }
+        }
     }
 
     private companion object {

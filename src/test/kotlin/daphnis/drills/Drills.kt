@@ -21,13 +21,19 @@ fun main(args: Array<String>) {
     val seed = if (args.size > 2) args[2].toLongOrNull() else 1L
     if (drill == null || cases == null || cases < 1 || seed == null || args.size > 3) {
         System.err.println("usage: tools/drills/drill NAME [CASES [SEED]]")
-        for (known in drills) System.err.println("  %-8s %s (%d cases)".format(java.util.Locale.ROOT, known.name, known.what, known.cases))
+        for (known in drills) {
+            System.err.println(
+                "  %-8s %s (%d cases)".format(java.util.Locale.ROOT, known.name, known.what, known.cases),
+            )
+        }
         exitProcess(2)
     }
     val begin = System.nanoTime()
     val tally = drill.run(cases, seed) { println(it) }
     for (note in tally.notes) println(note)
     for (line in tally.lost) println("LOST: $line")
-    println("${drill.name}: ${tally.tried} tried with seed $seed in ${(System.nanoTime() - begin) / 1_000_000_000} s, ${tally.lost.size} lost")
+    println(
+        "${drill.name}: ${tally.tried} tried with seed $seed in ${(System.nanoTime() - begin) / 1_000_000_000} s, ${tally.lost.size} lost",
+    )
     exitProcess(if (tally.lost.isEmpty()) 0 else 1)
 }

@@ -1,7 +1,7 @@
 package daphnis.drills
 
 import daphnis.app.daphnis
-import daphnis.core.setup.SeededRandom
+import daphnis.core.initial.SeededRandom
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.ExperimentalPathApi

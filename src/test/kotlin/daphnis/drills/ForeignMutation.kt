@@ -4,10 +4,10 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.ExtendedXyz
-import daphnis.core.format.Frame
 import daphnis.core.format.H5md
+import daphnis.core.format.Snapshot
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import java.io.StringWriter
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
@@ -31,9 +31,9 @@ internal class ForeignMutation(private val random: SeededRandom, private val hom
 
     private fun <T> pick(from: List<T>): T = from[random.nextInt(from.size)]
 
-    private fun frame(k: Int, hostile: Boolean = false): Frame {
+    private fun frame(k: Int, hostile: Boolean = false): Snapshot {
         fun column(low: Double, high: Double) = DoubleArray(COUNT) { random.nextDouble(low, high) }
-        val frame = Frame(
+        val frame = Snapshot(
             10L * k, k.toDouble(), doubleArrayOf(10.0, 9.0, 8.0), BooleanArray(3) { true }, 0.0, IntArray(COUNT) { it },
             Array(3) { column(-4.0, 4.0) }, Array(3) { column(-1.0, 1.0) }, column(0.1, 0.3), column(0.5, 2.0),
         )
@@ -46,7 +46,7 @@ internal class ForeignMutation(private val random: SeededRandom, private val hom
         val time = if (random.nextInt(4) == 0) number() else frame.time
         val step = pick(listOf(frame.step, frame.step, -1L, Long.MAX_VALUE))
         val offset = if (random.nextInt(4) == 0) number() else 0.0
-        return Frame(
+        return Snapshot(
             step, time, frame.lengths, BooleanArray(3) { random.nextInt(3) > 0 }, offset,
             frame.id, frame.position, frame.velocity, frame.radius, frame.mass,
             normalAxis = random.nextInt(4),
@@ -64,7 +64,7 @@ internal class ForeignMutation(private val random: SeededRandom, private val hom
         val path = home.resolve("written.h5")
         val frames = List(1 + random.nextInt(2)) { frame(it, hostile) }
         val same = frames.map {
-            Frame(
+            Snapshot(
                 it.step, it.time, it.lengths, it.periodic, it.shearOffset, frames[0].id,
                 it.position, it.velocity, it.radius, it.mass, it.normalAxis, it.slideAxis,
             )
@@ -98,7 +98,7 @@ internal class ForeignMutation(private val random: SeededRandom, private val hom
             frame.radius,
             frame.mass,
         )
-        CartAndRad.write(Frame.of(population, Periodic(Box.centred(10.0, 9.0, 8.0)), 0, 0.0).population(), path)
+        CartAndRad.write(Snapshot.of(population, Periodic(Box.centred(10.0, 9.0, 8.0)), 0, 0.0).population(), path)
         return Files.readAllBytes(path).also { Files.delete(path) }
     }
 

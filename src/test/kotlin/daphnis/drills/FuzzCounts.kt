@@ -18,8 +18,9 @@ internal class FuzzCounts {
     var failed = 0
     val faults = ArrayList<String>()
 
-    override fun toString() = "$worked worked, $refused refused in a line, $failed failed in a line, ${faults.size} faults" +
-        faults.joinToString("") { "\n$it" }
+    override fun toString() =
+        "$worked worked, $refused refused in a line, $failed failed in a line, ${faults.size} faults" +
+            faults.joinToString("") { "\n$it" }
 }
 
 /** Cases one after the other, each under a watchdog; one that hangs ends the fuzz, for nothing can end it. */

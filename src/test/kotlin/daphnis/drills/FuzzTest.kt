@@ -35,5 +35,6 @@ class FuzzTest {
     fun `mutated scenarios work or are refused in one line`() = assertSound(scenarioFuzz(150, 1, home), 150)
 
     @Test
-    fun `mutated files of particles are read or refused in one line, whatever door they come by`() = assertSound(foreignFuzz(40, 1, home), 40)
+    fun `mutated files of particles are read or refused in one line, whatever door they come by`() =
+        assertSound(foreignFuzz(40, 1, home), 40)
 }

@@ -8,7 +8,10 @@ import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** `kill -9` at moments drawn from the seed, by the clock or as soon as a file is half written, of runs and of their resumes; then file by file against the unbroken run. */
+/**
+ * `kill -9` at moments drawn from the seed, by the clock or as soon as a file is half written, of runs and of their
+ * resumes; then file by file against the unbroken run.
+ */
 internal object KillDrill : Drill {
     override val name = "kill"
     override val what = "kill -9 of runs and resumes of every engine, then the files against those of the unbroken run"
@@ -39,8 +42,21 @@ internal object KillDrill : Drill {
                 if (!whole.exists()) Program.succeed(home, *command(which, "serial", whole.name))
                 val chain = Chain(home, "killed-${chains++}", command(which, engine, "killed-${chains - 1}"), random)
                 kills += chain.carryOn(minOf(MOST_IN_CHAIN, cases - kills))
-                val bad = chain.complaints + if (chain.directory.exists()) RunFiles.differences(whole, chain.directory) else listOf("no run directory")
-                say("${if (bad.isEmpty()) "same" else "LOST"}: ${SCENARIOS[which].substringBefore(' ')} on $engine, ${chain.history}")
+                val bad =
+                    chain.complaints +
+                        if (chain.directory.exists()) {
+                            RunFiles.differences(
+                                whole,
+                                chain.directory,
+                            )
+                        } else {
+                            listOf("no run directory")
+                        }
+                say(
+                    "${if (bad.isEmpty()) "same" else "LOST"}: ${SCENARIOS[which].substringBefore(
+                        ' ',
+                    )} on $engine, ${chain.history}",
+                )
                 lost += bad.map { "$which on $engine, ${chain.history}: $it" }
                 chain.directory.deleteRecursively()
             }
@@ -53,13 +69,28 @@ internal object KillDrill : Drill {
     private fun command(which: Int, engine: String, out: String): Array<String> {
         val words = SCENARIOS[which].split(' ')
         val settings = words.drop(3).flatMap { listOf("--set", it) }
-        return arrayOf("run", *words.take(3).toTypedArray(), *settings.toTypedArray(), "--engine", engine, "--threads", threadsOf(engine), "--quiet", "--out", out)
+        return arrayOf(
+            "run",
+            *words.take(
+                3,
+            ).toTypedArray(),
+            *settings.toTypedArray(), "--engine", engine, "--threads",
+            threadsOf(
+                engine,
+            ),
+            "--quiet", "--out", out,
+        )
     }
 
     private const val MOST_IN_CHAIN = 5
 
     /** One run that is killed, resumed, killed again, and then let go to its end. */
-    private class Chain(private val home: Path, name: String, private val start: Array<String>, private val random: Random) {
+    private class Chain(
+        private val home: Path,
+        name: String,
+        private val start: Array<String>,
+        private val random: Random,
+    ) {
         val directory: Path = home.resolve(name)
         val complaints = ArrayList<String>()
         private val moments = ArrayList<String>()
@@ -88,16 +119,30 @@ internal object KillDrill : Drill {
             if (kill) {
                 val byFile = random.nextInt(2) == 0
                 val after = 0.4 + 2.4 * random.nextDouble()
-                while (program.isAlive && !(program.seconds > after && (!byFile || isHalfWritten() || program.seconds > after + PATIENCE))) Thread.sleep(1)
+                while (program.isAlive &&
+                    !(program.seconds > after && (!byFile || isHalfWritten() || program.seconds > after + PATIENCE))
+                ) {
+                    Thread.sleep(1)
+                }
                 if (program.isAlive) {
                     program.kill()
-                    moments += "%s %.1f s%s".format(java.util.Locale.ROOT, arguments[0], program.seconds, if (byFile) " (half a file)" else "")
+                    moments +=
+                        "%s %.1f s%s".format(
+                            java.util.Locale.ROOT,
+                            arguments[0],
+                            program.seconds,
+                            if (byFile) " (half a file)" else "",
+                        )
                     program.await()
                     return true
                 }
             }
             val ended = program.await()
-            if (ended.code != 0) complaints += "${arguments[0]} ended with ${ended.code}: ${ended.text.trim().take(MOST_SAID)}"
+            if (ended.code !=
+                0
+            ) {
+                complaints += "${arguments[0]} ended with ${ended.code}: ${ended.text.trim().take(MOST_SAID)}"
+            }
             if (ended.hasTrace) complaints += "a trace: ${ended.text.take(MOST_SAID)}"
             return false
         }

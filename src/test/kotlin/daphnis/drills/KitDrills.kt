@@ -35,7 +35,9 @@ internal object ScenarioFuzzDrill : Drill {
     override val what = "scenarios mutated at drawn places: each works, or is refused in one line"
     override val cases = 3000
 
-    override fun run(cases: Int, seed: Long, say: (String) -> Unit): Tally = inDirectory(name) { tally(cases, scenarioFuzz(cases, seed, it)) }
+    override fun run(cases: Int, seed: Long, say: (String) -> Unit): Tally = inDirectory(name) {
+        tally(cases, scenarioFuzz(cases, seed, it))
+    }
 }
 
 /** Files of other programs with hostile values, bytes and shapes, through every door that reads them. */
@@ -44,7 +46,9 @@ internal object ForeignFuzzDrill : Drill {
     override val what = "HDF5, XYZ, CSV and CartAndRad files mutated: each works, or is refused in one line"
     override val cases = 1500
 
-    override fun run(cases: Int, seed: Long, say: (String) -> Unit): Tally = inDirectory(name) { tally(cases, foreignFuzz(cases, seed, it)) }
+    override fun run(cases: Int, seed: Long, say: (String) -> Unit): Tally = inDirectory(name) {
+        tally(cases, foreignFuzz(cases, seed, it))
+    }
 }
 
 /** Throws at every call of every function of a user in a step, in every engine, three boundaries, so many seeds. */
@@ -71,12 +75,13 @@ internal object ThrowDrill : Drill {
         return Tally(tried, lost)
     }
 
-    private fun thrown(case: FailingCase, seed: Long, engine: () -> CollisionEngine): Int = FailingSteps(case, seed, engine).use { steps ->
-        steps.throwAtEachCall()
-        steps.throwAtEachCall(every = 3) { OutOfMemoryError("on purpose, $it") }
-        steps.finish()
-        steps.thrown
-    }
+    private fun thrown(case: FailingCase, seed: Long, engine: () -> CollisionEngine): Int =
+        FailingSteps(case, seed, engine).use { steps ->
+            steps.throwAtEachCall()
+            steps.throwAtEachCall(every = 3) { OutOfMemoryError("on purpose, $it") }
+            steps.finish()
+            steps.thrown
+        }
 
     private val engines: Map<String, () -> CollisionEngine> = mapOf(
         "serial" to { SerialEngine() },

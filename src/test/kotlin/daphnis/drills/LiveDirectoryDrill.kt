@@ -6,13 +6,18 @@ import kotlin.io.path.deleteRecursively
 import kotlin.io.path.exists
 import kotlin.io.path.name
 
-/** Whatever a user may type at the directory of a run that is under way: the run must not notice, and must come out as if alone. */
+/**
+ * Whatever a user may type at the directory of a run that is under way: the run must not notice, and must come out as
+ * if alone.
+ */
 internal object LiveDirectoryDrill : Drill {
     override val name = "live"
     override val what = "run --force, resume, analyze, export and compare at the directory of a run under way"
     override val cases = 30
 
-    private val RUN = "run cooling-gas --until 60 --set output.checkpointEvery=11 --set output.snapshotEvery=9 --engine islands --threads 2 --quiet --out".split(' ')
+    private val RUN = "run cooling-gas --until 60 --set output.checkpointEvery=11 --set output.snapshotEvery=9 --engine islands --threads 2 --quiet --out".split(
+        ' ',
+    )
 
     /** Words after `daphnis`; LIVE stands for the directory, WHOLE for one like it that is done. */
     private val INTRUSIONS = listOf(
@@ -41,7 +46,11 @@ internal object LiveDirectoryDrill : Drill {
                 while (program.isAlive && !live.resolve("checkpoint").exists()) Thread.sleep(1)
                 var isOver = false
                 while (program.isAlive && tried < cases) {
-                    val words = INTRUSIONS[random.nextInt(INTRUSIONS.size)].replace("LIVE", "live").replace("WHOLE", "whole")
+                    val words = INTRUSIONS[
+                        random.nextInt(
+                            INTRUSIONS.size,
+                        ),
+                    ].replace("LIVE", "live").replace("WHOLE", "whole")
                     val ended = Program.run(home, *words.split(' ').toTypedArray())
                     // Perhaps the run had ended before the other one began, which then was allowed what it did.
                     isOver = !program.isAlive

@@ -20,10 +20,14 @@ internal class Program(private val directory: Path, heap: String, private val ar
 
     init {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        val command = listOf(java, "-Xmx$heap", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "daphnis.app.MainKt") + arguments
-        val builder = ProcessBuilder(command).directory(directory.toFile()).redirectErrorStream(true).redirectOutput(log.toFile())
+        val command =
+            listOf(java, "-Xmx$heap", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "daphnis.app.MainKt") + arguments
+        val builder = ProcessBuilder(
+            command,
+        ).directory(directory.toFile()).redirectErrorStream(true).redirectOutput(log.toFile())
         val classes = ManagementFactory.getRuntimeMXBean().classPath.split(File.pathSeparator)
-        builder.environment()["CLASSPATH"] = classes.joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
+        builder.environment()["CLASSPATH"] =
+            classes.joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
         process = builder.start()
     }
 
@@ -59,7 +63,8 @@ internal class Program(private val directory: Path, heap: String, private val ar
             check(ended.code == 0) { "${arguments.joinToString(" ")} ended with ${ended.code}: ${ended.text}" }
         }
 
-        fun run(directory: Path, vararg arguments: String, heap: String = "512m"): Ended = Program(directory, heap, arguments.toList()).await()
+        fun run(directory: Path, vararg arguments: String, heap: String = "512m"): Ended =
+            Program(directory, heap, arguments.toList()).await()
     }
 }
 

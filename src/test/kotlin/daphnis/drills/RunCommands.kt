@@ -32,7 +32,10 @@ internal class RunCommands(private val base: Path) {
         else -> daphnis("analyze", "$directory", "--quiet", "--out", "$directory-out")
     }
 
-    /** What the command [name] has made, by name of file; of pictures and pages nothing, of a summary what does not depend on the clock. */
+    /**
+     * What the command [name] has made, by name of file; of pictures and pages nothing, of a summary what does not
+     * depend on the clock.
+     */
     fun results(name: String, directory: Path, result: CommandResult): Map<String, String> = when (name) {
         "resume" -> ofRun(directory)
         "compare" -> mapOf("verdict" to result.out.substringBefore(':'))
@@ -44,11 +47,21 @@ internal class RunCommands(private val base: Path) {
 
     private fun ofRun(directory: Path): Map<String, String> = buildMap {
         val run = RunDirectory(directory)
-        for (table in listOf(run.series, run.transport, run.impacts, run.collisions)) if (table.exists()) put(table.name, Files.readString(table))
+        for (table in listOf(
+            run.series,
+            run.transport,
+            run.impacts,
+            run.collisions,
+        )) {
+            if (table.exists()) put(table.name, Files.readString(table))
+        }
         // States that were there before stay as they are; whoever reads a damaged one is told.
         for (step in run.snapshotSteps().filter { it > 12 }) put("$step", stateDigest(run.frame(step).population()))
         val summary = Summary.read(run.summary)
-        put("summary", "${summary.stateDigest} ${summary.steps} ${summary.collisions} ${summary.guardActivations} ${summary.energy} ${summary.maxOverlap}")
+        put(
+            "summary",
+            "${summary.stateDigest} ${summary.steps} ${summary.collisions} ${summary.guardActivations} ${summary.energy} ${summary.maxOverlap}",
+        )
     }
 
     companion object {

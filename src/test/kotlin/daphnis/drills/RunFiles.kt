@@ -10,10 +10,16 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 import kotlin.io.path.relativeTo
 
-/** Compares run directories file by file, byte by byte; what may differ between runs of the same scenario is left out. */
+/**
+ * Compares run directories file by file, byte by byte; what may differ between runs of the same scenario is left out.
+ */
 internal object RunFiles {
-    /** Of the summary: who did it, when and how fast. `redoneSteps` and `causalityReplays` say how an engine went about it. */
-    private val TOLD = setOf("engine", "threads", "wallSeconds", "stepsPerSecond", "jvm", "redoneSteps", "causalityReplays")
+    /**
+     * Of the summary: who did it, when and how fast. `redoneSteps` and `causalityReplays` say how an engine went about
+     * it.
+     */
+    private val TOLD =
+        setOf("engine", "threads", "wallSeconds", "stepsPerSecond", "jvm", "redoneSteps", "causalityReplays")
 
     /** What differs between [expected] and [actual], nothing when they are the same run. */
     fun differences(expected: Path, actual: Path): List<String> {
@@ -21,7 +27,10 @@ internal object RunFiles {
         val right = files(actual)
         val missing = (left.keys - right.keys).map { "$it is missing" }
         val extra = (right.keys - left.keys).map { "$it should not be there" }
-        return missing + extra + (left.keys intersect right.keys).sorted().filterNot { same(left.getValue(it), right.getValue(it)) }.map { "$it differs" }
+        return missing + extra +
+            (left.keys intersect right.keys).sorted().filterNot {
+                same(left.getValue(it), right.getValue(it))
+            }.map { "$it differs" }
     }
 
     private fun files(directory: Path): Map<String, Path> = Files.walk(directory).use { paths ->

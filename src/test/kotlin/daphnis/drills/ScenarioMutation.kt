@@ -1,6 +1,6 @@
 package daphnis.drills
 
-import daphnis.core.setup.SeededRandom
+import daphnis.core.initial.SeededRandom
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
@@ -82,11 +82,12 @@ internal class ScenarioMutation(private val random: SeededRandom, private val ot
         }
     }
 
-    private fun paths(tree: JsonElement, here: List<Any> = emptyList()): List<List<Any>> = (if (here.isEmpty()) emptyList() else listOf(here)) + when (tree) {
-        is JsonObject -> tree.flatMap { (key, value) -> paths(value, here + key) }
-        is JsonArray -> tree.take(MOST_LISTED).flatMapIndexed { k, value -> paths(value, here + k) }
-        else -> emptyList()
-    }
+    private fun paths(tree: JsonElement, here: List<Any> = emptyList()): List<List<Any>> =
+        (if (here.isEmpty()) emptyList() else listOf(here)) + when (tree) {
+            is JsonObject -> tree.flatMap { (key, value) -> paths(value, here + key) }
+            is JsonArray -> tree.take(MOST_LISTED).flatMapIndexed { k, value -> paths(value, here + k) }
+            else -> emptyList()
+        }
 
     private fun get(tree: JsonElement, path: List<Any>): JsonElement = path.fold(tree) { here, step ->
         if (step is Int) (here as JsonArray)[step] else (here as JsonObject).getValue(step as String)

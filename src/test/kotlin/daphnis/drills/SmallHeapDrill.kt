@@ -8,8 +8,8 @@ import kotlin.io.path.exists
 import kotlin.io.path.name
 
 /**
- * Every engine and every command with too little memory: each either does its work right or ends by itself with one line; asked politely to end, it does; and what it
- * leaves is a run that goes on with more memory to the same bits.
+ * Every engine and every command with too little memory: each either does its work right or ends by itself with one
+ * line; asked politely to end, it does; and what it leaves is a run that goes on with more memory to the same bits.
  */
 internal object SmallHeapDrill : Drill {
     override val name = "heap"
@@ -38,7 +38,9 @@ internal object SmallHeapDrill : Drill {
                 val heap = "${6 + random.nextInt(35)}m"
                 val bad = when (case % 4) {
                     3 -> listOfNotNull(read(home, heap, random))
-                    else -> broken(home, whole, heap, ENGINES[random.nextInt(ENGINES.size)], random.nextInt(4) == 0) { done++ }
+                    else -> broken(home, whole, heap, ENGINES[random.nextInt(ENGINES.size)], random.nextInt(4) == 0) {
+                        done++
+                    }
                 }
                 lost += bad.map { "case $case, heap $heap: $it" }
                 say("case $case, heap $heap: ${bad.ifEmpty { "well" }}")
@@ -49,12 +51,24 @@ internal object SmallHeapDrill : Drill {
         return Tally(cases, lost, listOf("$done of the runs had memory enough"))
     }
 
-    private fun command(engine: String, out: String): Array<String> =
-        arrayOf("run", "elastic-gas", "--steps", "12", *SETTINGS.toTypedArray(), "--engine", engine, "--threads", threadsOf(engine), "--quiet", "--out", out)
+    private fun command(engine: String, out: String): Array<String> = arrayOf(
+        "run", "elastic-gas", "--steps", "12", *SETTINGS.toTypedArray(), "--engine", engine, "--threads",
+        threadsOf(
+            engine,
+        ),
+        "--quiet", "--out", out,
+    )
 
     /** A run with little memory, then a resume with enough. */
     @OptIn(kotlin.io.path.ExperimentalPathApi::class)
-    private fun broken(home: Path, whole: Path, heap: String, engine: String, politely: Boolean, done: () -> Unit): List<String> {
+    private fun broken(
+        home: Path,
+        whole: Path,
+        heap: String,
+        engine: String,
+        politely: Boolean,
+        done: () -> Unit,
+    ): List<String> {
         val small = home.resolve("small")
         val program = Program(home, heap, command(engine, small.name).toList())
         if (politely) {
@@ -62,11 +76,20 @@ internal object SmallHeapDrill : Drill {
             program.terminate()
         }
         val ended = program.await(if (politely) LONGEST_POLITE else Program.LONG)
-        val bad = listOfNotNull(judge("$engine${if (politely) ", terminated" else ""}", ended, politely)).toMutableList()
+        val bad = listOfNotNull(
+            judge("$engine${if (politely) ", terminated" else ""}", ended, politely),
+        ).toMutableList()
         if (ended.code == 0) done()
         if (small.resolve("scenario.json").exists()) {
             val resumed = Program.run(home, "resume", small.name, "--quiet")
-            if (resumed.code != 0) bad += "$engine: resume ended with ${resumed.code}: ${resumed.text}" else bad += RunFiles.differences(whole, small)
+            if (resumed.code !=
+                0
+            ) {
+                bad += "$engine: resume ended with ${resumed.code}: ${resumed.text}"
+            } else {
+                bad +=
+                    RunFiles.differences(whole, small)
+            }
         }
         small.deleteRecursively()
         return bad
@@ -94,7 +117,9 @@ internal object SmallHeapDrill : Drill {
         ended.hasTrace -> "$what: a trace: ${ended.text.take(MOST_SAID)}"
         ended.code == 0 || (politely && ended.code in POLITE) -> null
         ended.code != 1 -> "$what: exit code ${ended.code}: ${ended.text.take(MOST_SAID)}"
-        ended.text.trim().lines().count { it.isNotEmpty() } > MOST_LINES -> "$what: more than a line: ${ended.text.take(MOST_SAID)}"
+        ended.text.trim().lines().count {
+            it.isNotEmpty()
+        } > MOST_LINES -> "$what: more than a line: ${ended.text.take(MOST_SAID)}"
         else -> null
     }
 

@@ -17,7 +17,10 @@ import java.util.Locale
 import java.util.Random
 import kotlin.math.abs
 
-/** A dense elastic gas for as many collisions as asked for, on every engine in turn: nothing overlaps, energy stays, memory does not grow. */
+/**
+ * A dense elastic gas for as many collisions as asked for, on every engine in turn: nothing overlaps, energy stays,
+ * memory does not grow.
+ */
 internal object SoakDrill : Drill {
     override val name = "soak"
     override val what = "an elastic gas at filling factor 0.3 for so many collisions on each engine: overlap, energy, memory"
@@ -51,7 +54,8 @@ internal object SoakDrill : Drill {
                 simulation.advance()
                 if (forcing.counters.collisions < collisions.toLong() * look / LOOKS) continue
                 look++
-                deepest = maxOf(deepest, Overlap.deepest(simulation.population, simulation.boundary, simulation.time).depth)
+                deepest =
+                    maxOf(deepest, Overlap.deepest(simulation.population, simulation.boundary, simulation.time).depth)
                 sums.take(simulation.population, InlineLoop)
                 drift = maxOf(drift, abs(sums.kineticEnergy / energy - 1))
                 live += liveBytes()
@@ -66,7 +70,16 @@ internal object SoakDrill : Drill {
         return Tally(
             collisions,
             lost,
-            listOf(text.format(Locale.ROOT, forcing.counters.collisions, deepest, drift, (growth(live) ?: 0) / KB, (growth(resident) ?: 0) / KB)),
+            listOf(
+                text.format(
+                    Locale.ROOT,
+                    forcing.counters.collisions,
+                    deepest,
+                    drift,
+                    (growth(live) ?: 0) / KB,
+                    (growth(resident) ?: 0) / KB,
+                ),
+            ),
         )
     }
 
@@ -75,7 +88,18 @@ internal object SoakDrill : Drill {
         val n = EDGE * EDGE * EDGE
         fun lattice(stride: Int) = DoubleArray(n) { (it / stride % EDGE + 0.5 - EDGE / 2.0) * SPACING }
         fun speeds() = DoubleArray(n) { random.nextGaussian() }
-        return Population(lattice(1), lattice(EDGE), lattice(EDGE * EDGE), speeds(), speeds(), speeds(), DoubleArray(n) { 0.5 }, DoubleArray(n) { 1.0 })
+        return Population(
+            lattice(1),
+            lattice(EDGE),
+            lattice(EDGE * EDGE),
+            speeds(),
+            speeds(),
+            speeds(),
+            DoubleArray(n) {
+                0.5
+            },
+            DoubleArray(n) { 1.0 },
+        )
     }
 
     /** By how much the median of the last third lies above that of the middle third. */

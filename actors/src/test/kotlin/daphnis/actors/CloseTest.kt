@@ -32,7 +32,11 @@ import java.util.concurrent.atomic.AtomicInteger
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class CloseTest {
     private fun assertWhole(step: CollisionStep, isDone: Boolean, about: () -> String) {
-        assertEquals(if (isDone) stateDigest(FaultKit.done.population) else initial, stateDigest(step.population), about)
+        assertEquals(
+            if (isDone) stateDigest(FaultKit.done.population) else initial,
+            stateDigest(step.population),
+            about,
+        )
         assertEquals(if (isDone) FaultKit.done.counters.collisions else 0, step.counters.collisions, about)
     }
 
@@ -153,7 +157,13 @@ class CloseTest {
                 val reached = CountDownLatch(1)
                 val probe = { command: RegionCommand -> if (last.count(command)) reached.countDown() }
                 // In a host's system, which is quicker than one for each.
-                val engine = if (which == 0) engines(probe)[0] else PekkoEngine(2, FaultKit.layout, host).also { it.probe = probe }
+                val engine = if (which ==
+                    0
+                ) {
+                    engines(probe)[0]
+                } else {
+                    PekkoEngine(2, FaultKit.layout, host).also { it.probe = probe }
+                }
                 val step = FaultKit.step()
                 val closer = Thread {
                     reached.await()

@@ -39,7 +39,9 @@ internal object FaultKit {
     /** One step of the same gas, without the loop around it. */
     fun step(restitution: Restitution = ConstantRestitution(1.0)): CollisionStep {
         val (p, boundary) = gas(400, 4)
-        return CollisionStep(p, boundary, CollisionLaw(restitution), CollisionCounters()).also { it.duration = DURATION }
+        return CollisionStep(p, boundary, CollisionLaw(restitution), CollisionCounters()).also {
+            it.duration = DURATION
+        }
     }
 
     /** That step, done. */
@@ -77,7 +79,10 @@ internal object FaultKit {
     }
 
     /** Threads that engines made. */
-    fun engineThreads(): List<Thread> = Thread.getAllStackTraces().keys.filter { it.isAlive && it.name.startsWith("daphnis") }
+    fun engineThreads(): List<Thread> = Thread.getAllStackTraces().keys.filter {
+        it.isAlive &&
+            it.name.startsWith("daphnis")
+    }
 
     /** Waits until no engine has a thread. Who leaks one fails by the test's time limit, after saying so here. */
     fun awaitNoEngineThreads() {

@@ -37,7 +37,11 @@ class FaultsTest {
         ThreadDeath(),
     )
     private val exceptions =
-        listOf(IllegalStateException("on purpose"), InterruptedException("on purpose"), CancellationException("on purpose"))
+        listOf(
+            IllegalStateException("on purpose"),
+            InterruptedException("on purpose"),
+            CancellationException("on purpose"),
+        )
 
     @Test
     fun `an exception in a region, in any phase, is put before the serial engine, which finds nothing wrong`() {
@@ -52,7 +56,9 @@ class FaultsTest {
                     simulation(engine).use { simulation ->
                         assertWorksOn(simulation) { "${engine.name}, $phase, $exception" }
                         assertTrue(failures.get() > 1) { "${engine.name}: no $phase came by" }
-                        assertTrue(simulation.collisions!!.counters.causalityReplays in 1..2) { "${engine.name}, $phase, $exception" }
+                        assertTrue(simulation.collisions!!.counters.causalityReplays in 1..2) {
+                            "${engine.name}, $phase, $exception"
+                        }
                     }
                 }
             }
@@ -109,7 +115,15 @@ class FaultsTest {
     fun `a law that fails once, on a path that may be a guess, costs nothing but a replay`() {
         for (engine in engines()) {
             val calls = AtomicInteger()
-            val law = { _: Double -> if (calls.incrementAndGet() == 30) throw ArithmeticException("on purpose") else 1.0 }
+            val law = { _: Double ->
+                if (calls.incrementAndGet() ==
+                    30
+                ) {
+                    throw ArithmeticException("on purpose")
+                } else {
+                    1.0
+                }
+            }
             simulation(engine, law).use { simulation ->
                 assertWorksOn(simulation) { engine.name }
                 assertEquals(1, simulation.collisions!!.counters.causalityReplays)

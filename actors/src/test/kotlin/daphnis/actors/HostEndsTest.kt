@@ -128,7 +128,9 @@ class HostEndsTest {
             simulation.advance()
             dispatcher.dead = true
             val e = assertThrows(IllegalStateException::class.java) { simulation.advance() }
-            assertTrue("no region has begun its work for 0.3 s: the threads of the dispatcher" in e.message!!) { e.message }
+            assertTrue("no region has begun its work for 0.3 s: the threads of the dispatcher" in e.message!!) {
+                e.message
+            }
             val step = FaultKit.step()
             assertThrows(IllegalStateException::class.java) { runBlocking { engine.advanceSuspending(step) } }
             assertEquals(initial, stateDigest(step.population))
@@ -150,7 +152,11 @@ class HostEndsTest {
             // More than it can have threads, none of which says that it blocks.
             repeat(512) { dispatcher.execute { free.await() } }
             val e = assertThrows(IllegalStateException::class.java) { simulation.advance() }
-            assertTrue("no region has begun its work for 0.3 s: the threads of the actor system \"host\"" in e.message!!) { e.message }
+            assertTrue(
+                "no region has begun its work for 0.3 s: the threads of the actor system \"host\"" in e.message!!,
+            ) {
+                e.message
+            }
             assertEquals(expected[0], stateDigest(simulation.population))
             free.countDown()
             simulation.advance()

@@ -6,8 +6,8 @@ import daphnis.actors.FaultKit.initial
 import daphnis.actors.FaultKit.simulation
 import daphnis.actors.coroutine.RegionActorEngine
 import daphnis.actors.pekko.PekkoEngine
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.stateDigest
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -143,7 +143,13 @@ class InterruptsTest {
         val threads = List(20) { k ->
             Thread {
                 try {
-                    val engine = if (k % 2 == 0) RegionActorEngine(3, FaultKit.layout) else PekkoEngine(3, FaultKit.layout)
+                    val engine = if (k % 2 ==
+                        0
+                    ) {
+                        RegionActorEngine(3, FaultKit.layout)
+                    } else {
+                        PekkoEngine(3, FaultKit.layout)
+                    }
                     simulation(engine).use { simulation ->
                         assertEquals(initial, stateDigest(simulation.population))
                         FaultKit.assertWorksOn(simulation) { engine.name }

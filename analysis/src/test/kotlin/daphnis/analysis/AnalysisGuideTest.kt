@@ -1,7 +1,7 @@
 package daphnis.analysis
 
 import daphnis.analysis.insitu.Averages
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
 import daphnis.analysis.profile.Profile
@@ -9,10 +9,10 @@ import daphnis.analysis.streamline.Streamlines
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.force.HillFrame
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -37,17 +37,29 @@ class AnalysisGuideTest {
         val collisions = CollisionForcing(BridgesRestitution(cmPerSecond = 0.02))
         val profile = Profile(axis = 2, from = -15.0, to = 15.0, bins = 30)
         val averages = Averages(profile, from = orbit / 2, every = 10, omega)
-        val simulation = Simulation(population, sheet, collisions, FixedTimeStep(dt), listOf(HillFrame(omega)), outputs = listOf(averages))
+        val simulation =
+            Simulation(
+                population,
+                sheet,
+                collisions,
+                FixedTimeStep(dt),
+                listOf(HillFrame(omega)),
+                outputs = listOf(averages),
+            )
         repeat(100) { simulation.advance() }
         val middle = averages.average(15 * Profile.COLUMNS.size + Profile.COLUMNS.indexOf("filling_factor"))
         assertTrue(middle.mean > 0)
         assertFalse(middle.isLevelled) { "six states in half an orbit tell no error" }
         assertEquals(6, averages.size)
 
-        val state = PatchState.of(simulation, omega)
+        val state = State.of(simulation, omega)
         val order = RadialOrder().sort(state, RadialKey.X)
         assertTrue(state.population === population)
-        for (rank in 1 until order.size) assertTrue(population.x[order.order[rank - 1]] <= population.x[order.order[rank]])
+        for (rank in 1 until order.size) {
+            assertTrue(
+                population.x[order.order[rank - 1]] <= population.x[order.order[rank]],
+            )
+        }
         val lines = Streamlines.of(state, slabs = 4, groups = 5, RadialKey.GUIDING_CENTRE)
         assertEquals(100, lines.count.sum())
         assertTrue(lines.q.any { it > 0 })

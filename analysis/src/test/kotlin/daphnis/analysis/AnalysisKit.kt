@@ -1,12 +1,15 @@
 package daphnis.analysis
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.force.Epicycle
+import daphnis.core.hill.Epicycle
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 
-/** [count] spheres of radius [radius] and mass 1, uniform in the box of [boundary] (overlapping: nobody collides here), at rest unless [velocity] says otherwise. */
+/**
+ * [count] spheres of radius [radius] and mass 1, uniform in the box of [boundary] (overlapping: nobody collides here),
+ * at rest unless [velocity] says otherwise.
+ */
 fun uniform(
     count: Int,
     boundary: BoundaryConditions,
@@ -14,7 +17,7 @@ fun uniform(
     radius: Double = 0.1,
     omega: Double? = null,
     velocity: (SeededRandom) -> Double = { 0.0 },
-): PatchState {
+): State {
     val random = SeededRandom(seed)
     val box = boundary.box
     fun place(axis: Int) = DoubleArray(count) { random.nextDouble(box.lower(axis), box.upper(axis)) }
@@ -26,13 +29,41 @@ fun uniform(
         val across = listOf(x, y, z)[flow.normalAxis]
         for (k in 0 until count) v[flow.flowAxis][k] += flow.rate * across[k]
     }
-    return PatchState(Population(x, y, z, v[0], v[1], v[2], DoubleArray(count) { radius }, DoubleArray(count) { 1.0 }), boundary, 0.0, omega)
+    return State(
+        Population(
+            x,
+            y,
+            z,
+            v[0],
+            v[1],
+            v[2],
+            DoubleArray(count) {
+                radius
+            },
+            DoubleArray(count) { 1.0 },
+        ),
+        boundary,
+        0.0,
+        omega,
+    )
 }
 
 /** Particles on the epicycles given, in a frame of angular speed [omega]. */
-fun onEpicycles(epicycles: List<Epicycle>, boundary: BoundaryConditions, omega: Double): PatchState {
+fun onEpicycles(epicycles: List<Epicycle>, boundary: BoundaryConditions, omega: Double): State {
     val s = epicycles.map { it.state(omega) }
     fun column(k: Int) = DoubleArray(s.size) { s[it][k] }
-    val p = Population(column(0), column(1), column(2), column(3), column(4), column(5), DoubleArray(s.size) { 0.1 }, DoubleArray(s.size) { 1.0 })
-    return PatchState(p, boundary, 0.0, omega)
+    val p =
+        Population(
+            column(0),
+            column(1),
+            column(2),
+            column(3),
+            column(4),
+            column(5),
+            DoubleArray(s.size) {
+                0.1
+            },
+            DoubleArray(s.size) { 1.0 },
+        )
+    return State(p, boundary, 0.0, omega)
 }

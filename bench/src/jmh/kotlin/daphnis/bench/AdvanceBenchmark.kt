@@ -18,10 +18,12 @@ import org.openjdk.jmh.annotations.Warmup
 import java.util.concurrent.TimeUnit
 
 /**
- * `advance()` over a whole workload: one operation is all its steps, from the same state each time. The counters give collisions and
- * particle-steps of all measured operations together, so nanoseconds a collision are score · 1e6 · Cnt / collisions.
+ * `advance()` over a whole workload: one operation is all its steps, from the same state each time. The counters give
+ * collisions and particle-steps of all measured operations together, so nanoseconds a collision are score · 1e6 · Cnt /
+ * collisions.
  *
- * `java -jar bench/target/bench-0.1.0.jar AdvanceBenchmark -p engine=ISLANDS,THREAD_POOL -p threads=1,2 -rf json -rff results.json`
+ * `java -jar bench/target/bench-0.1.0.jar AdvanceBenchmark -p engine=ISLANDS,THREAD_POOL -p threads=1,2 -rf json -rff
+ * results.json`
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SingleShotTime)

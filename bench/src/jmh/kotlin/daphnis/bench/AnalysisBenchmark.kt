@@ -1,13 +1,13 @@
 package daphnis.bench
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
 import daphnis.analysis.streamline.Streamlines
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import org.openjdk.jmh.annotations.Benchmark
 import org.openjdk.jmh.annotations.BenchmarkMode
 import org.openjdk.jmh.annotations.Fork
@@ -23,7 +23,8 @@ import org.openjdk.jmh.annotations.Warmup
 import java.util.concurrent.TimeUnit
 
 /**
- * Radial order and streamlines of a large ring patch on one thread: a sort from nothing, one of what is nearly in order, and streamlines, which include the latter.
+ * Radial order and streamlines of a large ring patch on one thread: a sort from nothing, one of what is nearly in
+ * order, and streamlines, which include the latter.
  *
  * `java -Xmx6g -jar bench/target/bench-0.1.0.jar AnalysisBenchmark -p count=1000000,10000000`
  */
@@ -37,7 +38,7 @@ open class AnalysisBenchmark {
     @Param("1000000", "10000000")
     var count: Int = 0
 
-    private lateinit var state: PatchState
+    private lateinit var state: State
     private lateinit var sorted: RadialOrder
 
     @Setup(Level.Trial)
@@ -55,7 +56,7 @@ open class AnalysisBenchmark {
             DoubleArray(count) { 0.5 },
             DoubleArray(count) { 1.0 },
         )
-        state = PatchState(population, HillSheet(Box.centred(2000.0, 10000.0, 10.0), 1.0), 0.0, 1.0)
+        state = State(population, HillSheet(Box.centred(2000.0, 10000.0, 10.0), 1.0), 0.0, 1.0)
         sorted = RadialOrder().sort(state, RadialKey.X)
     }
 

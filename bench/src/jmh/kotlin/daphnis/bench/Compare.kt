@@ -4,8 +4,8 @@ import daphnis.core.population.stateDigest
 import java.util.Locale
 
 /**
- * Engines in turn in one process, round after round, on the same steps: on a noisy machine the only fair comparison. Prints the fastest round of each, in
- * ms a step, and how much faster than the serial engine's that is.
+ * Engines in turn in one process, round after round, on the same steps: on a noisy machine the only fair comparison.
+ * Prints the fastest round of each, in ms a step, and how much faster than the serial engine's that is.
  *
  * `java -cp bench/target/bench-0.1.0.jar daphnis.bench.CompareKt WORKLOAD STEPS ROUNDS`
  */
@@ -14,7 +14,12 @@ fun main(args: Array<String>) {
     val steps = args[1].toInt()
     val rounds = args[2].toInt()
     val engines = listOf(EngineName.SERIAL to 1) +
-        listOf(EngineName.ISLANDS, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO).flatMap { engine -> listOf(1, 2).map { engine to it } }
+        listOf(EngineName.ISLANDS, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO).flatMap { engine ->
+            listOf(1, 2).map {
+                engine to
+                    it
+            }
+        }
     val best = DoubleArray(engines.size) { Double.POSITIVE_INFINITY }
     val digests = HashSet<String>()
     val start = workload.Start()
@@ -34,6 +39,16 @@ fun main(args: Array<String>) {
     check(digests.size == 1) { "the engines disagree" }
     for ((k, engine) in engines.withIndex()) {
         val name = engine.first.name.lowercase().replace('_', '-')
-        println(String.format(Locale.ROOT, "| %s | %s | %d | %.1f | %.2f × |", workload, name, engine.second, best[k], best[0] / best[k]))
+        println(
+            String.format(
+                Locale.ROOT,
+                "| %s | %s | %d | %.1f | %.2f × |",
+                workload,
+                name,
+                engine.second,
+                best[k],
+                best[0] / best[k],
+            ),
+        )
     }
 }

@@ -1,12 +1,12 @@
 package daphnis.bench
 
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
-import daphnis.core.setup.SeededRandom
 import org.openjdk.jmh.annotations.Benchmark
 import org.openjdk.jmh.annotations.BenchmarkMode
 import org.openjdk.jmh.annotations.Fork

@@ -51,12 +51,18 @@ enum class Workload(val dt: Double, val steps: Int, private val make: () -> Scen
         private val guard: CollapseGuard = setup.guard
         private val population: Population = setup.population.also { if (this@Workload == DENSE) melt(it, boundary) }
 
-        fun simulation(engine: CollisionEngine): Simulation =
-            Simulation(population.copy(), boundary, CollisionForcing(restitution, guard, engine), FixedTimeStep(dt), setup.forces)
+        fun simulation(engine: CollisionEngine): Simulation = Simulation(
+            population.copy(),
+            boundary,
+            CollisionForcing(restitution, guard, engine),
+            FixedTimeStep(dt),
+            setup.forces,
+        )
     }
 
     private fun melt(population: Population, boundary: BoundaryConditions) {
-        val simulation = Simulation(population, boundary, CollisionForcing(ConstantRestitution(1.0), NoGuard), FixedTimeStep(0.02))
+        val simulation =
+            Simulation(population, boundary, CollisionForcing(ConstantRestitution(1.0), NoGuard), FixedTimeStep(0.02))
         while (simulation.time < MELTING) simulation.advance()
     }
 }
@@ -73,14 +79,28 @@ private const val RING_STEP = 1 / (1.5 * 21 * RING_OMEGA)
 private fun ring(edges: Int): ScenarioSetup {
     fun scenario(length: Double) = BuiltIn.scenario(
         "ring-patch",
-        listOf("frame={\"type\":\"hill\",\"angularSpeed\":$RING_OMEGA}", "box.lengths=[$length,$length,20]", "timeStep={\"type\":\"fixed\",\"dt\":$RING_STEP}"),
+        listOf(
+            "frame={\"type\":\"hill\",\"angularSpeed\":$RING_OMEGA}",
+            "box.lengths=[$length,$length,20]",
+            "timeStep={\"type\":\"fixed\",\"dt\":$RING_STEP}",
+        ),
     )
     val small = ScenarioSetup.of(scenario(RING_EDGE), "ring")
-    val patch = Simulation(small.population, small.boundary, CollisionForcing(small.restitution), FixedTimeStep(RING_STEP), small.forces)
+    val patch =
+        Simulation(
+            small.population,
+            small.boundary,
+            CollisionForcing(small.restitution),
+            FixedTimeStep(RING_STEP),
+            small.forces,
+        )
     repeat(RING_SETTLING) { patch.advance() }
     val p = small.population
     val n = p.size
-    fun column(a: DoubleArray, each: (Int) -> Double = { 0.0 }) = DoubleArray(n * edges * edges) { a[it % n] + each(it / n) }
+    fun column(a: DoubleArray, each: (Int) -> Double = { 0.0 }) = DoubleArray(n * edges * edges) {
+        a[it % n] +
+            each(it / n)
+    }
     fun offset(k: Int) = (k - (edges - 1) / 2.0) * RING_EDGE
     val all = Population(
         column(p.x) { offset(it / edges) },
@@ -116,7 +136,9 @@ private const val CLUMPED_EDGES = 8.0
 
 private fun gas(count: Int, filling: Double, placement: String): ScenarioSetup {
     val edge = StrictMath.cbrt(count * Math.PI / 6 / filling)
-    return ScenarioSetup.of(ScenarioJson.parse(gasText(count, edge, placement), "gas"), "gas").also { check(it.boundary is Periodic) }
+    return ScenarioSetup.of(ScenarioJson.parse(gasText(count, edge, placement), "gas"), "gas").also {
+        check(it.boundary is Periodic)
+    }
 }
 
 private fun gasText(count: Int, edge: Double, placement: String) = """{

@@ -10,7 +10,8 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 
 /**
- * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, carried on a step at a time.
+ * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, carried on a step at
+ * a time.
  *
  * ```
  * val simulation = Simulation(population, boundary, CollisionForcing(BridgesRestitution()), FixedTimeStep(0.1))
@@ -18,10 +19,12 @@ import daphnis.core.population.Population
  * ```
  *
  * One step: forces act for its first half · spheres drift with every collision in time order · boundary conditions ·
- * forces act for its second half · outputs look. Not thread-safe: one thread calls; an engine may use more within [advance].
+ * forces act for its second half · outputs look. Not thread-safe: one thread calls; an engine may use more within
+ * [advance].
  *
  * @param collisions null for spheres that pass through one another
- * @param runStart time at step 0, for a run that goes on at [startStep]; null to count back from there, with a fixed step
+ * @param runStart time at step 0, for a run that goes on at [startStep]; null to count back from there, with a fixed
+ *   step
  * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
  */
 public class Simulation(
@@ -35,7 +38,10 @@ public class Simulation(
     startStep: Long = 0,
     runStart: Double? = null,
 ) : AutoCloseable {
-    /** Time at the end of the last step. With a fixed step it is the start plus a whole number of steps, without accumulated round-off. */
+    /**
+     * Time at the end of the last step. With a fixed step it is the start plus a whole number of steps, without
+     * accumulated round-off.
+     */
     public var time: Double = startTime
         private set
 
@@ -44,7 +50,8 @@ public class Simulation(
         private set
 
     /** Time at step 0 of the run. */
-    public val runStart: Double = runStart ?: if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else startTime
+    public val runStart: Double =
+        runStart ?: if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else startTime
 
     /**
      * The forces in the order in which they act before the drift. A [Drift] acts next to it: last before it, first

@@ -40,7 +40,13 @@ internal class StepUndo(private val population: Population, private val counters
         hasVelocities = true
     }
 
-    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size == from.size) from.copyInto(into) else from.copyOf()
+    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size ==
+        from.size
+    ) {
+        from.copyInto(into)
+    } else {
+        from.copyOf()
+    }
 
     /** The step stands. */
     fun commit() {

@@ -40,7 +40,13 @@ class ClosedSimulationTest : FaultKit() {
             assertEquals(before, stateDigest(simulation.population))
             assertEquals(1, simulation.step)
             if (engine == null) continue
-            val step = CollisionStep(simulation.population, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters())
+            val step =
+                CollisionStep(
+                    simulation.population,
+                    boundary,
+                    CollisionLaw(ConstantRestitution(1.0)),
+                    CollisionCounters(),
+                )
             step.duration = 0.1
             assertRefused("the engine is closed") { engine.advance(step) }
             assertRefused("the engine is closed") { engine.loop.run(10) { _, _, _ -> } }

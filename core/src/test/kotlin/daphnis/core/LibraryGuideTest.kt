@@ -2,16 +2,16 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.force.Epicycle
-import daphnis.core.force.HillFrame
 import daphnis.core.force.Kick
-import daphnis.core.force.Satellite
 import daphnis.core.force.SelfGravity
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
+import daphnis.core.hill.Satellite
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
@@ -75,7 +75,13 @@ class LibraryGuideTest {
         )
         val boundary = Periodic(Box.centred(10.0, 10.0, 10.0))
         val history = EnergyHistory()
-        Simulation(population, boundary, CollisionForcing(ConstantRestitution(0.8)), FixedTimeStep(0.1), outputs = listOf(history)).use {
+        Simulation(
+            population,
+            boundary,
+            CollisionForcing(ConstantRestitution(0.8)),
+            FixedTimeStep(0.1),
+            outputs = listOf(history),
+        ).use {
             while (it.time < 5.0) it.advance()
         }
         println("energy ${history.energies.first()} -> ${history.energies.last()}, digest ${stateDigest(population)}")
@@ -87,7 +93,10 @@ class LibraryGuideTest {
     @Test
     fun `a scenario as a library call`() {
         // example: scenario
-        val setup = ScenarioSetup.of(BuiltIn.scenario("cooling-gas", settings = listOf("particles.count=200")), "cooling-gas")
+        val setup = ScenarioSetup.of(
+            BuiltIn.scenario("cooling-gas", settings = listOf("particles.count=200")),
+            "cooling-gas",
+        )
         val collisions = CollisionForcing(setup.restitution, setup.guard)
         val simulation = Simulation(setup.population, setup.boundary, collisions, setup.timeStep, setup.forces)
         simulation.use { while (it.time < 2.0) it.advance() }
@@ -100,9 +109,17 @@ class LibraryGuideTest {
     fun `a spring holds spheres together and conserves energy to second order`() {
         val energies = listOf(0.02, 0.01).map { dt ->
             val p = populationOf(Sphere(x = 1.0, vy = 0.3, r = 0.01), Sphere(x = -1.0, vy = -0.3, r = 0.01))
-            fun total() = Conserved.of(p).kineticEnergy + (0 until 2).sumOf { p.x[it] * p.x[it] + p.y[it] * p.y[it] } / 2
+            fun total() =
+                Conserved.of(p).kineticEnergy + (0 until 2).sumOf { p.x[it] * p.x[it] + p.y[it] * p.y[it] } / 2
             val before = total()
-            val simulation = Simulation(p, daphnis.core.boundary.Open, CollisionForcing(ConstantRestitution(1.0)), FixedTimeStep(dt), listOf(CentralSpring(1.0)))
+            val simulation =
+                Simulation(
+                    p,
+                    daphnis.core.boundary.Open,
+                    CollisionForcing(ConstantRestitution(1.0)),
+                    FixedTimeStep(dt),
+                    listOf(CentralSpring(1.0)),
+                )
             while (simulation.time < 1.3) simulation.advance()
             Math.abs(total() - before)
         }
@@ -123,10 +140,15 @@ class LibraryGuideTest {
 
     @Test
     fun `the guide shows this code`() {
-        val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }.first { Files.exists(it.resolve("settings.gradle.kts")) }
+        val root = generateSequence(Path.of("").toAbsolutePath()) {
+            it.parent
+        }.first { Files.exists(it.resolve("settings.gradle.kts")) }
         val guide = Files.readString(root.resolve("docs/library.md"))
         val code = Files.readString(root.resolve("core/src/test/kotlin/daphnis/core/LibraryGuideTest.kt"))
-        val examples = Regex("""// example: (\w+)\n(.*?)\n\s*// end\n""", RegexOption.DOT_MATCHES_ALL).findAll(code).toList()
+        val examples = Regex(
+            """// example: (\w+)\n(.*?)\n\s*// end\n""",
+            RegexOption.DOT_MATCHES_ALL,
+        ).findAll(code).toList()
         assertEquals(5, examples.size)
         for (example in examples) {
             assertTrue(example.groupValues[2].trimIndent() in guide) {
@@ -145,11 +167,26 @@ class LibraryGuideTest {
         val frame = HillFrame(omega)
         val moon = Satellite(3.0, Epicycle(guidingX = -40.0, guidingY = 0.0, e = 0.0, phase = 0.0), omega)
         val gravity = SelfGravity(sheet, constant = 0.01, openingAngle = 0.5)
-        val simulation = Simulation(population, sheet, CollisionForcing(BridgesRestitution(cmPerSecond = 0.02)), FixedTimeStep(0.03), listOf(moon, gravity, frame))
+        val simulation =
+            Simulation(
+                population,
+                sheet,
+                CollisionForcing(BridgesRestitution(cmPerSecond = 0.02)),
+                FixedTimeStep(0.03),
+                listOf(moon, gravity, frame),
+            )
 
         repeat(50) { simulation.advance() }
         assertInvariants(simulation)
-        val e = Epicycle.of(population.x[0], population.y[0], population.z[0], population.vx[0], population.vy[0], population.vz[0], omega)
+        val e = Epicycle.of(
+            population.x[0],
+            population.y[0],
+            population.z[0],
+            population.vx[0],
+            population.vy[0],
+            population.vz[0],
+            omega,
+        )
         assertEquals(population.vx[0], e.state(omega)[3], 1e-12)
     }
 }

@@ -82,7 +82,15 @@ class SimulationFaultsTest : FaultKit() {
                 override val threads get() = 2
 
                 override fun run(task: WorkerTask) {
-                    for (worker in 0 until threads) if (calls.incrementAndGet() == nth) throw OutOfMemoryError() else task.work(worker)
+                    for (worker in 0 until threads) {
+                        if (calls.incrementAndGet() ==
+                            nth
+                        ) {
+                            throw OutOfMemoryError()
+                        } else {
+                            task.work(worker)
+                        }
+                    }
                 }
 
                 override fun close() = Unit

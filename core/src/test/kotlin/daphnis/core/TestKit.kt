@@ -8,11 +8,11 @@ import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
+import daphnis.core.initial.PlacementException
+import daphnis.core.initial.RandomPlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
-import daphnis.core.setup.PlacementException
-import daphnis.core.setup.RandomPlacement
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /** One sphere of a hand-made case. */
@@ -47,7 +47,12 @@ fun Population.permuted(seed: Long): Population {
         order[k] = order[j].also { order[j] = order[k] }
     }
     fun pick(a: DoubleArray) = DoubleArray(size) { a[order[it]] }
-    return Population(pick(x), pick(y), pick(z), pick(vx), pick(vy), pick(vz), pick(radius), pick(mass), IntArray(size) { id[order[it]] })
+    return Population(
+        pick(x), pick(y), pick(z), pick(vx), pick(vy), pick(vz), pick(radius), pick(mass),
+        IntArray(size) {
+            id[order[it]]
+        },
+    )
 }
 
 fun simulationOf(
@@ -58,10 +63,25 @@ fun simulationOf(
     guard: CollapseGuard = NoGuard,
     engine: CollisionEngine = SerialEngine(),
     outputs: List<Output> = emptyList(),
-): Simulation = Simulation(population, boundary, CollisionForcing(restitution, guard, engine, recordCollisions = true), FixedTimeStep(dt), outputs = outputs)
+): Simulation = Simulation(
+    population,
+    boundary,
+    CollisionForcing(restitution, guard, engine, recordCollisions = true),
+    FixedTimeStep(dt),
+    outputs = outputs,
+)
 
-/** Spheres without overlap in the boundary's box (or a cube of 10 when it has none), velocities normal with deviation [sigma]. */
-fun randomSpheres(count: Int, boundary: BoundaryConditions, seed: Long, sigma: Double, radius: (SeededRandom) -> Double): Population {
+/**
+ * Spheres without overlap in the boundary's box (or a cube of 10 when it has none), velocities normal with deviation
+ * [sigma].
+ */
+fun randomSpheres(
+    count: Int,
+    boundary: BoundaryConditions,
+    seed: Long,
+    sigma: Double,
+    radius: (SeededRandom) -> Double,
+): Population {
     val random = SeededRandom(seed)
     val radii = DoubleArray(count) { radius(random) }
     val box = if (boundary.box.volume.isFinite()) boundary.box else daphnis.core.boundary.Box.centred(10.0, 10.0, 10.0)
@@ -73,10 +93,24 @@ fun randomSpheres(count: Int, boundary: BoundaryConditions, seed: Long, sigma: D
         return randomSpheres(count / 2, boundary, seed, sigma, radius)
     }
     fun gauss() = DoubleArray(count) { sigma * random.nextGaussian() }
-    return Population(p.x, p.y, p.z, gauss(), gauss(), gauss(), radii, DoubleArray(count) { radii[it] * radii[it] * radii[it] })
+    return Population(
+        p.x,
+        p.y,
+        p.z,
+        gauss(),
+        gauss(),
+        gauss(),
+        radii,
+        DoubleArray(count) {
+            radii[it] * radii[it] *
+                radii[it]
+        },
+    )
 }
 
-/** What must hold after every step: finite, in the box, nobody overlapping by more than [overlap] of the sum of radii. */
+/**
+ * What must hold after every step: finite, in the box, nobody overlapping by more than [overlap] of the sum of radii.
+ */
 fun assertInvariants(simulation: Simulation, overlap: Double = 1e-11) {
     val p = simulation.population
     for (axis in 0..2) {
@@ -90,10 +124,14 @@ fun assertInvariants(simulation: Simulation, overlap: Double = 1e-11) {
         }
         for (k in 0 until p.size) {
             assertTrue(a[k].isFinite()) { "${"xyz"[axis]} of ${p.id[k]} is ${a[k]}" }
-            assertTrue(a[k] >= simulation.boundary.box.lower(axis) && a[k] <= simulation.boundary.box.upper(axis)) { "${"xyz"[axis]} of ${p.id[k]} is ${a[k]}, outside" }
+            assertTrue(a[k] >= simulation.boundary.box.lower(axis) && a[k] <= simulation.boundary.box.upper(axis)) {
+                "${"xyz"[axis]} of ${p.id[k]} is ${a[k]}, outside"
+            }
         }
     }
     for (k in 0 until p.size) assertTrue(p.vx[k].isFinite() && p.vy[k].isFinite() && p.vz[k].isFinite())
     val deepest = Overlap.deepest(p, simulation.boundary, simulation.time)
-    assertTrue(deepest.depth <= overlap) { "spheres ${deepest.first} and ${deepest.second} overlap by ${deepest.depth} after step ${simulation.step}" }
+    assertTrue(deepest.depth <= overlap) {
+        "spheres ${deepest.first} and ${deepest.second} overlap by ${deepest.depth} after step ${simulation.step}"
+    }
 }

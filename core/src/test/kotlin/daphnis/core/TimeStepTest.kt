@@ -25,14 +25,22 @@ class TimeStepTest {
 
     @Test
     fun `times of fixed steps are multiples of the step, whatever their number`() {
-        val simulation = Simulation(populationOf(Sphere()), Periodic(Box.centred(9.0, 9.0, 9.0)), null, FixedTimeStep(0.1))
+        val simulation =
+            Simulation(populationOf(Sphere()), Periodic(Box.centred(9.0, 9.0, 9.0)), null, FixedTimeStep(0.1))
         repeat(1000) { simulation.advance() }
         assertEquals(1000 * 0.1, simulation.time)
     }
 
     @Test
     fun `a simulation that starts at another time goes on from there`() {
-        val simulation = Simulation(populationOf(Sphere()), Periodic(Box.centred(9.0, 9.0, 9.0)), null, FixedTimeStep(0.5), startTime = 7.25)
+        val simulation =
+            Simulation(
+                populationOf(Sphere()),
+                Periodic(Box.centred(9.0, 9.0, 9.0)),
+                null,
+                FixedTimeStep(0.5),
+                startTime = 7.25,
+            )
         simulation.advance()
         assertEquals(7.75, simulation.time)
     }

@@ -22,8 +22,13 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     fun write() {
         outputs()
         rows.add("memory", bytes(size * ScenarioSetup.BYTES_PER_SPHERE))
-        rows.add("run time", "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so")
-        val count = (if (exact) "" else "at least ") + if (steps < MOST_WRITTEN) "%.0f".format(Locale.ROOT, steps) else number(steps)
+        rows.add(
+            "run time",
+            "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so",
+        )
+        val count =
+            (if (exact) "" else "at least ") +
+                if (steps < MOST_WRITTEN) "%.0f".format(Locale.ROOT, steps) else number(steps)
         rows.add("steps", "$count of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
         search()
     }
@@ -41,10 +46,27 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun row(what: String, count: Double, disk: Double) {
-        if (count > 0) rows.add("outputs", "${if (count < MOST_WRITTEN) "%.0f".format(Locale.ROOT, count) else number(count)} $what, ${bytes(disk)}")
+        if (count >
+            0
+        ) {
+            rows.add(
+                "outputs",
+                "${if (count < MOST_WRITTEN) {
+                    "%.0f".format(
+                        Locale.ROOT,
+                        count,
+                    )
+                } else {
+                    number(count)
+                }} $what, ${bytes(disk)}",
+            )
+        }
     }
 
-    /** From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a walk through the tree for gravity. */
+    /**
+     * From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a
+     * walk through the tree for gravity.
+     */
     private fun secondsPerSphereAndStep(): Double {
         var seconds = STEP_SECONDS
         for (force in scenario.forces) {
@@ -68,7 +90,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     private fun search() {
         val reach = Reach().apply { measure(setup.population, setup.boundary, dt) }
         rows.add("reach in a step", reach.bound.joinToString(" x ") { number(it) })
-        val grid = Grid().apply { build(setup.population, setup.boundary, scenario.startTime, dt, reach.bound, structure = scenario.search) }
+        val grid = Grid().apply {
+            build(setup.population, setup.boundary, scenario.startTime, dt, reach.bound, structure = scenario.search)
+        }
         for (size in 0 until grid.classes) {
             val radii = if (grid.classes > 1) ", for radii up to ${number(grid.largestRadius(size))}" else ""
             val cells = (0..2).joinToString(" x ") { "${grid.cellsAlong(it, size)}" }

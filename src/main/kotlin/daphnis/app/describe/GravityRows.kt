@@ -8,12 +8,16 @@ import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.ScenarioSetup
 import kotlin.math.sqrt
 
-/** Forces with their numbers, and the scales that gravity sets: Hill radii, Toomre's wavelength and Q, the wakes of satellites. */
+/**
+ * Forces with their numbers, and the scales that gravity sets: Hill radii, Toomre's wavelength and Q, the wakes of
+ * satellites.
+ */
 internal class GravityRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
     private val scenario = setup.scenario
     private val population = setup.population
     private val omega = setup.angularSpeed
-    private val constant: Double? = scenario.forces.firstNotNullOfOrNull { given(it) } ?: scenario.units.gravitationalConstant
+    private val constant: Double? =
+        scenario.forces.firstNotNullOfOrNull { given(it) } ?: scenario.units.gravitationalConstant
 
     fun write() {
         scenario.forces.forEachIndexed { k, force -> force(k, force) }
@@ -28,9 +32,13 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun force(k: Int, force: ForceSpec) {
         val text = when (force) {
-            is ForceSpec.UniformAcceleration -> "uniform-acceleration, ${force.acceleration.joinToString { say.acceleration(it) }}"
+            is ForceSpec.UniformAcceleration -> "uniform-acceleration, ${force.acceleration.joinToString {
+                say.acceleration(it)
+            }}"
             is ForceSpec.SelfGravity ->
-                "self-gravity, opening angle ${number(force.openingAngle)}, softening ${say.length(force.softening)}, reaches ${say.length(reach(force))}"
+                "self-gravity, opening angle ${number(
+                    force.openingAngle,
+                )}, softening ${say.length(force.softening)}, reaches ${say.length(reach(force))}"
             is ForceSpec.BodyGravity -> "body-gravity, softening ${say.length(force.softening)}"
             is ForceSpec.Satellite -> satellite(force)
         }
@@ -40,7 +48,9 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
     private fun satellite(moon: ForceSpec.Satellite): String {
         val planet = (scenario.frame as FrameSpec.Hill).planet
         val g = scenario.units.gravitationalConstant
-        val mass = moon.mass ?: scenario.units.gravitationalParameter(planet)?.let { gm -> g?.let { moon.massRatio!! * gm / it } }
+        val mass =
+            moon.mass
+                ?: scenario.units.gravitationalParameter(planet)?.let { gm -> g?.let { moon.massRatio!! * gm / it } }
         val size = if (moon.radius > 0) "radius ${say.length(moon.radius)}" else "a point"
         return listOfNotNull(
             "satellite of ${mass?.let { say.mass(it) } ?: "mass ratio ${number(moon.massRatio!!)}"}",
@@ -60,10 +70,21 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val radius = Math.cbrt(particles.sumOf { Math.pow(population.radius[it], 3.0) } / particles.size)
         // Two spheres of the mean mass: their mutual Hill radius over the distance of their centres when they touch.
         val ratio = hillRadius(2 * g * mass, omega) / (2 * radius)
-        rows.add("Hill radius", "${say.length(hillRadius(g * mass, omega))} of a sphere of mean mass; of two, r_p = r_h / (r_1 + r_2) = ${number(ratio)}$off")
+        rows.add(
+            "Hill radius",
+            "${say.length(
+                hillRadius(g * mass, omega),
+            )} of a sphere of mean mass; of two, r_p = r_h / (r_1 + r_2) = ${number(ratio)}$off",
+        )
         val area = setup.boundary.box.length(0) * setup.boundary.box.length(1)
         val surface = particles.sumOf { population.mass[it] } / area
-        val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody ?: Int.MAX_VALUE))
+        val dispersion = sqrt(
+            granularTemperature(
+                population,
+                setup.boundary.meanFlow,
+                scenario.firstBody ?: Int.MAX_VALUE,
+            ),
+        )
         val wavelength = 4 * Math.PI * Math.PI * g * surface / (omega * omega)
         val q = dispersion * omega / (TOOMRE * g * surface)
         rows.add("Toomre", "critical wavelength ${say.length(wavelength)}, Q = ${number(q)} at the start$off")

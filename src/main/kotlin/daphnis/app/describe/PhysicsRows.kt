@@ -1,17 +1,19 @@
 package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.initial.fillingFactor
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.ScenarioSetup
-import daphnis.core.setup.fillingFactor
 import java.util.Locale
 import kotlin.math.sqrt
 
-/** The system that a scenario describes, with units: what is in it, how large, how fast, and by which laws it collides. */
+/**
+ * The system that a scenario describes, with units: what is in it, how large, how fast, and by which laws it collides.
+ */
 internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
     private val scenario = setup.scenario
     private val population = setup.population
@@ -34,9 +36,21 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val radii = particles.map { population.radius[it] }
         val masses = particles.map { population.mass[it] }
         val same = radii.min() == radii.max()
-        val size = if (same) say.length(radii[0]) else "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
+        val size = if (same) {
+            say.length(
+                radii[0],
+            )
+        } else {
+            "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
+        }
         rows.add("particles", "${spheres(particles.size)}, radius $size")
-        val mass = if (masses.min() == masses.max()) say.mass(masses[0]) else "${say.mass(masses.min())} to ${say.mass(masses.max())}"
+        val mass = if (masses.min() ==
+            masses.max()
+        ) {
+            say.mass(masses[0])
+        } else {
+            "${say.mass(masses.min())} to ${say.mass(masses.max())}"
+        }
         rows.add("mass", "$mass each, ${say.mass(masses.sum())} together")
         rows.add("density", say.density(masses.sum() / radii.sumOf { VOLUME * it * it * it }))
     }
@@ -45,7 +59,10 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         for (k in population.radius.indices) {
             if (!scenario.isBody(population.id[k])) continue
             val at = listOf(population.x[k], population.y[k], population.z[k]).joinToString { say.length(it) }
-            rows.add("bodies", "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, at $at")
+            rows.add(
+                "bodies",
+                "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, at $at",
+            )
         }
     }
 
@@ -54,9 +71,14 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         say.unitOfTime()?.let { rows.add("unit of time", it) }
         val omega = setup.angularSpeed ?: return
         val frame = scenario.frame as FrameSpec.Hill
-        val where = frame.distanceInKm?.let { ", ${"%.0f".format(Locale.ROOT, it)} km from ${frame.planet.name.lowercase()}" }.orEmpty()
+        val where = frame.distanceInKm?.let {
+            ", ${"%.0f".format(Locale.ROOT, it)} km from ${frame.planet.name.lowercase()}"
+        }.orEmpty()
         val orbit = 2 * Math.PI / omega
-        rows.add("orbit", "${say.time(orbit)}$where; the run is ${number((scenario.end - scenario.startTime) / orbit)} orbits")
+        rows.add(
+            "orbit",
+            "${say.time(orbit)}$where; the run is ${number((scenario.end - scenario.startTime) / orbit)} orbits",
+        )
     }
 
     private fun faces(): String = when (val boundary = scenario.boundary) {
@@ -79,27 +101,42 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     private fun motion() {
-        rows.add("velocities", "${say.speed(dispersion())} in one direction at the start (root mean square, without the mean flow)")
+        rows.add(
+            "velocities",
+            "${say.speed(dispersion())} in one direction at the start (root mean square, without the mean flow)",
+        )
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody ?: Int.MAX_VALUE))
+    private fun dispersion() = sqrt(
+        granularTemperature(
+            population,
+            setup.boundary.meanFlow,
+            scenario.firstBody ?: Int.MAX_VALUE,
+        ),
+    )
 
     private fun collisions() {
         val c = dispersion()
-        fun at(speed: Double) = String.format(Locale.ROOT, "%.3f at %s", setup.restitution.coefficient(speed), say.speed(speed))
+        fun at(speed: Double) =
+            String.format(Locale.ROOT, "%.3f at %s", setup.restitution.coefficient(speed), say.speed(speed))
         val centimetre = 1 / scenario.units.speedInCmPerSecond
         val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
         val law = when (val law = scenario.restitution) {
             is RestitutionSpec.Constant -> "${number(law.coefficient)} at every speed"
-            is RestitutionSpec.Bridges -> "bridges, ${number(law.prefactor)} v^${number(law.exponent)} with v in cm/s: $examples"
+            is RestitutionSpec.Bridges -> "bridges, ${number(
+                law.prefactor,
+            )} v^${number(law.exponent)} with v in cm/s: $examples"
             is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
         }
         rows.add("restitution", law)
         when (val guard = scenario.guard) {
             null, is GuardSpec.None -> rows.add("guard", "none")
             is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")
-            is GuardSpec.ContactDuration -> rows.add("guard", "elastic within ${say.time(guard.duration)} of the last collision")
+            is GuardSpec.ContactDuration -> rows.add(
+                "guard",
+                "elastic within ${say.time(guard.duration)} of the last collision",
+            )
         }
     }
 

@@ -6,13 +6,17 @@ import java.math.BigDecimal
 import java.math.MathContext
 import java.util.Locale
 
-/** Says numbers of a scenario with their units, in those that a person would choose; "length units" and so on where the scenario does not know them. */
+/**
+ * Says numbers of a scenario with their units, in those that a person would choose; "length units" and so on where the
+ * scenario does not know them.
+ */
 internal class Quantities(scenario: Scenario) {
     private val units = scenario.units
     private val si = units.si
 
     /** Speeds have a meaning in cm/s also without lengths: restitution laws use it. */
-    private val speedKnown = si != null || units.speedInCmPerSecond != 1.0 || scenario.restitution !is RestitutionSpec.Constant
+    private val speedKnown =
+        si != null || units.speedInCmPerSecond != 1.0 || scenario.restitution !is RestitutionSpec.Constant
 
     fun length(value: Double): String {
         val metres = (si ?: return plain(value, "length units")).metres * value
@@ -35,15 +39,41 @@ internal class Quantities(scenario: Scenario) {
         }
     }
 
-    fun speed(value: Double): String = if (speedKnown) number(value * units.speedInCmPerSecond) + " cm/s" else plain(value, "units of speed")
+    fun speed(value: Double): String =
+        if (speedKnown) number(value * units.speedInCmPerSecond) + " cm/s" else plain(value, "units of speed")
 
-    fun mass(value: Double): String = if (si == null) plain(value, "mass units") else number(value * si.kilograms) + " kg"
+    fun mass(value: Double): String = if (si ==
+        null
+    ) {
+        plain(value, "mass units")
+    } else {
+        number(value * si.kilograms) + " kg"
+    }
 
-    fun density(value: Double): String = if (si == null) plain(value, "mass/length^3") else number(value * si.kilograms / (si.metres * si.metres * si.metres)) + " kg/m3"
+    fun density(value: Double): String = if (si ==
+        null
+    ) {
+        plain(value, "mass/length^3")
+    } else {
+        number(value * si.kilograms / (si.metres * si.metres * si.metres)) +
+            " kg/m3"
+    }
 
-    fun surfaceDensity(value: Double): String = if (si == null) plain(value, "mass/length^2") else number(value * si.kilograms / (si.metres * si.metres)) + " kg/m2"
+    fun surfaceDensity(value: Double): String = if (si ==
+        null
+    ) {
+        plain(value, "mass/length^2")
+    } else {
+        number(value * si.kilograms / (si.metres * si.metres)) + " kg/m2"
+    }
 
-    fun acceleration(value: Double): String = if (si == null) plain(value, "length/time^2") else number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
+    fun acceleration(value: Double): String = if (si ==
+        null
+    ) {
+        plain(value, "length/time^2")
+    } else {
+        number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
+    }
 
     /** What one unit of time is worth: it follows from length and speed, so nobody wrote it down. */
     fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }

@@ -47,7 +47,11 @@ import java.util.concurrent.atomic.AtomicInteger
  * @param layout regions; chosen from the number of spheres and threads at the first step when null
  * @param dispatcher where regions run; not closed with the engine
  */
-public class RegionActorEngine(override val threads: Int, layout: RegionLayout? = null, dispatcher: CoroutineDispatcher? = null) : CollisionEngine {
+public class RegionActorEngine(
+    override val threads: Int,
+    layout: RegionLayout? = null,
+    dispatcher: CoroutineDispatcher? = null,
+) : CollisionEngine {
     override val name: String get() = "actors"
 
     init {
@@ -102,7 +106,12 @@ public class RegionActorEngine(override val threads: Int, layout: RegionLayout? 
     private companion object {
         fun newPool(threads: Int): ExecutorService {
             val number = AtomicInteger()
-            return Executors.newFixedThreadPool(threads) { Thread(it, "daphnis-actors-${number.incrementAndGet()}").apply { isDaemon = true } }
+            return Executors.newFixedThreadPool(threads) {
+                Thread(it, "daphnis-actors-${number.incrementAndGet()}").apply {
+                    isDaemon =
+                        true
+                }
+            }
         }
     }
 }

@@ -44,7 +44,10 @@ internal class OwnSystem(private val threads: Int) {
         }
     }
 
-    /** An interrupt of this thread or of the system's can lose the message that ends it, so it is said until that has happened. */
+    /**
+     * An interrupt of this thread or of the system's can lose the message that ends it, so it is said until that has
+     * happened.
+     */
     private fun terminate(ending: ActorSystem<Void>) {
         repeat(MOST_TRIES) {
             try {
@@ -74,7 +77,8 @@ internal class OwnSystem(private val threads: Int) {
                 "pekko.actor.default-dispatcher.executor" to "thread-pool-executor",
                 "pekko.actor.default-dispatcher.thread-pool-executor.fixed-pool-size" to threads,
                 "pekko.actor.default-dispatcher.throughput" to 1,
-                // A system that interrupts have reached while it ended may not shut its executors down; their threads must not stay for long.
+                // A system that interrupts have reached while it ended may not shut its executors down; their threads
+                // must not stay for long.
                 "pekko.actor.default-dispatcher.thread-pool-executor.keep-alive-time" to KEEP_ALIVE,
                 "pekko.actor.internal-dispatcher.executor" to "thread-pool-executor",
                 "pekko.actor.internal-dispatcher.thread-pool-executor.fixed-pool-size" to 2,

@@ -21,8 +21,8 @@ import java.util.concurrent.CancellationException
  *
  * [advance] blocks its caller, so call it from a thread that no actor of the system needs. It finishes its step though
  * its thread is interrupted, and however a step fails, it says so, with the population as before. An exception in a
- * region has the step decided by the serial engine, since regions work on guessed paths; an error is thrown on. When the
- * actor system ends, or gives the regions no thread for 30 s, [advance] throws an [IllegalStateException].
+ * region has the step decided by the serial engine, since regions work on guessed paths; an error is thrown on. When
+ * the actor system ends, or gives the regions no thread for 30 s, [advance] throws an [IllegalStateException].
  *
  * [close] returns at once; a step under way ends with a [CancellationException] and the population as before, unless it
  * is being written already. The actors stop and, if it is the engine's own, the actor system. Afterwards [advance] and
@@ -30,10 +30,11 @@ import java.util.concurrent.CancellationException
  *
  * @param threads of the engine's own actor system; only the number of workers to plan for when [host] is given
  * @param layout regions; chosen from the number of spheres and threads at the first step when null
- * @param host an actor system to live in; the engine's actors are system actors there and run on its default dispatcher. When null, the engine
- *   makes one of its own at the first step
+ * @param host an actor system to live in; the engine's actors are system actors there and run on its default
+ *   dispatcher. When null, the engine makes one of its own at the first step
  */
-public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null, host: ActorSystem<*>? = null) : CollisionEngine {
+public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null, host: ActorSystem<*>? = null) :
+    CollisionEngine {
     override val name: String get() = "pekko"
 
     init {

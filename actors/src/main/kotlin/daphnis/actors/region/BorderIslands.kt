@@ -3,10 +3,11 @@ package daphnis.actors.region
 import daphnis.core.engine.islands.IslandCrew
 
 /**
- * Islands that cross borders, and the locks under which they are processed. An island needs the regions that its spheres belong to and those around
- * them, since it may grow into these. Islands that need the same regions form a batch. A batch is granted to the first of its regions when all that it
- * needs are unlocked; all are taken at once or none, so nobody waits while holding a lock and there is no order of locks to get wrong. Batches are
- * tried in the order of their first collisions.
+ * Islands that cross borders, and the locks under which they are processed. An island needs the regions that its
+ * spheres belong to and those around them, since it may grow into these. Islands that need the same regions form a
+ * batch. A batch is granted to the first of its regions when all that it needs are unlocked; all are taken at once or
+ * none, so nobody waits while holding a lock and there is no order of locks to get wrong. Batches are tried in the
+ * order of their first collisions.
  */
 internal class BorderIslands(private val map: RegionMap, private val crew: IslandCrew) {
     private class Batch(val regions: BooleanArray) {
@@ -26,7 +27,10 @@ internal class BorderIslands(private val map: RegionMap, private val crew: Islan
         lockedBy.fill(NOBODY)
     }
 
-    /** Adds the island of [root]; [also] is a sphere that it needs besides those of its seeds, −1 for none, [before] the regions it had already. */
+    /**
+     * Adds the island of [root]; [also] is a sphere that it needs besides those of its seeds, −1 for none, [before] the
+     * regions it had already.
+     */
     fun add(root: Int, also: Int, before: BooleanArray?) {
         val regions = before?.copyOf() ?: BooleanArray(map.count)
         crew.forEachSeeded(root) { lockAround(map.regionOf(it), regions) }

@@ -4,8 +4,8 @@ import daphnis.core.engine.islands.ClaimRule
 import daphnis.core.engine.islands.IslandCrew
 
 /**
- * The work of one region, without any framework: whoever owns it calls [handle] with one command after the other, from one thread at a time, each call
- * happening after the one before.
+ * The work of one region, without any framework: whoever owns it calls [handle] with one command after the other, from
+ * one thread at a time, each call happening after the one before.
  */
 public class Region(public val number: Int, private val map: RegionMap, private val crew: IslandCrew) {
     private val worker = crew[number]

@@ -6,8 +6,8 @@ public sealed class RegionLayout {
     public abstract val count: Int
 
     /**
-     * [count] stretches of the order of cells with equally many spheres each: slabs across the slow axis of the grid, however the spheres are
-     * distributed in space.
+     * [count] stretches of the order of cells with equally many spheres each: slabs across the slow axis of the grid,
+     * however the spheres are distributed in space.
      */
     public data class Stretches(override val count: Int) : RegionLayout() {
         init {
@@ -36,7 +36,15 @@ public sealed class RegionLayout {
             require(count in 1..MOST) { "number of regions is $count; it must be in 1..$MOST" }
         }
 
-        /** What suits [spheres] and [threads]: some regions a thread, so that one which has less to do is no loss, but none too small. */
-        public fun of(spheres: Int, threads: Int): RegionLayout = Stretches(minOf(threads * REGIONS_A_THREAD, spheres / SPHERES_A_REGION).coerceIn(1, MOST))
+        /**
+         * What suits [spheres] and [threads]: some regions a thread, so that one which has less to do is no loss, but
+         * none too small.
+         */
+        public fun of(spheres: Int, threads: Int): RegionLayout = Stretches(
+            minOf(
+                threads * REGIONS_A_THREAD,
+                spheres / SPHERES_A_REGION,
+            ).coerceIn(1, MOST),
+        )
     }
 }

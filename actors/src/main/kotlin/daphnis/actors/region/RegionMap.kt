@@ -8,8 +8,8 @@ import daphnis.core.search.Grid
 import kotlin.math.abs
 
 /**
- * Which region owns which slot, and which regions are neighbours: those of which a sphere of the one can see a sphere of the other at any moment
- * of the step. Written by the coordinator between steps; read by all.
+ * Which region owns which slot, and which regions are neighbours: those of which a sphere of the one can see a sphere
+ * of the other at any moment of the step. Written by the coordinator between steps; read by all.
  */
 public class RegionMap(public val layout: RegionLayout) {
     /** Number of regions. */
@@ -47,7 +47,10 @@ public class RegionMap(public val layout: RegionLayout) {
         size = rows.size
         if (regionOf.size < size) regionOf = IntArray(size)
         when (layout) {
-            is RegionLayout.Stretches -> for (slot in 0 until size) regionOf[slot] = (slot.toLong() * count / size).toInt()
+            is RegionLayout.Stretches -> for (slot in 0 until size) {
+                regionOf[slot] =
+                    (slot.toLong() * count / size).toInt()
+            }
             is RegionLayout.Blocks -> divide(rows, layout)
         }
         measure(rows)

@@ -25,12 +25,18 @@ public enum class Phase {
 }
 
 /**
- * From the coordinator to region [region]. A region gets a command only after it has answered the last one, so that a mailbox for one suffices.
+ * From the coordinator to region [region]. A region gets a command only after it has answered the last one, so that a
+ * mailbox for one suffices.
  *
  * @property islands roots of the islands of a [Phase.GRANT], the batch; not changed after sending
  * @property locked by region, whose spheres may be touched in a [Phase.GRANT]; not changed after sending
  */
-public class RegionCommand(public val region: Int, public val phase: Phase, public val islands: IntArray = NOTHING, public val locked: BooleanArray = NONE) {
+public class RegionCommand(
+    public val region: Int,
+    public val phase: Phase,
+    public val islands: IntArray = NOTHING,
+    public val locked: BooleanArray = NONE,
+) {
     private companion object {
         val NOTHING = IntArray(0)
         val NONE = BooleanArray(0)
@@ -40,11 +46,16 @@ public class RegionCommand(public val region: Int, public val phase: Phase, publ
 /**
  * From region [region] to the coordinator, one for each command.
  *
- * @property border islands that the region could not process since they need a sphere of a region that is not its own or locked: root and slot of that
- *   sphere in turn
+ * @property border islands that the region could not process since they need a sphere of a region that is not its own
+ *   or locked: root and slot of that sphere in turn
  * @property failure what the region threw, null when all went well
  */
-public class RegionReply(public val region: Int, public val phase: Phase, public val border: IntArray = NOTHING, public val failure: Throwable? = null) {
+public class RegionReply(
+    public val region: Int,
+    public val phase: Phase,
+    public val border: IntArray = NOTHING,
+    public val failure: Throwable? = null,
+) {
     private companion object {
         val NOTHING = IntArray(0)
     }

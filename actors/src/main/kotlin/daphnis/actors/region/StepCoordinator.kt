@@ -7,8 +7,9 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 
 /**
- * The coordinator of a step as a state machine, without any framework: tells what to send and is told what comes back. Physics and proof are those of
- * [IslandField]; regions are its workers, with the difference that a region touches its own spheres only, unless it has been granted others.
+ * The coordinator of a step as a state machine, without any framework: tells what to send and is told what comes back.
+ * Physics and proof are those of [IslandField]; regions are its workers, with the difference that a region touches its
+ * own spheres only, unless it has been granted others.
  *
  * ```
  *   SEARCH ─▶ for each window: PROPOSE ─▶ join seeds across borders ─▶ WORK ─▶ GRANT … ─▶ CHECK ─▶ COMMIT ─▶ LOOK_AHEAD
@@ -16,11 +17,13 @@ import daphnis.core.parallel.RangeLoop
  *                                                                             └─ islands that touch, merged
  * ```
  *
- * A new phase begins when all regions have answered the last one, except within GRANT, where batches go out as locks become free ([BorderIslands]).
+ * A new phase begins when all regions have answered the last one, except within GRANT, where batches go out as locks
+ * become free ([BorderIslands]).
  *
- * **Nothing deadlocks with full mailboxes**: a region gets a command only when it has answered the one before, so its mailbox never holds more than one;
- * it answers each once, so the coordinator's never holds more than one a region. With these capacities no send ever waits. The coordinator waits
- * only for answers to commands that have been sent, and a region answers without waiting for anybody.
+ * **Nothing deadlocks with full mailboxes**: a region gets a command only when it has answered the one before, so its
+ * mailbox never holds more than one; it answers each once, so the coordinator's never holds more than one a region.
+ * With these capacities no send ever waits. The coordinator waits only for answers to commands that have been sent, and
+ * a region answers without waiting for anybody.
  *
  * Single-threaded: calls come one after the other, each happening after the one before.
  */
@@ -107,7 +110,16 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
 
     private fun follow(reply: RegionReply) {
         when (reply.phase) {
-            Phase.WORK -> for (k in 0 until reply.border.size / 2) border.add(reply.border[2 * k], reply.border[2 * k + 1], null)
+            Phase.WORK -> for (k in 0 until reply.border.size / 2) {
+                border.add(
+                    reply.border[2 * k],
+                    reply.border[
+                        2 * k +
+                            1,
+                    ],
+                    null,
+                )
+            }
             Phase.GRANT -> {
                 border.returned(reply)
                 if (!field.isOutrun) border.grant(::send)

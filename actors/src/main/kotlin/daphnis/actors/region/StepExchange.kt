@@ -13,7 +13,12 @@ import daphnis.core.engine.CollisionStep
  *
  * @param patience in nanoseconds of waiting; time in which the process itself was stopped does not count
  */
-internal class StepExchange(val coordinator: StepCoordinator, private val answers: Answers, private val host: RegionHost, private val patience: Long) {
+internal class StepExchange(
+    val coordinator: StepCoordinator,
+    private val answers: Answers,
+    private val host: RegionHost,
+    private val patience: Long,
+) {
     private val out = arrayOfNulls<RegionCommand>(coordinator.regions.size)
     private var seen = 0
     private var idle = 0L

@@ -7,18 +7,24 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** The protocol without any framework: one thread that delivers messages in random orders, so every interleaving of deliveries may come up. */
+/**
+ * The protocol without any framework: one thread that delivers messages in random orders, so every interleaving of
+ * deliveries may come up.
+ */
 class StepCoordinatorTest {
     private fun step(p: Population, boundary: BoundaryConditions, duration: Double) =
-        CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also { it.duration = duration }
+        CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also {
+            it.duration =
+                duration
+        }
 
     @Test
     fun `any order of deliveries gives the bits of the serial engine, with at most one message in each mailbox and disjoint locks`() {
@@ -44,7 +50,9 @@ class StepCoordinatorTest {
             while (!coordinator.isFinished) {
                 while (true) {
                     val command = coordinator.poll() ?: break
-                    assertTrue(mailboxes[command.region] == null && working[command.region] == null) { "seed $seed: region ${command.region} gets a second message" }
+                    assertTrue(mailboxes[command.region] == null && working[command.region] == null) {
+                        "seed $seed: region ${command.region} gets a second message"
+                    }
                     mailboxes[command.region] = command
                 }
                 val ready = mailboxes.indices.filter { mailboxes[it] != null }
@@ -57,7 +65,11 @@ class StepCoordinatorTest {
                         if (a !==
                             b
                         ) {
-                            assertFalse(a.locked.indices.any { a.locked[it] && b.locked[it] }) { "seed $seed: two grants share a region" }
+                            assertFalse(
+                                a.locked.indices.any {
+                                    a.locked[it] && b.locked[it]
+                                },
+                            ) { "seed $seed: two grants share a region" }
                         }
                     }
                 }

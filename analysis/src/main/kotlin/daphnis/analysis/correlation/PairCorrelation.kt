@@ -1,7 +1,7 @@
 package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.Measure
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.search.CellRuns
@@ -22,7 +22,8 @@ import kotlin.math.sqrt
  * @param farthest largest distance; at most half the shortest edge of the box along the axes in which distances are
  * counted
  */
-public class PairCorrelation(public val farthest: Double, public val bins: Int, public val nearest: Double = 0.0) : Measure {
+public class PairCorrelation(public val farthest: Double, public val bins: Int, public val nearest: Double = 0.0) :
+    Measure {
     init {
         require(nearest >= 0 && farthest > nearest && farthest.isFinite() && bins >= 1) {
             "$bins bins from $nearest to $farthest; there must be one at least, of a width > 0, from a distance >= 0 on"
@@ -35,11 +36,13 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
     public fun centre(bin: Int): Double = nearest + (bin + 0.5) * width
 
     /** @throws IllegalArgumentException when the box is too small for [farthest] */
-    override fun of(state: PatchState): DoubleArray {
+    override fun of(state: State): DoubleArray {
         val boundary = state.boundary
         val inPlane = isInPlane(boundary)
         val reach = farthest(boundary)
-        require(farthest <= reach * (1 + ROUNDING)) { "pairs up to $farthest; the box, by half its shortest edge, has room for $reach" }
+        require(farthest <= reach * (1 + ROUNDING)) {
+            "pairs up to $farthest; the box, by half its shortest edge, has room for $reach"
+        }
         val counts = DoubleArray(bins)
         val n = count(state, inPlane, counts)
         val size = if (inPlane) state.area else boundary.box.volume
@@ -47,13 +50,21 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
             val a = nearest + bin * width
             val b = nearest + (bin + 1) * width
             val shell = if (inPlane) PI * (b * b - a * a) else 4.0 / 3 * PI * (b * b * b - a * a * a)
-            counts[bin] = if (n < 2) Double.NaN else counts[bin] * 2 / (n * (n - 1.0) / size * shell * room(boundary, inPlane, centre(bin)))
+            counts[bin] =
+                if (n <
+                    2
+                ) {
+                    Double.NaN
+                } else {
+                    counts[bin] * 2 /
+                        (n * (n - 1.0) / size * shell * room(boundary, inPlane, centre(bin)))
+                }
         }
         return counts
     }
 
     /** Counts pairs by bin; the number of particles. */
-    private fun count(state: PatchState, inPlane: Boolean, counts: DoubleArray): Int {
+    private fun count(state: State, inPlane: Boolean, counts: DoubleArray): Int {
         val p = state.population
         val grid = Grid()
         grid.build(p, state.boundary, state.time, 0.0, DoubleArray(3), structure = SearchStructure.GRID)
@@ -67,7 +78,18 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
             if (!state.isParticle(k)) continue
             n++
             // A sphere of that size touches whoever is near enough.
-            val runs = near.ahead(slot, p.x[k], p.y[k], p.z[k], 0.0, 0.0, 0.0, sqrt(farthest * farthest + height * height))
+            val runs = near.ahead(
+                slot,
+                p.x[k],
+                p.y[k],
+                p.z[k],
+                0.0,
+                0.0,
+                0.0,
+                sqrt(
+                    farthest * farthest + height * height,
+                ),
+            )
             for (r in 0 until runs) {
                 val image = near.image[r]
                 for (other in near.from[r] until near.to[r]) {
@@ -94,7 +116,8 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
          * The largest distance that [boundary] has room for: half the shortest edge along the axes in which distances
          * are counted.
          */
-        public fun farthest(boundary: BoundaryConditions): Double = (0..if (isInPlane(boundary)) 1 else 2).minOf { boundary.box.length(it) } / 2
+        public fun farthest(boundary: BoundaryConditions): Double =
+            (0..if (isInPlane(boundary)) 1 else 2).minOf { boundary.box.length(it) } / 2
 
         /**
          * Share of the displacements of length [distance], over all directions and places in the box, that end in the

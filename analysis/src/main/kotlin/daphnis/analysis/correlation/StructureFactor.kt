@@ -1,8 +1,8 @@
 package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.Measure
-import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.insitu.PlaneImages
+import daphnis.analysis.insitu.State
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.sin
@@ -23,7 +23,7 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
     /** Middle of [bin]. */
     public fun centre(bin: Int): Double = (bin + 0.5) * largest / bins
 
-    override fun of(state: PatchState): DoubleArray {
+    override fun of(state: State): DoubleArray {
         val images = PlaneImages(state.boundary, state.time)
         val lengthAcross = state.boundary.box.length(images.across)
         val unitAcross = 2 * PI / lengthAcross
@@ -53,7 +53,7 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
         return DoubleArray(bins) { if (count[it] == 0) Double.NaN else sum[it] / count[it] }
     }
 
-    private fun power(state: PatchState, kx: Double, ky: Double): Double {
+    private fun power(state: State, kx: Double, ky: Double): Double {
         val p = state.population
         var c = 0.0
         var s = 0.0

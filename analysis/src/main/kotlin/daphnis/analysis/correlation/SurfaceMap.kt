@@ -1,7 +1,7 @@
 package daphnis.analysis.correlation
 
-import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.insitu.PlaneImages
+import daphnis.analysis.insitu.State
 
 /**
  * Surface density of a patch on a grid of cells: entry `i · ny + j` for the cell i along x, j along y. Particles count
@@ -9,7 +9,7 @@ import daphnis.analysis.insitu.PlaneImages
  *
  * @property nx cells along x; [ny] along y
  */
-public class SurfaceMap private constructor(public val nx: Int, public val ny: Int, state: PatchState) {
+public class SurfaceMap private constructor(public val nx: Int, public val ny: Int, state: State) {
     private val box = state.boundary.box
     private val images = PlaneImages(state.boundary, state.time)
 
@@ -53,7 +53,9 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
      * @return entry `(i + lagX) · (2 lagY + 1) + j + lagY`
      */
     public fun autocorrelation(lagX: Int, lagY: Int): DoubleArray {
-        require(lagX in 0 until nx && lagY in 0 until ny) { "lags are $lagX and $lagY; they must be in 0 until $nx and $ny" }
+        require(lagX in 0 until nx && lagY in 0 until ny) {
+            "lags are $lagX and $lagY; they must be in 0 until $nx and $ny"
+        }
         val result = DoubleArray((2 * lagX + 1) * (2 * lagY + 1))
         val mean = mean
         if (mean == 0.0) return result
@@ -101,7 +103,7 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
 
     public companion object {
         /** The map of [state] in cells of about [cell]. */
-        public fun of(state: PatchState, cell: Double): SurfaceMap {
+        public fun of(state: State, cell: Double): SurfaceMap {
             require(cell > 0) { "cell is $cell; it must be > 0" }
             val box = state.boundary.box
             val nx = Math.rint(box.length(0) / cell).toInt().coerceIn(1, MOST_CELLS)

@@ -18,7 +18,11 @@ import kotlin.math.sin
  * @property spacing of the crests along x, 2π/k_x
  * @property contrast power at k over the median of all directions at the same |k|
  */
-public class WavePattern private constructor(public val pitch: BlockAverage, public val spacing: BlockAverage, public val contrast: Double) {
+public class WavePattern private constructor(
+    public val pitch: BlockAverage,
+    public val spacing: BlockAverage,
+    public val contrast: Double,
+) {
     public companion object {
         /**
          * The pattern in autocorrelations of [SurfaceMap], one of each state in order of time, of lags up to [lagX] and
@@ -42,15 +46,38 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
             if (highest.kx < FEWEST_WAVES / 2 * all.resolutionX) return null
             val peak = all.climb(doubleArrayOf(highest.kx, highest.ky)) ?: return null
             val contrast = all.power(peak[0], peak[1]) / ringMedian(all, hypot(peak[0], peak[1]))
-            if (!(contrast >= maxOf(LEAST_CONTRAST, 1 + LEAST_SIGNIFICANCE * scatter(samples, maxOf(all.resolutionX, all.resolutionY))))) return null
+            if (!(
+                    contrast >=
+                        maxOf(
+                            LEAST_CONTRAST,
+                            1 + LEAST_SIGNIFICANCE * scatter(samples, maxOf(all.resolutionX, all.resolutionY)),
+                        )
+                    )
+            ) {
+                return null
+            }
             return withErrors(maps, total, peak, contrast) { LagSpectrum(it, lagX, lagY, dx, dy) }
         }
 
-        private fun withErrors(maps: List<DoubleArray>, total: DoubleArray, peak: DoubleArray, contrast: Double, spectrum: (DoubleArray) -> LagSpectrum): WavePattern {
+        private fun withErrors(
+            maps: List<DoubleArray>,
+            total: DoubleArray,
+            peak: DoubleArray,
+            contrast: Double,
+            spectrum: (DoubleArray) -> LagSpectrum,
+        ): WavePattern {
             val pitch = atan2(peak[1], peak[0])
             val spacing = 2 * PI / peak[0]
             val n = maps.size
-            if (n < 2) return WavePattern(BlockAverage(pitch, Double.NaN, n), BlockAverage(spacing, Double.NaN, n), contrast)
+            if (n <
+                2
+            ) {
+                return WavePattern(
+                    BlockAverage(pitch, Double.NaN, n),
+                    BlockAverage(spacing, Double.NaN, n),
+                    contrast,
+                )
+            }
             // k_x > 0 throughout, so that no angle jumps by π. Pseudo-values n θ − (n − 1) θ₋ₖ, of which the average
             // and its error are taken as of any series.
             val pitches = DoubleArray(n)
@@ -60,7 +87,11 @@ public class WavePattern private constructor(public val pitch: BlockAverage, pub
                 pitches[k] = pitch + (n - 1) * (pitch - atan2(without[1], without[0]))
                 spacings[k] = spacing + (n - 1) * (spacing - 2 * PI / without[0])
             }
-            return WavePattern(BlockAverage(pitch, BlockAverage.of(pitches).error, n), BlockAverage(spacing, BlockAverage.of(spacings).error, n), contrast)
+            return WavePattern(
+                BlockAverage(pitch, BlockAverage.of(pitches).error, n),
+                BlockAverage(spacing, BlockAverage.of(spacings).error, n),
+                contrast,
+            )
         }
 
         /** Median over all directions at the wave number [k]; not below 0. */
@@ -109,7 +140,13 @@ private class Sample(val kx: Double, val ky: Double, val power: Double)
  * The power spectrum of an autocorrelation at any wave vector, Σ w(l) A(l) cos(k·l), with triangular weights w along
  * both axes, which leave it positive. Lags at negative x are the mirror of the others.
  */
-private class LagSpectrum(a: DoubleArray, private val lagX: Int, private val lagY: Int, private val dx: Double, private val dy: Double) {
+private class LagSpectrum(
+    a: DoubleArray,
+    private val lagX: Int,
+    private val lagY: Int,
+    private val dx: Double,
+    private val dy: Double,
+) {
     /** Distance in k that the largest lags tell apart. */
     val resolutionX: Double = 2 * PI / (lagX * dx)
     val resolutionY: Double = 2 * PI / (lagY * dy)
@@ -123,7 +160,8 @@ private class LagSpectrum(a: DoubleArray, private val lagX: Int, private val lag
     private val weighted = DoubleArray((lagX + 1) * width) {
         val i = it / width
         val j = it % width - lagY
-        (1 - i.toDouble() / lagX) * (1 - abs(j).toDouble() / lagY) * a[(i + lagX) * width + j + lagY] * if (i == 0) 1 else 2
+        (1 - i.toDouble() / lagX) * (1 - abs(j).toDouble() / lagY) * a[(i + lagX) * width + j + lagY] *
+            if (i == 0) 1 else 2
     }
 
     // Sums of the last call of [sum]: power, gradient, second derivatives.
@@ -150,7 +188,12 @@ private class LagSpectrum(a: DoubleArray, private val lagX: Int, private val lag
 
     fun power(kx: Double, ky: Double): Double {
         var power = 0.0
-        for (i in 0..lagX) for (j in -lagY..lagY) power += weighted[i * width + j + lagY] * cos(kx * i * dx + ky * j * dy)
+        for (i in 0..lagX) {
+            for (j in -lagY..lagY) {
+                power +=
+                    weighted[i * width + j + lagY] * cos(kx * i * dx + ky * j * dy)
+            }
+        }
         return power
     }
 
@@ -186,7 +229,12 @@ private class LagSpectrum(a: DoubleArray, private val lagX: Int, private val lag
             val stepY = (sums[3] * sums[2] - sums[4] * sums[1]) / determinant
             kx -= stepX
             ky -= stepY
-            if (abs(kx - start[0]) > resolutionX || abs(ky - start[1]) > resolutionY || kx <= resolutionX / 2) return null
+            if (abs(kx - start[0]) > resolutionX ||
+                abs(ky - start[1]) > resolutionY ||
+                kx <= resolutionX / 2
+            ) {
+                return null
+            }
             if (abs(stepX) < ENOUGH * resolutionX && abs(stepY) < ENOUGH * resolutionY) return doubleArrayOf(kx, ky)
         }
         return null

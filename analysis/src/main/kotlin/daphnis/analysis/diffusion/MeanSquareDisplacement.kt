@@ -9,14 +9,20 @@ import kotlin.math.sqrt
  * @property value in length²/time; [error] one standard error
  * @property from shortest lag of the fit, [to] the longest
  */
-public class Diffusion(public val value: Double, public val error: Double, public val from: Double, public val to: Double)
+public class Diffusion(
+    public val value: Double,
+    public val error: Double,
+    public val from: Double,
+    public val to: Double,
+)
 
 /**
- * Mean square displacements ⟨(x(t₀ + t) − x(t₀))²⟩ of [trajectories] by lag t, averaged over particles and over all origins t₀, for lags up to half
- * the time there is. Their slope over 2 is the coefficient of self-diffusion D once it no longer changes (Einstein 1905, Ann. Phys. 322, 549;
- * Frenkel & Smit, Understanding Molecular Simulation, ch. 4.4).
+ * Mean square displacements ⟨(x(t₀ + t) − x(t₀))²⟩ of [trajectories] by lag t, averaged over particles and over all
+ * origins t₀, for lags up to half the time there is. Their slope over 2 is the coefficient of self-diffusion D once it
+ * no longer changes (Einstein 1905, Ann. Phys. 322, 549; Frenkel & Smit, Understanding Molecular Simulation, ch. 4.4).
  *
- * Errors are from [GROUPS] groups of particles, by id, that are taken as independent: where many move together, as in wakes, they come out too small.
+ * Errors are from [GROUPS] groups of particles, by id, that are taken as independent: where many move together, as in
+ * wakes, they come out too small.
  *
  * @throws IllegalArgumentException for fewer than [FEWEST_TIMES] times or 2 particles
  */
@@ -30,12 +36,21 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
     private val square: Array<Array<DoubleArray>>
 
     init {
-        require(trajectories.size >= FEWEST_TIMES) { "${trajectories.size} times; there must be $FEWEST_TIMES at least" }
+        require(trajectories.size >= FEWEST_TIMES) {
+            "${trajectories.size} times; there must be $FEWEST_TIMES at least"
+        }
         require(trajectories.particles >= 2) { "one particle; there must be 2 at least" }
         val lags = trajectories.size / LAG_PART
         groups = minOf(GROUPS, trajectories.particles)
-        lag = DoubleArray(lags) { l -> (0 until trajectories.size - l - 1).map { trajectories.time(it + l + 1) - trajectories.time(it) }.average() }
-        square = Array(trajectories.coordinates.size) { c -> Array(groups) { g -> groupMean(trajectories, c, g, lags) } }
+        lag =
+            DoubleArray(lags) { l ->
+                (0 until trajectories.size - l - 1).map {
+                    trajectories.time(it + l + 1) -
+                        trajectories.time(it)
+                }.average()
+            }
+        square =
+            Array(trajectories.coordinates.size) { c -> Array(groups) { g -> groupMean(trajectories, c, g, lags) } }
     }
 
     private fun groupMean(t: Trajectories, coordinate: Int, group: Int, lags: Int): DoubleArray {
@@ -54,20 +69,29 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
     }
 
     /** Mean square displacement along [coordinate] by lag, in length². */
-    public fun mean(coordinate: Int): DoubleArray = DoubleArray(lag.size) { l -> square[coordinate].sumOf { it[l] } / groups }
+    public fun mean(coordinate: Int): DoubleArray = DoubleArray(lag.size) { l ->
+        square[coordinate].sumOf { it[l] } /
+            groups
+    }
 
     /** One standard error of [mean]. */
-    public fun error(coordinate: Int): DoubleArray = DoubleArray(lag.size) { l -> standardError(DoubleArray(groups) { square[coordinate][it][l] }) }
+    public fun error(coordinate: Int): DoubleArray =
+        DoubleArray(lag.size) { l -> standardError(DoubleArray(groups) { square[coordinate][it][l] }) }
 
     /**
-     * D of the mean over [coordinates]: half the slope, each lag weighted by 1/lag², from where the displacement has become linear in time.
-     * Null when it has not within the lags there are.
+     * D of the mean over [coordinates]: half the slope, each lag weighted by 1/lag², from where the displacement has
+     * become linear in time. Null when it has not within the lags there are.
      *
      * @param from shortest lag of the fit, such as that found for the mean of more coordinates; null to find it
      */
     public fun diffusion(vararg coordinates: Int, from: Double? = null): Diffusion? {
         require(coordinates.isNotEmpty()) { "no coordinate" }
-        val byGroup = Array(groups) { g -> DoubleArray(lag.size) { l -> coordinates.sumOf { square[it][g][l] } / coordinates.size } }
+        val byGroup = Array(groups) { g ->
+            DoubleArray(lag.size) { l ->
+                coordinates.sumOf { square[it][g][l] } /
+                    coordinates.size
+            }
+        }
         val first = if (from == null) linearFrom(byGroup) else lag.indexOfFirst { it >= from }
         if (first < 0 || lag.size - first < FEWEST_LAGS) return null
         val slopes = DoubleArray(groups) { slope(byGroup[it], first) / 2 }
@@ -75,9 +99,9 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
     }
 
     /**
-     * The lag 2t of the first t for which the slope from t to 2t is that from 2t to 4t: within 5 %, or within two standard errors where these
-     * are larger, up to 20 %. What is left of memory at t has died out at 2t. Ballistic flight, whose slope doubles with the lag, never
-     * passes. −1 for none.
+     * The lag 2t of the first t for which the slope from t to 2t is that from 2t to 4t: within 5 %, or within two
+     * standard errors where these are larger, up to 20 %. What is left of memory at t has died out at 2t. Ballistic
+     * flight, whose slope doubles with the lag, never passes. −1 for none.
      */
     private fun linearFrom(byGroup: Array<DoubleArray>): Int {
         var t = 1

@@ -1,6 +1,6 @@
 package daphnis.analysis.diffusion
 
-import daphnis.core.format.Frame
+import daphnis.core.format.Snapshot
 
 /** A coordinate in which particles may diffuse. */
 public sealed interface Coordinate {
@@ -8,33 +8,40 @@ public sealed interface Coordinate {
     public val name: String
 
     /** The coordinate of the particle at [index] of [frame], whose images are known, as if there were no images. */
-    public fun of(frame: Frame, index: Int): Double
+    public fun of(frame: Snapshot, index: Int): Double
 
     /** Position along [axis] (0 = x, 1 = y, 2 = z): of a periodic axis along which nothing flows. */
     public class Position(private val axis: Int) : Coordinate {
         override val name: String = "xyz"[axis].toString()
 
-        override fun of(frame: Frame, index: Int): Double = frame.position[axis][index] + crossed(frame, axis, index)
+        override fun of(frame: Snapshot, index: Int): Double = frame.position[axis][index] + crossed(frame, axis, index)
     }
 
-    /** Guiding centre X = 4x + 2 v_y/Ω in Hill's frame of angular speed [omega]; a box outward it is larger by L_x, as x is. */
+    /**
+     * Guiding centre X = 4x + 2 v_y/Ω in Hill's frame of angular speed [omega]; a box outward it is larger by L_x, as x
+     * is.
+     */
     public class GuidingCentre(private val omega: Double) : Coordinate {
         override val name: String = "X"
 
-        override fun of(frame: Frame, index: Int): Double = 4 * frame.position[0][index] + 2 * frame.velocity[1][index] / omega + crossed(frame, 0, index)
+        override fun of(frame: Snapshot, index: Int): Double =
+            4 * frame.position[0][index] + 2 * frame.velocity[1][index] / omega + crossed(frame, 0, index)
     }
 
     private companion object {
-        fun crossed(frame: Frame, axis: Int, index: Int): Double {
-            val image = checkNotNull(frame.image) { "the state at time ${frame.time} does not say how often particles crossed the box" }
+        fun crossed(frame: Snapshot, axis: Int, index: Int): Double {
+            val image =
+                checkNotNull(frame.image) {
+                    "the state at time ${frame.time} does not say how often particles crossed the box"
+                }
             return if (frame.periodic[axis]) image[axis][index] * frame.lengths[axis] else 0.0
         }
     }
 }
 
 /**
- * Where particles were at many times, without images and against their centre of mass, so that a drift of all is no displacement. Keeps
- * 8 bytes for each particle, coordinate and time.
+ * Where particles were at many times, without images and against their centre of mass, so that a drift of all is no
+ * displacement. Keeps 8 bytes for each particle, coordinate and time.
  *
  * @param ids of the particles, ascending; they must be in every frame
  */
@@ -63,9 +70,13 @@ public class Trajectories(public val coordinates: List<Coordinate>, private val 
      *
      * @throws IllegalArgumentException when it is not later, has no images, or lacks a particle
      */
-    public fun add(frame: Frame) {
-        require(times.isEmpty() || frame.time > times.last()) { "a state at time ${frame.time} after one at ${times.last()}; times must ascend" }
-        requireNotNull(frame.image) { "the state at time ${frame.time} does not say how often particles crossed the box" }
+    public fun add(frame: Snapshot) {
+        require(times.isEmpty() || frame.time > times.last()) {
+            "a state at time ${frame.time} after one at ${times.last()}; times must ascend"
+        }
+        requireNotNull(frame.image) {
+            "the state at time ${frame.time} does not say how often particles crossed the box"
+        }
         val indices = IntArray(ids.size)
         for (k in ids.indices) {
             indices[k] = java.util.Arrays.binarySearch(frame.id, ids[k])

@@ -1,19 +1,20 @@
 package daphnis.analysis.flow
 
 import daphnis.analysis.insitu.Measure
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import kotlin.math.sqrt
 
 /**
- * The mean flow of a box on a grid of cells in the x-y plane: mass-weighted mean velocities, and lines along it. As a [Measure]: Σ m, Σ m v_x, Σ m v_y by
- * cell `i · ny + j`, one block after the other, so that samples can be added up before [mean] divides them.
+ * The mean flow of a box on a grid of cells in the x-y plane: mass-weighted mean velocities, and lines along it. As a
+ * [Measure]: Σ m, Σ m v_x, Σ m v_y by cell `i · ny + j`, one block after the other, so that samples can be added up
+ * before [mean] divides them.
  */
 public class FlowField(public val nx: Int, public val ny: Int) : Measure {
     init {
         require(nx >= 1 && ny >= 1) { "$nx x $ny cells; there must be one at least" }
     }
 
-    override fun of(state: PatchState): DoubleArray {
+    override fun of(state: State): DoubleArray {
         val p = state.population
         val box = state.boundary.box
         val sums = DoubleArray(3 * nx * ny)
@@ -34,8 +35,8 @@ public class FlowField(public val nx: Int, public val ny: Int) : Measure {
     }
 
     /**
-     * The line of the flow through ([x], [y]), both in cells, as pairs x, y: steps of half a cell by the midpoint rule, until it leaves the grid, comes to an empty
-     * cell or has [steps] points.
+     * The line of the flow through ([x], [y]), both in cells, as pairs x, y: steps of half a cell by the midpoint rule,
+     * until it leaves the grid, comes to an empty cell or has [steps] points.
      */
     public fun line(vx: DoubleArray, vy: DoubleArray, x: Double, y: Double, steps: Int = 4 * (nx + ny)): DoubleArray {
         val points = ArrayList<Double>()

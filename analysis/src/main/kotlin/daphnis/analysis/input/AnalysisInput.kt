@@ -1,6 +1,6 @@
 package daphnis.analysis.input
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.analysis.transport.ImpactTable
@@ -9,7 +9,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.FormatException
-import daphnis.core.format.Frame
+import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.population.Population
 import daphnis.core.run.RunDirectory
@@ -41,7 +41,7 @@ public class AnalysisInput private constructor(
     public val scenario: Scenario?,
     public val summary: Summary?,
     public val times: DoubleArray,
-    private val load: (Int) -> Frame,
+    private val load: (Int) -> Snapshot,
     private val boundary: (Population) -> BoundaryConditions,
     public val omega: Double?,
     public val transport: TransportTable?,
@@ -57,16 +57,16 @@ public class AnalysisInput private constructor(
     public val size: Int get() = times.size
 
     /** Reads state [k] as its file holds it. @throws FormatException when it cannot be read */
-    public fun frame(k: Int): Frame = load(k)
+    public fun frame(k: Int): Snapshot = load(k)
 
     // Of open space the box around the last state, for all states, so that bins and maps of one are those of another.
     private val bounds: BoundaryConditions by lazy { boundary(load(size - 1).population()) }
 
     /** Reads state [k]. @throws FormatException when its file cannot be read */
-    public fun state(k: Int): PatchState {
+    public fun state(k: Int): State {
         val population = load(k).population()
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
-        return PatchState(population, bounds, times[k], omega, scenario?.firstBody ?: Int.MAX_VALUE, factor)
+        return State(population, bounds, times[k], omega, scenario?.firstBody ?: Int.MAX_VALUE, factor)
     }
 
     public companion object {
@@ -84,7 +84,13 @@ public class AnalysisInput private constructor(
             val notices = checked(run, read, acceptLoss)
             val scenario = read.atHome(path)
             val steps = run.snapshotSteps()
-            if (steps.isEmpty()) throw InputException(path.toString(), null, "has no snapshots; run with --set output.snapshotEvery=10, say")
+            if (steps.isEmpty()) {
+                throw InputException(
+                    path.toString(),
+                    null,
+                    "has no snapshots; run with --set output.snapshotEvery=10, say",
+                )
+            }
             fun frame(k: Int) = run.frame(steps[k])
             val first = frame(0).population()
             val setup = ScenarioSetup.of(scenario, run.scenario.toString(), first)
@@ -103,12 +109,17 @@ public class AnalysisInput private constructor(
             )
         }
 
-        /** Holds what is read beside the states against what the run says it wrote. @return what differs and is accepted */
+        /**
+         * Holds what is read beside the states against what the run says it wrote. @return what differs and is accepted
+         */
         private fun checked(run: RunDirectory, scenario: Scenario, acceptLoss: Boolean): List<String> {
             val record = RunRecord.of(run)
-            val problems = record.changes(scenario) + record.problems(run.summary, run.series, run.transport, run.impacts)
+            val problems =
+                record.changes(scenario) + record.problems(run.summary, run.series, run.transport, run.impacts)
             if (problems.isNotEmpty() && !acceptLoss) {
-                throw FormatException("${problems.first()}; bring it back, or take what is there: analyze --accept-loss")
+                throw FormatException(
+                    "${problems.first()}; bring it back, or take what is there: analyze --accept-loss",
+                )
             }
             return problems + record.losses + record.harmlessChanges(scenario)
         }
@@ -116,7 +127,8 @@ public class AnalysisInput private constructor(
         /**
          * The frames of a foreign file, of any [SnapshotFormat].
          *
-         * @param scenario what the box, its faces and the frame are; without one they are the file's, and open where it does not say
+         * @param scenario what the box, its faces and the frame are; without one they are the file's, and open where it
+         *   does not say
          */
         public fun ofFile(path: Path, scenario: Scenario?, source: String): AnalysisInput {
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
@@ -133,13 +145,17 @@ public class AnalysisInput private constructor(
             val given = setup?.boundary ?: ofFrame(frames[0])
             if (setup != null) for ((k, frame) in frames.withIndex()) requireNear(given, frame, "$path: frame $k")
             return AnalysisInput(
-                path.name.substringBeforeLast('.'), setup?.scenario, null, DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
+                path.name.substringBeforeLast('.'), setup?.scenario, null,
+                DoubleArray(frames.size) {
+                    frames[it].time
+                },
+                { frames[it] }, { bounded(given, it) },
                 setup?.angularSpeed, null, null, null, null, emptyList(),
             )
         }
 
         /** The box of a scenario is not that which a file's places were checked against. */
-        private fun requireNear(boundary: BoundaryConditions, frame: Frame, where: String) {
+        private fun requireNear(boundary: BoundaryConditions, frame: Snapshot, where: String) {
             for (axis in 0..2) {
                 if (!boundary.repeats(axis)) continue
                 val farthest = MOST_BOXES * boundary.box.length(axis)
@@ -154,12 +170,21 @@ public class AnalysisInput private constructor(
 
         private const val MOST_BOXES = 1000
 
-        private fun ofFrame(frame: Frame): BoundaryConditions {
+        private fun ofFrame(frame: Snapshot): BoundaryConditions {
             if (frame.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open
             if (frame.shearOffset != 0.0) {
-                throw InputException("--scenario", null, "is missing; images slide in this file, and the scenario has to say how")
+                throw InputException(
+                    "--scenario",
+                    null,
+                    "is missing; images slide in this file, and the scenario has to say how",
+                )
             }
-            return Periodic(Box.centred(frame.lengths[0], frame.lengths[1], frame.lengths[2]), frame.periodic[0], frame.periodic[1], frame.periodic[2])
+            return Periodic(
+                Box.centred(frame.lengths[0], frame.lengths[1], frame.lengths[2]),
+                frame.periodic[0],
+                frame.periodic[1],
+                frame.periodic[2],
+            )
         }
 
         /** Open space ends where the spheres do. */

@@ -6,9 +6,10 @@ import daphnis.core.Simulation
 import kotlin.math.abs
 
 /**
- * Averages of a [measure] over states, with error bars from block averaging. Also an [Output], so that it can be given to a simulation and fills as the run
- * goes; it keeps the numbers of each sample, not the states. The numbers of a [PooledMeasure] come from its sums over all states; their errors are those of the jackknife
- * pseudovalues that leave out one state each, block-averaged for the correlation between states.
+ * Averages of a [measure] over states, with error bars from block averaging. Also an [Output], so that it can be given
+ * to a simulation and fills as the run goes; it keeps the numbers of each sample, not the states. The numbers of a
+ * [PooledMeasure] come from its sums over all states; their errors are those of the jackknife pseudovalues that leave
+ * out one state each, block-averaged for the correlation between states.
  *
  * @param from states before this time are left out
  * @param every steps between samples when used as an output
@@ -35,23 +36,33 @@ public class Averages(
     public val width: Int get() = if (samples.isEmpty()) 0 else numbers(0).size
 
     override fun write(simulation: Simulation) {
-        if (simulation.time >= from && simulation.step % every == 0L) add(PatchState.of(simulation, omega))
+        if (simulation.time >= from && simulation.step % every == 0L) add(State.of(simulation, omega))
     }
 
-    /** Takes in one more state. @throws IllegalStateException when the measure gives another number of numbers than before */
-    public fun add(state: PatchState) {
+    /**
+     * Takes in one more state. @throws IllegalStateException when the measure gives another number of numbers than
+     * before
+     */
+    public fun add(state: State) {
         val sample = if (pooled != null) pooled.sums(state) else measure.of(state)
-        check(samples.isEmpty() || sample.size == samples[0].size) { "a sample has ${sample.size} numbers, those before had ${samples[0].size}" }
+        check(samples.isEmpty() || sample.size == samples[0].size) {
+            "a sample has ${sample.size} numbers, those before had ${samples[0].size}"
+        }
         samples += sample
         pool = null
     }
 
     /**
-     * Average and error of number [k]. Of a [PooledMeasure]: of all particles of all states together; there is no error where fewer than
-     * [BlockAverage.FEWEST_NUMBERS] states have a say. Of any other: samples in which it is NaN are left out.
+     * Average and error of number [k]. Of a [PooledMeasure]: of all particles of all states together; there is no error
+     * where fewer than [BlockAverage.FEWEST_NUMBERS] states have a say. Of any other: samples in which it is NaN are
+     * left out.
      */
     public fun average(k: Int): BlockAverage {
-        if (pooled == null || samples.isEmpty()) return BlockAverage.of(series(k).filter { !it.isNaN() }.toDoubleArray())
+        if (pooled == null ||
+            samples.isEmpty()
+        ) {
+            return BlockAverage.of(series(k).filter { !it.isNaN() }.toDoubleArray())
+        }
         return (pool ?: Pool(pooled, samples).also { pool = it }).average(k)
     }
 
@@ -65,7 +76,15 @@ public class Averages(
         private val n = samples.size
         private val all = DoubleArray(samples[0].size).also { for (s in samples) for (k in s.indices) it[k] += s[k] }
         private val whole = measure.finish(all, n)
-        private val without = List(if (n > 1) n else 0) { i -> measure.finish(DoubleArray(all.size) { all[it] - samples[i][it] }, n - 1) }
+        private val without = List(
+            if (n >
+                1
+            ) {
+                n
+            } else {
+                0
+            },
+        ) { i -> measure.finish(DoubleArray(all.size) { all[it] - samples[i][it] }, n - 1) }
 
         fun average(k: Int): BlockAverage {
             if (n == 1 || whole[k].isNaN()) return BlockAverage(whole[k], Double.NaN, n)

@@ -1,8 +1,8 @@
 package daphnis.analysis.occultation
 
 import daphnis.analysis.insitu.Measure
-import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.insitu.PlaneImages
+import daphnis.analysis.insitu.State
 import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.PI
 import kotlin.math.ceil
@@ -38,14 +38,17 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
         public val blocked: BooleanArray = BooleanArray(nx * ny)
 
         /** Part of the rays that come through, by place along x: a synthetic occultation scan. */
-        public fun scan(): DoubleArray = DoubleArray(nx) { i -> (0 until ny).count { !blocked[i * ny + it] } / ny.toDouble() }
+        public fun scan(): DoubleArray = DoubleArray(nx) { i ->
+            (0 until ny).count { !blocked[i * ny + it] } /
+                ny.toDouble()
+        }
 
         /** Part of all rays that come through. */
         public val transmission: Double get() = blocked.count { !it } / blocked.size.toDouble()
     }
 
     /** Casts the rays through [state]. */
-    public fun cast(state: PatchState): Shadow {
+    public fun cast(state: State): Shadow {
         val box = state.boundary.box
         val longest = maxOf(box.length(0), box.length(1))
         val shadow = Shadow(
@@ -73,7 +76,7 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
     }
 
     /** Drops shadows. Axes are those of [PlaneImages]: a from row to row of images, b along a row. */
-    private inner class Caster(state: PatchState, private val shadow: Shadow) {
+    private inner class Caster(state: State, private val shadow: Shadow) {
         private val images = PlaneImages(state.boundary, state.time)
         private val isRadial = images.across == 0
         private val lowA = state.boundary.box.lower(images.across)
@@ -114,7 +117,11 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
                 val pb = lowB + (j + 0.5) * stepB - centreB
                 val along = (pa * towardA + pb * towardB) / long
                 val beside = (pb * towardA - pa * towardB) / r
-                if (along * along + beside * beside <= 1) shadow.blocked[i * strideA + Math.floorMod(j, countB) * strideB] = true
+                if (along * along + beside * beside <=
+                    1
+                ) {
+                    shadow.blocked[i * strideA + Math.floorMod(j, countB) * strideB] = true
+                }
             }
         }
 

@@ -1,7 +1,7 @@
 package daphnis.analysis.order
 
-import daphnis.analysis.insitu.PatchState
-import daphnis.core.force.Epicycle
+import daphnis.analysis.insitu.State
+import daphnis.core.hill.Epicycle
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
@@ -20,9 +20,10 @@ public enum class RadialKey {
 }
 
 /**
- * The order of a population by radial distance, without moving the population. Kept from call to call: a population that is nearly in the order it had last time
- * is put right in one pass, otherwise keys go through a radix sort, linear in N. Those with the same key stand in the order of their ids, so the
- * result does not depend on the order of the arrays.
+ * The order of a population by radial distance, without moving the population. Kept from call to call: a population
+ * that is nearly in the order it had last time is put right in one pass, otherwise keys go through a radix sort, linear
+ * in N. Those with the same key stand in the order of their ids, so the result does not depend on the order of the
+ * arrays.
  *
  * @param planetDistance distance of the frame's origin from the planet, for [RadialKey.DISTANCE]
  * @param loop threads to use
@@ -48,17 +49,25 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
     /**
      * Sorts the particles of [state] by [key].
      *
-     * @throws IllegalArgumentException for a guiding centre without Hill's frame, or a distance without [planetDistance]
+     * @throws IllegalArgumentException for a guiding centre without Hill's frame, or a distance without
+     *   [planetDistance]
      */
-    public fun sort(state: PatchState, key: RadialKey): RadialOrder {
+    public fun sort(state: State, key: RadialKey): RadialOrder {
         val p = state.population
         val omega = state.omega
         require(key != RadialKey.GUIDING_CENTRE || omega != null) { "order by guiding centre needs Hill's frame" }
-        require(key != RadialKey.DISTANCE || planetDistance.isFinite()) { "order by distance needs the distance of the planet" }
+        require(key != RadialKey.DISTANCE || planetDistance.isFinite()) {
+            "order by distance needs the distance of the planet"
+        }
         size = p.size
         reserve()
         beginWithLastOrder(p)
-        loop.run(size) { _, from, to -> for (rank in from until to) keys[rank] = sortable(value(p, order[rank], key, omega ?: 1.0)) }
+        loop.run(size) { _, from, to ->
+            for (rank in from until to) {
+                keys[rank] =
+                    sortable(value(p, order[rank], key, omega ?: 1.0))
+            }
+        }
         wasNearlySorted = insert()
         if (!wasNearlySorted) radix()
         orderTies(p)
@@ -125,7 +134,10 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
         return true
     }
 
-    /** From the lowest digit to the highest, each pass stable; parts of the array are counted and moved by different threads. */
+    /**
+     * From the lowest digit to the highest, each pass stable; parts of the array are counted and moved by different
+     * threads.
+     */
     private fun radix() {
         val parts = loop.workers
         val counts = Array(parts) { IntArray(1 shl DIGIT) }
@@ -169,7 +181,8 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
     private fun share(part: Int, parts: Int) = (size.toLong() * part / parts).toInt()
 
     /** The highest digit holds the sign, turned round so that negative numbers come first. */
-    private fun digit(key: Long, shift: Int): Int = ((key xor Long.MIN_VALUE) ushr shift).toInt() and ((1 shl DIGIT) - 1)
+    private fun digit(key: Long, shift: Int): Int =
+        ((key xor Long.MIN_VALUE) ushr shift).toInt() and ((1 shl DIGIT) - 1)
 
     private fun orderTies(p: Population) {
         var from = 0
@@ -177,7 +190,8 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
             var to = from + 1
             while (to < size && keys[to] == keys[from]) to++
             if (to - from > 1) {
-                val tied = LongArray(to - from) { (p.id[order[from + it]].toLong() shl 32) or order[from + it].toLong() }
+                val tied =
+                    LongArray(to - from) { (p.id[order[from + it]].toLong() shl 32) or order[from + it].toLong() }
                 tied.sort()
                 for (k in tied.indices) order[from + k] = tied[k].toInt()
             }

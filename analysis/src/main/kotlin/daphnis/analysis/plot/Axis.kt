@@ -25,7 +25,12 @@ internal class Axis(low: Double, high: Double, private val logarithmic: Boolean)
     }
 
     /** 0 at the low end, 1 at the high one. */
-    fun fraction(value: Double): Double = if (logarithmic) log10(value / from) / log10(to / from) else (value - from) / (to - from)
+    fun fraction(value: Double): Double = if (logarithmic) {
+        log10(value / from) / log10(to / from)
+    } else {
+        (value - from) /
+            (to - from)
+    }
 
     /** Marks at round places. */
     fun ticks(): Ticks = if (logarithmic) Ticks.logarithmic(from, to) else Ticks.linear(from, to)

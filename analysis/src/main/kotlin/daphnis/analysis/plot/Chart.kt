@@ -28,7 +28,12 @@ import org.jetbrains.letsPlot.themes.themeMinimal
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /** A named curve; [error] is one standard error by point, or null. Points that are NaN are left out. */
-public class Curve(public val name: String, public val x: DoubleArray, public val y: DoubleArray, public val error: DoubleArray? = null)
+public class Curve(
+    public val name: String,
+    public val x: DoubleArray,
+    public val y: DoubleArray,
+    public val error: DoubleArray? = null,
+)
 
 /** Charts of the analysis, in one look. */
 internal object Chart {
@@ -134,11 +139,23 @@ internal object Chart {
         }
 
         /** As columns for lets-plot. */
-        val columns: Map<String, List<Any>> get() = mapOf("x" to x, "y" to y, "low" to low, "high" to high, "curve" to name)
+        val columns: Map<String, List<Any>> get() = mapOf(
+            "x" to x,
+            "y" to y,
+            "low" to low,
+            "high" to high,
+            "curve" to name,
+        )
     }
 
     /** [plot] with both axes marked at round places. */
-    private fun marked(plot: Plot, x: List<Double>, y: List<Double>, logX: Boolean = false, logY: Boolean = false): Plot {
+    private fun marked(
+        plot: Plot,
+        x: List<Double>,
+        y: List<Double>,
+        logX: Boolean = false,
+        logY: Boolean = false,
+    ): Plot {
         if (x.isEmpty() || y.isEmpty()) return plot
         val across = if (logX) Ticks.logarithmic(x.min(), x.max()) else Ticks.linear(x.min(), x.max())
         val up = if (logY) Ticks.logarithmic(y.min(), y.max()) else Ticks.linear(y.min(), y.max())
@@ -170,7 +187,13 @@ internal object Chart {
     }
 
     /** Lines through points in the order given, one for each curve, all alike; [vertical] are marks on the x axis. */
-    fun paths(curves: List<Curve>, xLabel: String, yLabel: String, vertical: List<Double> = emptyList(), horizontal: List<Double> = emptyList()): Plot {
+    fun paths(
+        curves: List<Curve>,
+        xLabel: String,
+        yLabel: String,
+        vertical: List<Double> = emptyList(),
+        horizontal: List<Double> = emptyList(),
+    ): Plot {
         val x = ArrayList<Double>()
         val y = ArrayList<Double>()
         val name = ArrayList<String>()
@@ -201,7 +224,14 @@ internal object Chart {
      * Coloured cells around zero, to scale; [values] at `i · ny + j` for the cell i along the vertical axis, j along
      * the horizontal one.
      */
-    fun map(vertical: DoubleArray, horizontal: DoubleArray, values: DoubleArray, xLabel: String, yLabel: String, name: String): Plot {
+    fun map(
+        vertical: DoubleArray,
+        horizontal: DoubleArray,
+        values: DoubleArray,
+        xLabel: String,
+        yLabel: String,
+        name: String,
+    ): Plot {
         val x = ArrayList<Double>()
         val y = ArrayList<Double>()
         val v = ArrayList<Double>()
@@ -218,7 +248,17 @@ internal object Chart {
             this.x = "x"
             this.y = "y"
             fill = "v"
-        } + scaleFillGradient2(low = Figures.INK, mid = "#ffffff", high = Figures.ACCENT, midpoint = 0.0, name = name, limits = -most to most) + coordFixed() +
+        } +
+            scaleFillGradient2(
+                low = Figures.INK,
+                mid = "#ffffff",
+                high = Figures.ACCENT,
+                midpoint = 0.0,
+                name = name,
+                limits =
+                -most to most,
+            ) +
+            coordFixed() +
             labs(x = xLabel, y = yLabel) + themeMinimal() + theme(panelGrid = elementBlank()) + ggsize(WIDTH, 560)
     }
 

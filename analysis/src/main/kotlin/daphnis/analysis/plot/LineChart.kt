@@ -1,8 +1,8 @@
 package daphnis.analysis.plot
 
 /**
- * One line over an axis each way. Drawn by ourselves, because a run ends with two of them: the plotting library that draws the analysis takes
- * over a second for its first picture.
+ * One line over an axis each way. Drawn by ourselves, because a run ends with two of them: the plotting library that
+ * draws the analysis takes over a second for its first picture.
  *
  * @param x by point, ascending
  * @param y by point; points that are not finite are left out, and one alone is a dash
@@ -44,10 +44,39 @@ internal class LineChart(
         sheet.text(xLabel, (LEFT + right) / 2, top + height - GAP, MEDIUM, Anchor.MIDDLE)
         val lines = if (yLabel.length > LONGEST_LABEL) yLabel.replace(" [", "\n[").lines() else listOf(yLabel)
         for ((k, line) in lines.withIndex()) {
-            sheet.text(line, GAP + MEDIUM * (1.2 * k + 0.8), (above + bottom) / 2, MEDIUM, Anchor.MIDDLE, upright = true)
+            sheet.text(
+                line,
+                GAP + MEDIUM * (1.2 * k + 0.8),
+                (above + bottom) / 2,
+                MEDIUM,
+                Anchor.MIDDLE,
+                upright = true,
+            )
         }
-        if (points.size == 1) sheet.line(atX(x[points[0]]) - GAP, atY(y[points[0]]), atX(x[points[0]]) + GAP, atY(y[points[0]]), colour, LINE)
-        if (points.size >= 2) sheet.path(DoubleArray(points.size) { atX(x[points[it]]) }, DoubleArray(points.size) { atY(y[points[it]]) }, colour, LINE)
+        if (points.size ==
+            1
+        ) {
+            sheet.line(
+                atX(x[points[0]]) - GAP,
+                atY(y[points[0]]),
+                atX(x[points[0]]) + GAP,
+                atY(y[points[0]]),
+                colour,
+                LINE,
+            )
+        }
+        if (points.size >=
+            2
+        ) {
+            sheet.path(
+                DoubleArray(points.size) {
+                    atX(x[points[it]])
+                },
+                DoubleArray(points.size) { atY(y[points[it]]) },
+                colour,
+                LINE,
+            )
+        }
     }
 
     /** The y axis, with some room above and below the line. */

@@ -1,7 +1,7 @@
 package daphnis.analysis.plot
 
-import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.insitu.PlaneImages
+import daphnis.analysis.insitu.State
 import daphnis.analysis.table.UnitNames
 import java.awt.Color
 import java.awt.Graphics2D
@@ -16,10 +16,10 @@ import java.util.Locale
 import javax.imageio.ImageIO
 
 /**
- * Pictures of a patch to scale, from above (x upward, y to the right) and from the side (z upward, y to the right). Spheres that stick out of a periodic face are
- * cut there and go on at the other, images where they are at the time.
+ * Pictures of a patch to scale, from above (x upward, y to the right) and from the side (z upward, y to the right).
+ * Spheres that stick out of a periodic face are cut there and go on at the other, images where they are at the time.
  */
-internal class PatchPicture(private val state: PatchState, private val lengthName: String) {
+internal class PatchPicture(private val state: State, private val lengthName: String) {
     private val p = state.population
     private val box = state.boundary.box
 
@@ -55,7 +55,9 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
         return png
     }
 
-    /** All discs that touch the window, images included. For the side view spheres of the front half hide those behind. */
+    /**
+     * All discs that touch the window, images included. For the side view spheres of the front half hide those behind.
+     */
     private fun discs(window: Window): List<Disc> {
         val result = ArrayList<Disc>()
         val images = PlaneImages(state.boundary, state.time)
@@ -70,7 +72,13 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
                     val y = p.y[k] + images.shift(ix, iy, 1)
                     val x = p.x[k] + images.shift(ix, iy, 0)
                     val v = if (fromAbove) x else p.z[k]
-                    if (y + r < window.left || y - r > window.right || v + r < window.bottom || v - r > window.top) continue
+                    if (y + r < window.left ||
+                        y - r > window.right ||
+                        v + r < window.bottom ||
+                        v - r > window.top
+                    ) {
+                        continue
+                    }
                     result += Disc(y, v, r, if (fromAbove) p.z[k] else -withinBox(x, images))
                 }
             }
@@ -78,8 +86,16 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
         return result
     }
 
-    /** Seen from the side an image beyond a face in y may have slid along x, out of the box: there the next one stands inside. */
-    private fun withinBox(x: Double, images: PlaneImages): Double = if (images.repeats(0)) x - Math.floor((x - box.lowerX) / box.length(0)) * box.length(0) else x
+    /**
+     * Seen from the side an image beyond a face in y may have slid along x, out of the box: there the next one stands
+     * inside.
+     */
+    private fun withinBox(x: Double, images: PlaneImages): Double = if (images.repeats(0)) {
+        x -
+            Math.floor((x - box.lowerX) / box.length(0)) * box.length(0)
+    } else {
+        x
+    }
 
     private fun png(discs: List<Disc>, window: Window): ByteArray {
         val scale = PIXELS / (window.right - window.left)
@@ -141,25 +157,47 @@ internal class PatchPicture(private val state: PatchState, private val lengthNam
         g.drawString(text, 28, height - 32)
     }
 
-    private fun barText(length: Double) = UnitNames.amount(if (length == Math.rint(length) && length < 1e6) length.toLong().toString() else length.toString(), lengthName)
+    private fun barText(length: Double) = UnitNames.amount(
+        if (length == Math.rint(length) &&
+            length < 1e6
+        ) {
+            length.toLong().toString()
+        } else {
+            length.toString()
+        },
+        lengthName,
+    )
 
     /** Circles while they are few enough to be read and edited, else the picture in an SVG. */
     private fun svg(discs: List<Disc>, window: Window, png: ByteArray): String {
         val scale = PIXELS / (window.right - window.left)
         val height = (window.top - window.bottom) * scale
         fun f(v: Double) = String.format(Locale.ROOT, "%.2f", v)
-        val head = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"$PIXELS\" height=\"${f(height)}\" viewBox=\"0 0 $PIXELS ${f(height)}\">"
+        val head = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"$PIXELS\" height=\"${f(
+            height,
+        )}\" viewBox=\"0 0 $PIXELS ${f(height)}\">"
         if (discs.size > MOST_CIRCLES) {
-            return "$head<image width=\"$PIXELS\" height=\"${f(height)}\" href=\"data:image/png;base64,${Base64.getEncoder().encodeToString(png)}\"/></svg>\n"
+            return "$head<image width=\"$PIXELS\" height=\"${f(
+                height,
+            )}\" href=\"data:image/png;base64,${Base64.getEncoder().encodeToString(png)}\"/></svg>\n"
         }
         val low = discs.minOfOrNull { it.depth } ?: 0.0
         val high = discs.maxOfOrNull { it.depth } ?: 1.0
         val circles = discs.joinToString("\n") { d ->
             val c = shade(if (high > low) (d.depth - low) / (high - low) else 0.5)
             val fill = String.format("#%02x%02x%02x", c.red, c.green, c.blue)
-            "<circle cx=\"${f((d.x - window.left) * scale)}\" cy=\"${f((window.top - d.y) * scale)}\" r=\"${f(maxOf(d.r * scale, LEAST_PIXELS))}\" fill=\"$fill\"/>"
+            "<circle cx=\"${f((d.x - window.left) * scale)}\" cy=\"${f((window.top - d.y) * scale)}\" r=\"${f(
+                maxOf(
+                    d.r * scale,
+                    LEAST_PIXELS,
+                ),
+            )}\" fill=\"$fill\"/>"
         }
-        return "$head<rect width=\"100%\" height=\"100%\" fill=\"#10141c\"/>\n$circles\n${svgBar(window, scale, height)}</svg>\n"
+        return "$head<rect width=\"100%\" height=\"100%\" fill=\"#10141c\"/>\n$circles\n${svgBar(
+            window,
+            scale,
+            height,
+        )}</svg>\n"
     }
 
     private fun svgBar(window: Window, scale: Double, height: Double): String {

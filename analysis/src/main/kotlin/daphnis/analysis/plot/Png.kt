@@ -8,9 +8,13 @@ import java.util.zip.CRC32
 import java.util.zip.Deflater
 import java.util.zip.DeflaterOutputStream
 
-/** PNG (ISO/IEC 15948) of an RGB picture, 8 bits a colour, without filters: a fraction of the time that the Java library needs for its first one. */
+/**
+ * PNG (ISO/IEC 15948) of an RGB picture, 8 bits a colour, without filters: a fraction of the time that the Java library
+ * needs for its first one.
+ */
 internal object Png {
-    private val SIGNATURE = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
+    private val SIGNATURE =
+        byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
     private const val BITS = 8
     private const val RGB = 2
 

@@ -22,15 +22,17 @@ public object RunPlot {
         val table = SeriesTable.read(series)
         require(table.size >= 2) { "the time series has ${table.size} rows; two are needed" }
         val charts = charts(table, title, scale)
-        require(charts.isNotEmpty()) { "the time series has no granular temperature and no two rows at different times" }
+        require(charts.isNotEmpty()) {
+            "the time series has no granular temperature and no two rows at different times"
+        }
         Files.createDirectories(directory)
         Files.writeString(directory.resolve("run.svg"), SvgSheet(WIDTH, HEIGHT).also { draw(charts, it) }.toString())
         Files.write(directory.resolve("run.png"), png(charts))
     }
 
     /**
-     * Draws a picture of nothing and forgets it. The first picture takes ten times as long as another, for all that Java
-     * loads; another thread can do that while a run begins.
+     * Draws a picture of nothing and forgets it. The first picture takes ten times as long as another, for all that
+     * Java loads; another thread can do that while a run begins.
      */
     public fun prepare() {
         val curve = Curve("", doubleArrayOf(0.0, 1.0), doubleArrayOf(1.0, 2.0))
@@ -51,7 +53,14 @@ public object RunPlot {
     /** The axis that both charts have. */
     private class Time(val label: String, val from: Double, val to: Double)
 
-    private fun chart(curve: Curve, title: String, x: Time, y: String, unit: String, colour: String = Figures.INK): LineChart {
+    private fun chart(
+        curve: Curve,
+        title: String,
+        x: Time,
+        y: String,
+        unit: String,
+        colour: String = Figures.INK,
+    ): LineChart {
         val log = Chart.isWide(curve.y.asList())
         val label = UnitNames.axis(y, unit) + if (log) " (log scale)" else ""
         return LineChart(title, x.label, label, curve.x.asList(), curve.y.asList(), colour, log, x.from, x.to)

@@ -10,7 +10,11 @@ import org.jetbrains.letsPlot.intern.Plot
  *
  * @param from a time that is marked, where averages begin; null for none
  */
-internal class SeriesPlots(private val series: SeriesTable, private val scale: PlotScale, private val from: Double? = null) {
+internal class SeriesPlots(
+    private val series: SeriesTable,
+    private val scale: PlotScale,
+    private val from: Double? = null,
+) {
     private val rows = thinned()
     private val time = DoubleArray(rows.size) { series["time"][rows[it]] / scale.time }
     private val timeLabel = UnitNames.axis("time", scale.timeName)
@@ -24,7 +28,9 @@ internal class SeriesPlots(private val series: SeriesTable, private val scale: P
         // Without forces the total is the kinetic energy.
         val isFree = "potential_energy" in series && series["potential_energy"].all { it == 0.0 }
         val told = if (isFree) all - "potential_energy" - "total_energy" else all
-        return told.mapNotNull { column(it, it.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' '), 1.0) }
+        return told.mapNotNull {
+            column(it, it.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' '), 1.0)
+        }
     }
 
     /**

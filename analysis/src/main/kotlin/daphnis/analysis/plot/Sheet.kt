@@ -10,7 +10,11 @@ import java.awt.geom.Path2D
 import java.awt.image.BufferedImage
 
 /** Where text stands against its point. */
-internal enum class Anchor(val svg: String, val before: Double) { START("start", 0.0), MIDDLE("middle", 0.5), END("end", 1.0) }
+internal enum class Anchor(val svg: String, val before: Double) {
+    START("start", 0.0),
+    MIDDLE("middle", 0.5),
+    END("end", 1.0),
+}
 
 /** A white sheet to draw on, in points from its upper left corner. */
 internal interface Sheet {
@@ -34,15 +38,29 @@ internal class SvgSheet(width: Int, height: Int) : Sheet {
     }
 
     override fun path(x: DoubleArray, y: DoubleArray, colour: String, width: Double) {
-        out.append("<path fill=\"none\" stroke=\"").append(colour).append("\" stroke-width=\"").append(width).append("\" stroke-linejoin=\"round\" d=\"")
-        for (k in x.indices) out.append(if (k == 0) 'M' else 'L').append(hundredths(x[k])).append(' ').append(hundredths(y[k]))
+        out.append(
+            "<path fill=\"none\" stroke=\"",
+        ).append(colour).append("\" stroke-width=\"").append(width).append("\" stroke-linejoin=\"round\" d=\"")
+        for (k in x.indices) {
+            out.append(
+                if (k ==
+                    0
+                ) {
+                    'M'
+                } else {
+                    'L'
+                },
+            ).append(hundredths(x[k])).append(' ').append(hundredths(y[k]))
+        }
         out.append("\"/>\n")
     }
 
     override fun text(text: String, x: Double, y: Double, size: Int, anchor: Anchor, upright: Boolean) {
         val place = "${hundredths(x)} ${hundredths(y)}"
         val turn = if (upright) " rotate(-90)" else ""
-        out.append("<text transform=\"translate($place)$turn\" font-size=\"$size\" text-anchor=\"${anchor.svg}\" fill=\"${Figures.TEXT}\">")
+        out.append(
+            "<text transform=\"translate($place)$turn\" font-size=\"$size\" text-anchor=\"${anchor.svg}\" fill=\"${Figures.TEXT}\">",
+        )
         for (c in text) {
             when (c) {
                 '<' -> out.append("&lt;")

@@ -31,13 +31,18 @@ internal class Ticks private constructor(val places: List<Double>, val labels: L
             return Ticks(places, places.map { label(it, power, maxOf(0, power - stepPower)) })
         }
 
-        /** Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other. */
+        /**
+         * Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other.
+         */
         fun logarithmic(low: Double, high: Double): Ticks {
             val first = floor(log10(low)).toInt()
             val last = ceil(log10(high)).toInt()
             val stride = ceil((last - first) / WANTED.toDouble()).toInt().coerceAtLeast(1)
             val tries = LOG_STEPS.map { steps ->
-                (first..last step stride).flatMap { k -> steps.map { it to k } }.filter { (m, k) -> m * 10.0.pow(k) in low..high }
+                (first..last step stride).flatMap { k -> steps.map { it to k } }.filter { (m, k) ->
+                    m * 10.0.pow(k) in
+                        low..high
+                }
             }
             val marks = tries.firstOrNull { it.size >= FEWEST } ?: tries.last()
             return Ticks(marks.map { (m, k) -> m * 10.0.pow(k) }, marks.map { (m, k) -> logLabel(m, k) })

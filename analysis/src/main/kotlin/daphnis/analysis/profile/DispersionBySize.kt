@@ -1,13 +1,14 @@
 package daphnis.analysis.profile
 
 import daphnis.analysis.insitu.Measure
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import kotlin.math.abs
 import kotlin.math.pow
 import kotlin.math.sqrt
 
 /**
- * Velocity dispersion and height of particles by size. As a [Measure] it gives [COLUMNS] for each class of radii, entry `class · COLUMNS.size + column`.
+ * Velocity dispersion and height of particles by size. As a [Measure] it gives [COLUMNS] for each class of radii, entry
+ * `class · COLUMNS.size + column`.
  *
  * | column | what |
  * |---|---|
@@ -17,21 +18,27 @@ import kotlin.math.sqrt
  * | c2 | ⟨c²⟩, the sum of the three |
  * | h2 | ⟨(z − z₀)²⟩, z₀ the centre of mass of all |
  *
- * A sphere with a share μ of all mass pulls the centre of mass along, so that the plain mean square is short by about 2μ; this is taken out, for spheres
- * whose velocities are independent as for such that share one temperature. Means of an empty class are NaN; so are all when a class
- * has spheres with half of all mass each.
+ * A sphere with a share μ of all mass pulls the centre of mass along, so that the plain mean square is short by about
+ * 2μ; this is taken out, for spheres whose velocities are independent as for such that share one temperature. Means of
+ * an empty class are NaN; so are all when a class has spheres with half of all mass each.
  *
- * @param edges lower edges of the classes and the upper edge of the last, ascending; the last class has its upper edge inside
+ * @param edges lower edges of the classes and the upper edge of the last, ascending; the last class has its upper edge
+ *   inside
  */
 public class DispersionBySize(private val edges: DoubleArray) : Measure {
     /** Number of classes. */
     public val classes: Int = edges.size - 1
 
     init {
-        require(classes >= 1 && (0 until classes).all { edges[it] < edges[it + 1] }) { "edges are ${edges.asList()}; they must ascend" }
+        require(
+            classes >= 1 &&
+                (0 until classes).all {
+                    edges[it] < edges[it + 1]
+                },
+        ) { "edges are ${edges.asList()}; they must ascend" }
     }
 
-    override fun of(state: PatchState): DoubleArray {
+    override fun of(state: State): DoubleArray {
         val p = state.population
         val all = (0 until p.size).filter { state.isParticle(it) }.toIntArray()
         val share = all.sumOf { p.mass[it] }.let { mass -> DoubleArray(p.size) { p.mass[it] / mass } }
@@ -54,10 +61,15 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
     }
 
     /**
-     * With V = Σ μ_k v_k and S the sum of (v_k − V)² of a class of n, ⟨S⟩ = σ² Σ (1 − 2μ_k) + n W, W = Σ_all μ_k² σ_k² being ⟨V²⟩: solved for the σ² of all
-     * classes at once.
+     * With V = Σ μ_k v_k and S the sum of (v_k − V)² of a class of n, ⟨S⟩ = σ² Σ (1 − 2μ_k) + n W, W = Σ_all μ_k² σ_k²
+     * being ⟨V²⟩: solved for the σ² of all classes at once.
      */
-    private inline fun meanSquares(radius: DoubleArray, share: DoubleArray, all: IntArray, value: (Int) -> Double): DoubleArray {
+    private inline fun meanSquares(
+        radius: DoubleArray,
+        share: DoubleArray,
+        all: IntArray,
+        value: (Int) -> Double,
+    ): DoubleArray {
         var centre = 0.0
         for (k in all) centre += share[k] * value(k)
         val count = DoubleArray(classes)
@@ -75,8 +87,17 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
         }
         val filled = (0 until classes).filter { count[it] > 0 }
         if (filled.any { free[it] <= 0 }) return DoubleArray(classes) { Double.NaN }
-        val ofCentre = filled.sumOf { pull[it] * square[it] / free[it] } / (1 + filled.sumOf { pull[it] * count[it] / free[it] })
-        return DoubleArray(classes) { if (count[it] == 0.0) Double.NaN else maxOf(0.0, (square[it] - count[it] * ofCentre) / free[it]) }
+        val ofCentre =
+            filled.sumOf { pull[it] * square[it] / free[it] } / (1 + filled.sumOf { pull[it] * count[it] / free[it] })
+        return DoubleArray(classes) {
+            if (count[it] ==
+                0.0
+            ) {
+                Double.NaN
+            } else {
+                maxOf(0.0, (square[it] - count[it] * ofCentre) / free[it])
+            }
+        }
     }
 
     private fun classOf(radius: Double): Int {
@@ -93,8 +114,11 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
         private const val H2 = 6
         private const val SAME = 1e-9
 
-        /** Classes for the particles of [sample]: one for each radius when there are at most [most], else [most] of equal width in ln r. Null for one size. */
-        public fun of(sample: PatchState, most: Int = 8): DispersionBySize? {
+        /**
+         * Classes for the particles of [sample]: one for each radius when there are at most [most], else [most] of
+         * equal width in ln r. Null for one size.
+         */
+        public fun of(sample: State, most: Int = 8): DispersionBySize? {
             val p = sample.population
             val radii = (0 until p.size).filter { sample.isParticle(it) }.map { p.radius[it] }.sorted()
             val distinct = ArrayList<Double>()
@@ -102,9 +126,21 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
             if (distinct.size < 2) return null
             val ratio = radii.last() / radii.first()
             val edges = if (distinct.size <= most) {
-                DoubleArray(distinct.size + 1) { sqrt(distinct[maxOf(0, it - 1)] * distinct[minOf(it, distinct.size - 1)]) }
+                DoubleArray(distinct.size + 1) {
+                    sqrt(
+                        distinct[maxOf(0, it - 1)] * distinct[minOf(it, distinct.size - 1)],
+                    )
+                }
             } else {
-                DoubleArray(most + 1) { if (it == most) radii.last() else radii.first() * ratio.pow(it / most.toDouble()) }
+                DoubleArray(most + 1) {
+                    if (it ==
+                        most
+                    ) {
+                        radii.last()
+                    } else {
+                        radii.first() * ratio.pow(it / most.toDouble())
+                    }
+                }
             }
             return DispersionBySize(edges)
         }

@@ -1,13 +1,13 @@
 package daphnis.analysis.profile
 
-import daphnis.analysis.insitu.PatchState
 import daphnis.analysis.insitu.PooledMeasure
+import daphnis.analysis.insitu.State
 import kotlin.math.PI
 import kotlin.math.abs
 
 /**
- * Profiles of a patch along one axis: radius (x), azimuth (y) or height (z), in equal bins. As a [PooledMeasure] it gives [COLUMNS] for each bin, entry
- * `bin · COLUMNS.size + column`.
+ * Profiles of a patch along one axis: radius (x), azimuth (y) or height (z), in equal bins. As a [PooledMeasure] it
+ * gives [COLUMNS] for each bin, entry `bin · COLUMNS.size + column`.
  *
  * | column | what |
  * |---|---|
@@ -18,25 +18,29 @@ import kotlin.math.abs
  * | mean_vx … | mean velocity against the flow that the boundary drives |
  * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number: sums of products over the number of particles less one |
  *
- * Means and ⟨c_a c_b⟩ are over the particles of all states together, so that a state counts by the particles that it has in the bin. Means of a bin that no state has
- * a particle in are NaN, and so are ⟨c_a c_b⟩ of fewer than two particles. Where a profile spans a whole period, what sticks out at one end of a sphere is filled in
- * at the other; at ends that are not periodic it is cut off.
+ * Means and ⟨c_a c_b⟩ are over the particles of all states together, so that a state counts by the particles that it
+ * has in the bin. Means of a bin that no state has a particle in are NaN, and so are ⟨c_a c_b⟩ of fewer than two
+ * particles. Where a profile spans a whole period, what sticks out at one end of a sphere is filled in at the other; at
+ * ends that are not periodic it is cut off.
  *
  * @param axis 0, 1 or 2
  * @param from lower edge of the first bin
  * @param to upper edge of the last
  */
-public class Profile(public val axis: Int, public val from: Double, public val to: Double, public val bins: Int) : PooledMeasure {
+public class Profile(public val axis: Int, public val from: Double, public val to: Double, public val bins: Int) :
+    PooledMeasure {
     init {
         require(axis in 0..2) { "axis is $axis; it must be 0, 1 or 2" }
-        require(bins >= 1 && from < to) { "$bins bins from $from to $to; there must be one at least, and from below to" }
+        require(bins >= 1 && from < to) {
+            "$bins bins from $from to $to; there must be one at least, and from below to"
+        }
     }
 
     /** Middle of [bin]. */
     public fun centre(bin: Int): Double = from + (bin + 0.5) * (to - from) / bins
 
     /** By bin: [COLUMNS] up to the filling factor, then Σ of velocities and of their products. */
-    override fun sums(state: PatchState): DoubleArray {
+    override fun sums(state: State): DoubleArray {
         val p = state.population
         val a = if (axis == 0) {
             p.x
@@ -69,15 +73,17 @@ public class Profile(public val axis: Int, public val from: Double, public val t
         return result
     }
 
-    /** Length after which the axis repeats, if that is what the profile spans; else infinite, which no image comes from. */
-    private fun period(state: PatchState): Double {
+    /**
+     * Length after which the axis repeats, if that is what the profile spans; else infinite, which no image comes from.
+     */
+    private fun period(state: State): Double {
         val box = state.boundary.box
         val length = box.length(axis)
         val whole = abs(from - box.lower(axis)) <= SAME * length && abs(to - box.lower(axis) - length) <= SAME * length
         return if (whole && state.boundary.repeats(axis)) length else Double.POSITIVE_INFINITY
     }
 
-    private fun addParticle(r: DoubleArray, b: Int, state: PatchState, k: Int) {
+    private fun addParticle(r: DoubleArray, b: Int, state: State, k: Int) {
         val p = state.population
         val u = state.againstFlow(k, 0)
         val v = state.againstFlow(k, 1)
@@ -103,7 +109,8 @@ public class Profile(public val axis: Int, public val from: Double, public val t
             for (c in SQUARE until WIDTH) {
                 val first = if (c == PRODUCT) 0 else c - SQUARE
                 val second = if (c == PRODUCT) 1 else first
-                r[b + c] = if (n > 1) (r[b + c] - n * r[b + MEAN + first] * r[b + MEAN + second]) / (n - 1) else Double.NaN
+                r[b + c] =
+                    if (n > 1) (r[b + c] - n * r[b + MEAN + first] * r[b + MEAN + second]) / (n - 1) else Double.NaN
             }
             for (c in SQUARE until PRODUCT) if (r[b + c] < 0) r[b + c] = 0.0
         }

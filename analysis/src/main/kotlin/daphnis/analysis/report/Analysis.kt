@@ -1,7 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
@@ -67,9 +67,13 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         val chosen = chosenFrames(from)
         val last = input.state(input.size - 1)
         if (last.population.size == 0) {
-            throw InputException(input.name, null, "has no particle left in its last state; there is nothing to measure")
+            throw InputException(
+                input.name,
+                null,
+                "has no particle left in its last state; there is nothing to measure",
+            )
         }
-        val measures = Measures(last, input, options)
+        val measures = ReportAverages(last, input, options)
         val all = chosen.size + PARTS
         for ((done, k) in chosen.withIndex()) {
             progress.next(done, all, "state at time ${input.times[k]}")
@@ -94,7 +98,7 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         return begin + (end - begin) * UNSTEADY
     }
 
-    private fun subtitle(last: PatchState): String {
+    private fun subtitle(last: State): String {
         val description = input.scenario?.description?.takeIf { it.isNotEmpty() && input.directory != null }
         val what = description ?: ReportText.count(last.population.size, "sphere")
         return "$what. Analysed with daphnis ${Version.text}."

@@ -10,7 +10,7 @@ import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.format.Frame
+import daphnis.core.format.Snapshot
 import kotlin.math.PI
 
 /** Self-diffusion, from the states from a time on. */
@@ -42,11 +42,32 @@ internal class DiffusionSection(private val study: Study) : Section {
     /** D along each coordinate that counts, and their mean. */
     fun rows(): List<NumberRow> {
         val d = displacement ?: return emptyList()
-        if (omega != null) return listOfNotNull(row("self-diffusion of guiding centres D_X", d.diffusion(0), "r² Ω", meanRadius * meanRadius * omega))
+        if (omega !=
+            null
+        ) {
+            return listOfNotNull(
+                row(
+                    "self-diffusion of guiding centres D_X",
+                    d.diffusion(0),
+                    "r² Ω",
+                    meanRadius * meanRadius * omega,
+                ),
+            )
+        }
         val all = coordinates.indices.toList().toIntArray()
         val mean = d.diffusion(*all) ?: return emptyList()
-        val along = all.map { row("self-diffusion D_${coordinates[it].name}", d.diffusion(it, from = mean.from), units.viscosity, 1.0) }
-        return (if (all.size == 1) along else listOf(row("self-diffusion D", mean, units.viscosity, 1.0)) + along).filterNotNull()
+        val along = all.map {
+            row("self-diffusion D_${coordinates[it].name}", d.diffusion(it, from = mean.from), units.viscosity, 1.0)
+        }
+        return (
+            if (all.size ==
+                1
+            ) {
+                along
+            } else {
+                listOf(row("self-diffusion D", mean, units.viscosity, 1.0)) + along
+            }
+            ).filterNotNull()
     }
 
     private fun row(what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {
@@ -76,7 +97,13 @@ internal class DiffusionSection(private val study: Study) : Section {
 
     private fun caption(d: MeanSquareDisplacement): String {
         val found = d.diffusion(*(if (omega != null) intArrayOf(0) else coordinates.indices.toList().toIntArray()))
-        val said = if (found == null) "They do not become linear in time within these lags: no coefficient." else "D is half the slope where they are linear."
+        val said = if (found ==
+            null
+        ) {
+            "They do not become linear in time within these lags: no coefficient."
+        } else {
+            "D is half the slope where they are linear."
+        }
         return if (omega != null) "X is the guiding centre; x swings about it once an orbit. $said" else said
     }
 
@@ -101,7 +128,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         return late.filterIndexed { k, _ -> k % maxOf(1, every) == 0 }
     }
 
-    private fun coordinates(frame: Frame, boundary: BoundaryConditions): List<Coordinate> = if (omega != null) {
+    private fun coordinates(frame: Snapshot, boundary: BoundaryConditions): List<Coordinate> = if (omega != null) {
         listOf(Coordinate.GuidingCentre(omega), Coordinate.Position(0))
     } else {
         (0..2).filter { frame.periodic[it] && it != boundary.meanFlow?.flowAxis }.map { Coordinate.Position(it) }

@@ -28,13 +28,30 @@ internal object MoonEncounter {
 
     fun rows(e: Encounter, box: Box, units: UnitNames): List<NumberRow> {
         val moonX = (box.lowerX + box.upperX) / 2 - e.distance
-        val swing = if (e.moonE > 0) "of the guiding centres; the moon swings ${ReportText.short(e.moonE)} ${units.length} to either side" else ""
+        val swing = if (e.moonE >
+            0
+        ) {
+            "of the guiding centres; the moon swings ${ReportText.short(e.moonE)} ${units.length} to either side"
+        } else {
+            ""
+        }
         return listOf(
-            NumberRow("distance from the moon's orbit, middle of the patch", e.distance, Double.NaN, units.length, note = swing),
+            NumberRow(
+                "distance from the moon's orbit, middle of the patch",
+                e.distance,
+                Double.NaN,
+                units.length,
+                note = swing,
+            ),
             NumberRow("wavelength 3π|Δa|", e.wavelength, Double.NaN, units.length),
         ) + amplitudes(e, units) + listOf(
             NumberRow("time between passages", e.synodicOrbits, Double.NaN, "orbits"),
-            NumberRow("resonances (m+1):m in the patch", e.resonances(box.lowerX - moonX, box.upperX - moonX).size.toDouble(), Double.NaN, ""),
+            NumberRow(
+                "resonances (m+1):m in the patch",
+                e.resonances(box.lowerX - moonX, box.upperX - moonX).size.toDouble(),
+                Double.NaN,
+                "",
+            ),
         )
     }
 
@@ -42,16 +59,33 @@ internal object MoonEncounter {
         val what = "amplitude a·e of one passage"
         val crossing = "streamlines cross without damping after"
         if (e.moonE == 0.0) {
-            return listOf(NumberRow(what, e.amplitude, Double.NaN, units.length), NumberRow(crossing, e.crossing(e.amplitude), Double.NaN, units.length))
+            return listOf(
+                NumberRow(what, e.amplitude, Double.NaN, units.length),
+                NumberRow(crossing, e.crossing(e.amplitude), Double.NaN, units.length),
+            )
         }
         val place = "by the moon's place on its epicycle at the passage"
         if (e.largestAmplitude.isNaN()) {
-            return listOf(NumberRow(what, Double.NaN, Double.NaN, units.length, note = "not known: the moon's epicycle reaches the middle of the patch"))
+            return listOf(
+                NumberRow(
+                    what,
+                    Double.NaN,
+                    Double.NaN,
+                    units.length,
+                    note = "not known: the moon's epicycle reaches the middle of the patch",
+                ),
+            )
         }
         return listOf(
             NumberRow("$what, least", e.leastAmplitude, Double.NaN, units.length, note = place),
             NumberRow("$what, largest", e.largestAmplitude, Double.NaN, units.length, note = place),
-            NumberRow(crossing, e.crossing(e.largestAmplitude), Double.NaN, units.length, note = "where the amplitude is largest"),
+            NumberRow(
+                crossing,
+                e.crossing(e.largestAmplitude),
+                Double.NaN,
+                units.length,
+                note = "where the amplitude is largest",
+            ),
         )
     }
 

@@ -49,7 +49,15 @@ internal class ProfilesSection(private val study: Study) : Section {
     }
 
     /** Writes the table of a profile and draws the column [drawn] of it, unless that is empty. */
-    private fun profile(page: ReportPage, name: String, profile: Profile, averages: Averages, label: String, drawn: String, caption: String) {
+    private fun profile(
+        page: ReportPage,
+        name: String,
+        profile: Profile,
+        averages: Averages,
+        label: String,
+        drawn: String,
+        caption: String,
+    ) {
         val x = DoubleArray(profile.bins) { profile.centre(it) }
         val columns = ArrayList<Column>()
         columns += Column("centre", units.length, x)

@@ -11,26 +11,51 @@ import kotlin.math.abs
 internal class Reference(val value: Double, val source: String)
 
 /**
- * Numbers that are known for some scenarios: steady ring patches and sheared gases measured with an independent event-driven code (docs/validation.md), and the equation
- * of state of the elastic gas. By the name of the quantity.
+ * Numbers that are known for some scenarios: steady ring patches and sheared gases measured with an independent
+ * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By the name of the quantity.
  */
 internal object References {
     private const val INDEPENDENT = "docs/validation.md"
 
-    /** τ, then c, σx, σy, σz in rΩ, H in r, collisions a particle and orbit, ν_trans and ν_coll in r²Ω, midplane filling factor. */
+    /**
+     * τ, then c, σx, σy, σz in rΩ, H in r, collisions a particle and orbit, ν_trans and ν_coll in r²Ω, midplane filling
+     * factor.
+     */
     private val PATCHES = listOf(
         doubleArrayOf(0.1, 4.55, 3.53, 1.77, 2.25, 2.32, 1.75, 0.270, 0.065, 0.023),
         doubleArrayOf(0.5, 3.72, 2.79, 1.56, 1.89, 2.21, 8.99, 0.752, 0.402, 0.114),
         doubleArrayOf(1.0, 2.95, 2.10, 1.38, 1.54, 2.16, 18.95, 0.670, 0.859, 0.22),
         doubleArrayOf(2.0, 2.45, 1.62, 1.28, 1.31, 2.49, 44.3, 0.487, 1.859, 0.35),
     )
-    private val PATCH_NAMES = listOf("", "c", "sigma_x", "sigma_y", "sigma_z", "H", "collisions", "nu_trans", "nu_coll", "midplane")
+    private val PATCH_NAMES =
+        listOf("", "c", "sigma_x", "sigma_y", "sigma_z", "H", "collisions", "nu_trans", "nu_coll", "midplane")
 
     /** e, φ, then T*, p*, τ*. */
     private val SHEARED = listOf(
-        doubleArrayOf(0.8, 0.01, 297.0, 3.08, 1.335), doubleArrayOf(0.8, 0.1, 3.00, 0.440, 0.170), doubleArrayOf(0.8, 0.3, 0.514, 0.596, 0.230),
-        doubleArrayOf(0.9, 0.01, 631.0, 6.55, 2.130), doubleArrayOf(0.9, 0.1, 6.36, 0.951, 0.275), doubleArrayOf(0.9, 0.3, 1.137, 1.339, 0.374),
-        doubleArrayOf(0.95, 0.01, 1302.0, 13.54, 3.208), doubleArrayOf(0.95, 0.1, 13.06, 1.970, 0.411), doubleArrayOf(0.95, 0.3, 2.390, 2.837, 0.565),
+        doubleArrayOf(
+            0.8,
+            0.01,
+            297.0,
+            3.08,
+            1.335,
+        ),
+        doubleArrayOf(0.8, 0.1, 3.00, 0.440, 0.170), doubleArrayOf(0.8, 0.3, 0.514, 0.596, 0.230),
+        doubleArrayOf(
+            0.9,
+            0.01,
+            631.0,
+            6.55,
+            2.130,
+        ),
+        doubleArrayOf(0.9, 0.1, 6.36, 0.951, 0.275), doubleArrayOf(0.9, 0.3, 1.137, 1.339, 0.374),
+        doubleArrayOf(
+            0.95,
+            0.01,
+            1302.0,
+            13.54,
+            3.208,
+        ),
+        doubleArrayOf(0.95, 0.1, 13.06, 1.970, 0.411), doubleArrayOf(0.95, 0.3, 2.390, 2.837, 0.565),
     )
 
     /** Of a ring patch, in units of r and Ω. Empty unless the scenario is one of those measured. */
@@ -54,20 +79,37 @@ internal object References {
     /** Of a Lees–Edwards box, in the units of its table. */
     fun ofShear(scenario: Scenario, filling: Double): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
-        if (scenario.boundary !is BoundarySpec.LeesEdwards || scenario.particles?.sizes !is SizesSpec.Equal) return emptyMap()
+        if (scenario.boundary !is BoundarySpec.LeesEdwards ||
+            scenario.particles?.sizes !is SizesSpec.Equal
+        ) {
+            return emptyMap()
+        }
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
-        return mapOf("T*" to Reference(row[2], INDEPENDENT), "p*" to Reference(row[3], INDEPENDENT), "tau*" to Reference(row[4], INDEPENDENT))
+        return mapOf(
+            "T*" to Reference(row[2], INDEPENDENT),
+            "p*" to Reference(row[3], INDEPENDENT),
+            "tau*" to Reference(row[4], INDEPENDENT),
+        )
     }
 
     /** Collision rate and compressibility of an elastic gas of equal spheres, Carnahan & Starling 1969. */
-    fun ofElastic(scenario: Scenario, filling: Double, temperature: Double, numberDensity: Double): Map<String, Reference> {
+    fun ofElastic(
+        scenario: Scenario,
+        filling: Double,
+        temperature: Double,
+        numberDensity: Double,
+    ): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
         val radius = (scenario.particles?.sizes as? SizesSpec.Equal)?.radius ?: return emptyMap()
         if (law.coefficient != 1.0 || scenario.boundary !is BoundarySpec.Periodic || filling > 0.49) return emptyMap()
         val contact = (1 - filling / 2) / ((1 - filling) * (1 - filling) * (1 - filling))
         val diameter = 2 * radius
         return mapOf(
-            "rate" to Reference(4 * Math.sqrt(PI * temperature) * numberDensity * contact * diameter * diameter, "Carnahan & Starling 1969"),
+            "rate" to
+                Reference(
+                    4 * Math.sqrt(PI * temperature) * numberDensity * contact * diameter * diameter,
+                    "Carnahan & Starling 1969",
+                ),
             "Z" to Reference(1 + 4 * filling * contact, "Carnahan & Starling 1969"),
         )
     }

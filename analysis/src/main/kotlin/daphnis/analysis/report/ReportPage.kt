@@ -31,7 +31,8 @@ internal class ReportPage(private val title: String) {
     }
 
     /** A chart: on a narrow screen it stays large enough to be read, and scrolls. */
-    fun svg(svg: String, alt: String, caption: String) = image("image/svg+xml", "chart", svg.toByteArray(Charsets.UTF_8), alt, caption)
+    fun svg(svg: String, alt: String, caption: String) =
+        image("image/svg+xml", "chart", svg.toByteArray(Charsets.UTF_8), alt, caption)
 
     /** A picture: as wide as the screen at most. */
     fun png(png: ByteArray, alt: String, caption: String) = image("image/png", "picture", png, alt, caption)
@@ -44,7 +45,8 @@ internal class ReportPage(private val title: String) {
     }
 
     /** What may be wider than the screen; by keyboard too. */
-    private fun scrolling(what: String, content: String) = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"${escape(what)}\">$content</div>"
+    private fun scrolling(what: String, content: String) =
+        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"${escape(what)}\">$content</div>"
 
     fun parameters(rows: List<Pair<String, String>>) {
         val lines = rows.joinToString("") { (name, value) ->
@@ -101,6 +103,7 @@ $body</main></body></html>
         private const val UNCERTAIN =
             "No error can be given: the states that are averaged are worth fewer than eight independent ones."
 
-        fun escape(text: String): String = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
+        fun escape(text: String): String =
+            text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
     }
 }

@@ -51,7 +51,8 @@ internal object ReportText {
         val exponent = floor(log10(maxOf(size, error))).toInt()
         val scale = 10.0.pow(exponent)
         val d = (exponent + digits).coerceIn(0, MOST_DECIMALS)
-        return minus(String.format(Locale.ROOT, "(%.${d}f ± %.${d}f)", value / scale, error / scale)) + PowersOfTen.times(exponent)
+        return minus(String.format(Locale.ROOT, "(%.${d}f ± %.${d}f)", value / scale, error / scale)) +
+            PowersOfTen.times(exponent)
     }
 
     /** `1 sphere`, `2 spheres`. */

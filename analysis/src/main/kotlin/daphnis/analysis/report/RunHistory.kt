@@ -45,7 +45,10 @@ internal object RunHistory {
 
     /** Collisions of a particle between rows, at the time of the later one. */
     private fun rate(time: DoubleArray, collisions: DoubleArray, particles: DoubleArray): History {
-        val rates = DoubleArray(time.size - 1) { 2 * (collisions[it + 1] - collisions[it]) / particles[it] / (time[it + 1] - time[it]) }
+        val rates = DoubleArray(time.size - 1) {
+            2 * (collisions[it + 1] - collisions[it]) / particles[it] /
+                (time[it + 1] - time[it])
+        }
         return History("collisions of a particle", time.copyOfRange(1, time.size), rates)
     }
 

@@ -1,7 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.report.ReportText.count
 import daphnis.analysis.report.ReportText.short
 import daphnis.analysis.table.UnitNames
@@ -10,10 +10,11 @@ import daphnis.core.run.Summary
 import kotlin.math.PI
 
 /** What was run, in names and values. */
-internal class RunParameters(private val input: AnalysisInput, private val last: PatchState) {
+internal class RunParameters(private val input: AnalysisInput, private val last: State) {
     private val units = input.units
 
-    fun rows(): List<Pair<String, String>> = state() + scenario() + states() + (input.summary?.let(::summary) ?: unfinished())
+    fun rows(): List<Pair<String, String>> =
+        state() + scenario() + states() + (input.summary?.let(::summary) ?: unfinished())
 
     private fun state(): List<Pair<String, String>> {
         val rows = ArrayList<Pair<String, String>>()
@@ -80,5 +81,6 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     }
 
     /** A part of the scenario in the scenario's spelling: `hill-sheet`. */
-    private fun word(part: Any): String = part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
+    private fun word(part: Any): String =
+        part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
 }

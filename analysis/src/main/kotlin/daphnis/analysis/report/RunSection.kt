@@ -43,6 +43,14 @@ internal class RunSection(private val study: Study) : Section {
         }
 
         /** [path] as a shell takes it for one word. */
-        fun quoted(path: Path): String = path.toString().let { if (PLAIN.matches(it)) it else "'" + it.replace("'", "'\\''") + "'" }
+        fun quoted(path: Path): String = path.toString().let {
+            if (PLAIN.matches(it)) {
+                it
+            } else {
+                "'" +
+                    it.replace("'", "'\\''") +
+                    "'"
+            }
+        }
     }
 }

@@ -76,7 +76,8 @@ internal class Sections(private val study: Study) {
         StreamlineSection(input, study.plots, study.tables, study.options).write(it, study.last)
     }
 
-    private fun notCompact(): String? = if (study.measures.isCompact) null else "the patch is more than twenty times as long as wide"
+    private fun notCompact(): String? =
+        if (study.measures.isCompact) null else "the patch is more than twenty times as long as wide"
 
     private fun notSlab(): String? = if (study.measures.isSlab) null else "the box is filled above and below"
 

@@ -18,8 +18,9 @@ internal class SizeClassSection(private val study: Study) : Section {
     private val filled = (0 until classes).filter { !radius[it].isNaN() && !average(it, "c2").mean.isNaN() }
 
     override val heading = "Sizes"
-    override val over = "Particles by size, around the mean flow and the centre of mass of all. ${study.overAverages} " +
-        "By number. Bars are one standard error, from 16 states on."
+    override val over =
+        "Particles by size, around the mean flow and the centre of mass of all. ${study.overAverages} " +
+            "By number. Bars are one standard error, from 16 states on."
     override val leftOut = when {
         averages == null -> "all particles have one radius"
         filled.isEmpty() -> "too few particles"
@@ -52,9 +53,17 @@ internal class SizeClassSection(private val study: Study) : Section {
         study.draw(page, figure, name, "$quantity by size", "$said of particles by size.")
     }
 
-    private fun average(c: Int, column: String): BlockAverage = averages!!.average(c * DispersionBySize.COLUMNS.size + DispersionBySize.COLUMNS.indexOf(column))
+    private fun average(c: Int, column: String): BlockAverage = averages!!.average(
+        c * DispersionBySize.COLUMNS.size + DispersionBySize.COLUMNS.indexOf(column),
+    )
 
-    private inline fun column(name: String, unit: String, filled: List<Int>, value: (Int) -> Double) = Column(name, unit, DoubleArray(filled.size) { value(filled[it]) })
+    private inline fun column(name: String, unit: String, filled: List<Int>, value: (Int) -> Double) = Column(
+        name,
+        unit,
+        DoubleArray(filled.size) {
+            value(filled[it])
+        },
+    )
 
     private fun roots(square: String, name: String, unit: String, filled: List<Int>): List<Column> = listOf(
         column(name, unit, filled) { sqrt(average(it, square).mean) },

@@ -12,7 +12,10 @@ import kotlin.math.abs
  * @param duration a length of time, by which drifts are given
  */
 internal class SteadinessText(private val from: Double, private val unit: String, private val duration: Double) {
-    /** One sentence for each [history] that drifts, then one for those that do not, and one for those that are too short to tell. */
+    /**
+     * One sentence for each [history] that drifts, then one for those that do not, and one for those that are too short
+     * to tell.
+     */
     fun of(histories: List<History>): List<String> {
         val lines = ArrayList<String>()
         val steady = ArrayList<String>()
@@ -30,7 +33,8 @@ internal class SteadinessText(private val from: Double, private val unit: String
         }
         if (steady.isNotEmpty()) lines += "No drift is seen over the time averaged: ${steady.joinToString()}."
         if (short.isNotEmpty()) {
-            lines += "Whether it is steady cannot be told from fewer than ${Steadiness.FEWEST} rows in the time averaged: ${short.joinToString()}."
+            lines +=
+                "Whether it is steady cannot be told from fewer than ${Steadiness.FEWEST} rows in the time averaged: ${short.joinToString()}."
         }
         return lines
     }
@@ -44,11 +48,14 @@ internal class SteadinessText(private val from: Double, private val unit: String
         } else {
             "a longer run is needed"
         }
-        return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged ($each per $unit), more than its fluctuations " +
+        return "Not steady: ${history.name} $what by ${percent(
+            abs(part),
+        )} of its average over the time averaged ($each per $unit), more than its fluctuations " +
             "explain; ± leaves this out; $advice."
     }
 
-    private fun percent(part: Double) = String.format(Locale.ROOT, if (part < 0.1) "%.2g" else "%.0f", 100 * part) + " %"
+    private fun percent(part: Double) =
+        String.format(Locale.ROOT, if (part < 0.1) "%.2g" else "%.0f", 100 * part) + " %"
 
     private companion object {
         /** Change, as a part of the average, that is not worth a word. */

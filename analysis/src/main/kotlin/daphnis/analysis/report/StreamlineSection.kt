@@ -1,7 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
 import daphnis.analysis.plot.Chart
@@ -15,13 +15,24 @@ import daphnis.core.scenario.ForceSpec
 import java.nio.file.Path
 
 /** Streamlines of the last state, in both orders; relative to the moon where there is one. */
-internal class StreamlineSection(private val input: AnalysisInput, private val plots: Path, private val tables: Path, private val options: AnalysisOptions) {
+internal class StreamlineSection(
+    private val input: AnalysisInput,
+    private val plots: Path,
+    private val tables: Path,
+    private val options: AnalysisOptions,
+) {
     private val units = input.units
     private val moon = input.scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull()
 
-    fun write(page: ReportPage, last: PatchState) {
+    fun write(page: ReportPage, last: State) {
         val n = last.population.size
-        val groups = if (options.groups > 0) options.groups else Math.sqrt(n / PARTICLES_A_GROUP / 4).toInt().coerceIn(4, 40)
+        val groups = if (options.groups >
+            0
+        ) {
+            options.groups
+        } else {
+            Math.sqrt(n / PARTICLES_A_GROUP / 4).toInt().coerceIn(4, 40)
+        }
         val slabs = if (options.slabs > 0) options.slabs else (n / PARTICLES_A_GROUP / groups).toInt().coerceIn(4, 400)
         val order = RadialOrder()
         val byPosition = Streamlines.of(last, slabs, groups, RadialKey.X, order)
@@ -44,14 +55,14 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
         )
     }
 
-    private fun moonAt(last: PatchState): Double {
+    private fun moonAt(last: State): Double {
         val m = moon!!
-        val orbit = daphnis.core.force.Epicycle(m.x, m.y, m.e, m.phase)
+        val orbit = daphnis.core.hill.Epicycle(m.x, m.y, m.e, m.phase)
         val omega = last.omega!!
         return orbit.after(last.time, omega).state(omega)[1]
     }
 
-    private fun draw(page: ReportPage, name: String, lines: Streamlines, label: String, moonY: Double, last: PatchState) {
+    private fun draw(page: ReportPage, name: String, lines: Streamlines, label: String, moonY: Double, last: State) {
         val drawn = (0 until lines.groups).filter { it % maxOf(1, lines.groups / MOST_LINES) == 0 }
         val curves = drawn.map { g ->
             Curve(
@@ -61,7 +72,9 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
             )
         }
         val marks = encounterOf(last)?.let { e ->
-            (0..(last.boundary.box.length(1) / e.wavelength).toInt()).map { -it * e.wavelength * Math.signum(e.distance) }
+            (0..(last.boundary.box.length(1) / e.wavelength).toInt()).map {
+                -it * e.wavelength * Math.signum(e.distance)
+            }
         }.orEmpty()
         val caption = if (moon != null) {
             "Streamlines by guiding centre; dashed: the moon and multiples of the wavelength 3π|Δa| behind it."
@@ -72,19 +85,37 @@ internal class StreamlineSection(private val input: AnalysisInput, private val p
         val low = box.lowerY - moonY
         val high = box.upperY - moonY
         page.svg(
-            Figures.write(Chart.paths(curves, label, "radial position x [${units.length}]", marks.filter { it in low..high }), plots, name, Chart.WIDTH, HEIGHT),
+            Figures.write(
+                Chart.paths(
+                    curves,
+                    label,
+                    "radial position x [${units.length}]",
+                    marks.filter {
+                        it in
+                            low..high
+                    },
+                ),
+                plots,
+                name,
+                Chart.WIDTH,
+                HEIGHT,
+            ),
             "streamlines",
             caption,
         )
     }
 
-    private fun encounterOf(last: PatchState): Encounter? = MoonEncounter.of(input.scenario, last.omega!!, last.boundary.box)
+    private fun encounterOf(last: State): Encounter? = MoonEncounter.of(input.scenario, last.omega!!, last.boundary.box)
 
-    private fun encounter(page: ReportPage, lines: Streamlines, label: String, moonY: Double, last: PatchState) {
+    private fun encounter(page: ReportPage, lines: Streamlines, label: String, moonY: Double, last: State) {
         val e = encounterOf(last) ?: return
         val drawn = listOf(0, lines.groups / 2, lines.groups - 1).distinct()
         val curves = drawn.map { g ->
-            val name = "x = ${ReportText.short((0 until lines.slabs).map { lines.guidingX[lines.at(it, g)] }.filter { !it.isNaN() }.average())} ${units.length}"
+            val name = "x = ${ReportText.short(
+                (0 until lines.slabs).map {
+                    lines.guidingX[lines.at(it, g)]
+                }.filter { !it.isNaN() }.average(),
+            )} ${units.length}"
             Curve(
                 name,
                 DoubleArray(lines.slabs) { lines.meanY[lines.at(it, g)] - moonY },

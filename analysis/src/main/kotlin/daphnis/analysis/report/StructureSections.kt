@@ -16,7 +16,7 @@ import kotlin.math.sqrt
 /** The sections on how particles stand and meet: correlations, occultation, impacts. */
 internal class StructureSections(
     private val input: AnalysisInput,
-    private val measures: Measures,
+    private val measures: ReportAverages,
     private val numbers: Numbers,
     private val plots: Path,
     private val tables: Path,
@@ -49,7 +49,10 @@ internal class StructureSections(
             val from = if (pairs.nearest >
                 0
             ) {
-                " Bins begin at the contact of the smallest spheres, ${UnitNames.amount(ReportText.short(pairs.nearest), units.length)}."
+                " Bins begin at the contact of the smallest spheres, ${UnitNames.amount(
+                    ReportText.short(pairs.nearest),
+                    units.length,
+                )}."
             } else {
                 ""
             }
@@ -70,7 +73,14 @@ internal class StructureSections(
         val y = DoubleArray(2 * measures.lagY + 1) { (it - measures.lagY) * measures.dy }
         // The centre is the noise of counting and would hide the rest.
         val shown = a.copyOf().also { it[measures.lagX * y.size + measures.lagY] = 0.0 }
-        val figure = Chart.map(x, y, shown, UnitNames.axis("Δy", units.length), UnitNames.axis("Δx", units.length), "autocorrelation A")
+        val figure = Chart.map(
+            x,
+            y,
+            shown,
+            UnitNames.axis("Δy", units.length),
+            UnitNames.axis("Δx", units.length),
+            "autocorrelation A",
+        )
         page.svg(
             Figures.write(figure, plots, "autocorrelation", Chart.WIDTH, MAP_HEIGHT),
             "autocorrelation of the surface density",
@@ -89,21 +99,46 @@ internal class StructureSections(
     /** What is drawn over what: its [words] and [symbol], and the [argument] with its [unit]. */
     private class Quantity(val words: String, val symbol: String, val argument: String, val unit: String)
 
-    private fun spectrum(page: ReportPage, name: String, x: DoubleArray, averages: Averages, quantity: Quantity, caption: String) {
+    private fun spectrum(
+        page: ReportPage,
+        name: String,
+        x: DoubleArray,
+        averages: Averages,
+        quantity: Quantity,
+        caption: String,
+    ) {
         val all = x.indices.map { averages.average(it) }
         val y = DoubleArray(x.size) { all[it].mean }
         val error = DoubleArray(x.size) { all[it].error }
         val label = "${quantity.words} ${quantity.symbol}"
-        val figure = Chart.lines(listOf(Curve(label, x, y, error)), UnitNames.axis(quantity.argument, quantity.unit), label, horizontal = 1.0)
-        page.svg(Figures.write(figure, plots, name, Chart.WIDTH, Chart.HEIGHT), quantity.words, "$caption Bars are one standard error, from 16 states on.")
+        val figure = Chart.lines(
+            listOf(Curve(label, x, y, error)),
+            UnitNames.axis(quantity.argument, quantity.unit),
+            label,
+            horizontal = 1.0,
+        )
+        page.svg(
+            Figures.write(figure, plots, name, Chart.WIDTH, Chart.HEIGHT),
+            quantity.words,
+            "$caption Bars are one standard error, from 16 states on.",
+        )
         val argument = if (quantity.unit.startsWith("1/")) "k" else "r"
-        Table(name, listOf(Column(argument, quantity.unit, x), Column(quantity.symbol, "", y), Column("${quantity.symbol}_error", "", error))).write(tables)
+        Table(
+            name,
+            listOf(
+                Column(argument, quantity.unit, x),
+                Column(quantity.symbol, "", y),
+                Column("${quantity.symbol}_error", "", error),
+            ),
+        ).write(tables)
     }
 
     fun occultation(page: ReportPage) {
         val light = measures.ofLight
         val transmission = light.average(0)
-        val rays = "${ReportText.short(measures.options.elevation)}° elevation and ${ReportText.short(measures.options.azimuth)}° azimuth"
+        val rays = "${ReportText.short(
+            measures.options.elevation,
+        )}° elevation and ${ReportText.short(measures.options.azimuth)}° azimuth"
         page.numbers(
             listOf(
                 NumberRow("rays that come through at $rays", transmission.mean, transmission.error, ""),
@@ -124,12 +159,23 @@ internal class StructureSections(
             "Synthetic occultation: share of the light that comes through along y at each x, from rays through the particles and their images at $rays, which is the " +
                 "direction in the plane in which they climb, from x toward y.",
         )
-        Table("occultation", listOf(Column("x", units.length, x), Column("transmission_last", "", scan), Column("transmission_mean", "", mean))).write(tables)
+        Table(
+            "occultation",
+            listOf(
+                Column("x", units.length, x),
+                Column("transmission_last", "", scan),
+                Column("transmission_mean", "", mean),
+            ),
+        ).write(tables)
     }
 
     private fun depthRow(transmission: BlockAverage): NumberRow {
         val what = "normal optical depth −sin B · ln T"
-        if (transmission.mean <= 0) return NumberRow(what, Double.NaN, Double.NaN, "", note = "opaque: no ray comes through")
+        if (transmission.mean <=
+            0
+        ) {
+            return NumberRow(what, Double.NaN, Double.NaN, "", note = "opaque: no ray comes through")
+        }
         val depth = measures.rays.depth(transmission)
         return NumberRow(what, depth.mean, depth.error, "", note = "T averaged over the states first")
     }
@@ -141,8 +187,17 @@ internal class StructureSections(
         val total = rows.collisions.sum()
         val x = DoubleArray(rows.size) { sqrt(rows.from[it] * rows.to[it]) * factor }
         val y = DoubleArray(rows.size) { rows.collisions[it] / total / Math.log(rows.to[it] / rows.from[it]) }
-        val figure = Chart.lines(listOf(Curve("impacts", x, y)), "impact speed [cm/s]", "part of impacts per ln v", logX = true)
-        page.svg(Figures.write(figure, plots, "impact-speeds", Chart.WIDTH, Chart.HEIGHT), "distribution of impact speeds", "Impact speeds of all collisions of the run.")
+        val figure = Chart.lines(
+            listOf(Curve("impacts", x, y)),
+            "impact speed [cm/s]",
+            "part of impacts per ln v",
+            logX = true,
+        )
+        page.svg(
+            Figures.write(figure, plots, "impact-speeds", Chart.WIDTH, Chart.HEIGHT),
+            "distribution of impact speeds",
+            "Impact speeds of all collisions of the run.",
+        )
         Table("impact-speeds", listOf(Column("speed", "cm/s", x), Column("fraction_per_ln_v", "", y))).write(tables)
     }
 

@@ -1,7 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Figures
 import daphnis.analysis.plot.PlotScale
@@ -19,9 +19,9 @@ import kotlin.math.PI
  */
 internal class Study(
     val input: AnalysisInput,
-    val measures: Measures,
+    val measures: ReportAverages,
     val numbers: Numbers,
-    val last: PatchState,
+    val last: State,
     val from: Double,
     private val averaged: DoubleArray,
     val options: AnalysisOptions,
@@ -93,7 +93,11 @@ internal interface Section {
 }
 
 /** A section from its parts. */
-internal class PlainSection(override val heading: String, override val over: String, override val leftOut: String? = null, private val body: (ReportPage) -> Unit) :
-    Section {
+internal class PlainSection(
+    override val heading: String,
+    override val over: String,
+    override val leftOut: String? = null,
+    private val body: (ReportPage) -> Unit,
+) : Section {
     override fun write(page: ReportPage) = body(page)
 }

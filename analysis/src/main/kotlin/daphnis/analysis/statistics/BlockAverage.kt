@@ -4,33 +4,56 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * The average of a series that is correlated in time, with its standard error, or the verdict that the series cannot tell it.
+ * The average of a series that is correlated in time, with its standard error, or the verdict that the series cannot
+ * tell it.
  *
- * Neighbours in time are averaged in pairs until there are fewer than [MOST_BLOCKS] blocks (Flyvbjerg & Petersen 1989, J. Chem. Phys. 91, 461). What correlation r is
- * left between neighbouring blocks lengthens the squared error by (1 + r)/(1 − r), as in a first-order autoregressive series; r is the measured
- * lag-1 correlation freed of its bias −(1 + 4r)/n (Marriott & Pope 1954, Biometrika 41, 390), and never below 0. The m blocks so count as
- * m (1 − r)/(1 + r) [independent] ones. With fewer than [FEWEST_INDEPENDENT] of these, or fewer than [FEWEST_NUMBERS] numbers, of which correlation cannot be told, [error] is
- * NaN. Where most series of a kind get an error, it covers the truth in 60 to 75 % of them (docs/adr/0013).
+ * Neighbours in time are averaged in pairs until there are fewer than [MOST_BLOCKS] blocks (Flyvbjerg & Petersen 1989,
+ * J. Chem. Phys. 91, 461). What correlation r is left between neighbouring blocks lengthens the squared error by (1 +
+ * r)/(1 − r), as in a first-order autoregressive series; r is the measured lag-1 correlation freed of its bias −(1 +
+ * 4r)/n (Marriott & Pope 1954, Biometrika 41, 390), and never below 0. The m blocks so count as m (1 − r)/(1 + r)
+ * [independent] ones. With fewer than [FEWEST_INDEPENDENT] of these, or fewer than [FEWEST_NUMBERS] numbers, of which
+ * correlation cannot be told, [error] is NaN. Where most series of a kind get an error, it covers the truth in 60 to 75
+ * % of them (docs/adr/0013).
  *
  * @property mean NaN for an empty series
  * @property error one standard error; NaN where the average [isLevelled] not
  * @property count numbers in the series
  * @property independent independent blocks that the series is worth, at most [MOST_BLOCKS]; NaN where this is not known
  */
-public class BlockAverage(public val mean: Double, public val error: Double, public val count: Int, public val independent: Double = Double.NaN) {
+public class BlockAverage(
+    public val mean: Double,
+    public val error: Double,
+    public val count: Int,
+    public val independent: Double = Double.NaN,
+) {
     /** Whether there are enough independent blocks for an [error]. */
     public val isLevelled: Boolean get() = !error.isNaN()
 
     /** This average in a unit smaller by [factor]. */
-    public operator fun times(factor: Double): BlockAverage = BlockAverage(mean * factor, error * abs(factor), count, independent)
+    public operator fun times(factor: Double): BlockAverage =
+        BlockAverage(mean * factor, error * abs(factor), count, independent)
 
     /** The root of this average; its error is half as large, relative to it. */
-    public fun root(): BlockAverage = sqrt(mean).let { BlockAverage(it, if (error == 0.0) 0.0 else error / (2 * it), count, independent) }
+    public fun root(): BlockAverage = sqrt(mean).let {
+        BlockAverage(
+            it,
+            if (error ==
+                0.0
+            ) {
+                0.0
+            } else {
+                error / (2 * it)
+            },
+            count,
+            independent,
+        )
+    }
 
     /** This average without an error, when something else than its series says that there is none to be had. */
     internal fun withoutError() = BlockAverage(mean, Double.NaN, count, independent)
 
-    override fun toString(): String = if (isLevelled) "$mean ± $error" else "$mean (error unknown: too few independent numbers)"
+    override fun toString(): String =
+        if (isLevelled) "$mean ± $error" else "$mean (error unknown: too few independent numbers)"
 
     public companion object {
         /** Independent blocks below which no error is given. */
@@ -55,12 +78,17 @@ public class BlockAverage(public val mean: Double, public val error: Double, pub
         }
 
         /**
-         * A function of the means of [columns], series of equal length and in order of time, such as a ratio Σa / Σb. Its error is that of the series of its
-         * jackknife pseudovalues n θ − (n − 1) θ₋ᵢ (Tukey 1958; Miller 1974, Biometrika 61, 1), which keeps what the columns have in common.
+         * A function of the means of [columns], series of equal length and in order of time, such as a ratio Σa / Σb.
+         * Its error is that of the series of its jackknife pseudovalues n θ − (n − 1) θ₋ᵢ (Tukey 1958; Miller 1974,
+         * Biometrika 61, 1), which keeps what the columns have in common.
          */
         public fun of(columns: Array<DoubleArray>, function: OfMeans): BlockAverage {
             val n = columns[0].size
-            for (column in columns) require(column.size == n) { "a column has ${column.size} numbers, the first has $n" }
+            for (column in columns) {
+                require(column.size == n) {
+                    "a column has ${column.size} numbers, the first has $n"
+                }
+            }
             if (n == 0) return BlockAverage(Double.NaN, Double.NaN, 0, 0.0)
             val sums = DoubleArray(columns.size) { columns[it].sum() }
             val whole = function.of(DoubleArray(sums.size) { sums[it] / n })

@@ -4,19 +4,26 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Whether a series in time is steady: has no trend beyond what its own slow fluctuations make. A straight line is fitted by generalised least squares with
- * first-order autoregressive noise (Prais & Winsten 1954); where the noise cannot be told from a random walk it is taken as one (Perron & Yabu 2009, J. Econometrics 151,
- * 56). Noise and its correlation are those of the last two thirds, so that a transient at the start does not pass as noise. Before, neighbours are averaged
- * in pairs until there are fewer than 64 numbers.
+ * Whether a series in time is steady: has no trend beyond what its own slow fluctuations make. A straight line is
+ * fitted by generalised least squares with first-order autoregressive noise (Prais & Winsten 1954); where the noise
+ * cannot be told from a random walk it is taken as one (Perron & Yabu 2009, J. Econometrics 151, 56). Noise and its
+ * correlation are those of the last two thirds, so that a transient at the start does not pass as noise. Before,
+ * neighbours are averaged in pairs until there are fewer than 64 numbers.
  *
- * A steady series is called drifting in less than one case of a hundred when it is longer than some 100 correlation times, and in some 5 of a hundred at 20; shorter
- * ones go up and down too seldom to be told from a drift, and [BlockAverage] gives them no error (docs/adr/0014).
+ * A steady series is called drifting in less than one case of a hundred when it is longer than some 100 correlation
+ * times, and in some 5 of a hundred at 20; shorter ones go up and down too seldom to be told from a drift, and
+ * [BlockAverage] gives them no error (docs/adr/0014).
  *
- * @property change what the line fitted changes by from the first number to the last, in the unit of the series; NaN where nothing can be told
+ * @property change what the line fitted changes by from the first number to the last, in the unit of the series; NaN
+ *   where nothing can be told
  * @property significance [change] over its standard error
  * @property verdict what follows from them
  */
-public class Steadiness private constructor(public val change: Double, public val significance: Double, public val verdict: Verdict) {
+public class Steadiness private constructor(
+    public val change: Double,
+    public val significance: Double,
+    public val verdict: Verdict,
+) {
     /** What a series says of its steadiness. */
     public enum class Verdict {
         /** No trend is to be seen. */
@@ -43,7 +50,11 @@ public class Steadiness private constructor(public val change: Double, public va
 
         /** Of [series], evenly spaced in time. */
         public fun of(series: DoubleArray): Steadiness {
-            if (series.size < FEWEST || series.any { !it.isFinite() }) return Steadiness(Double.NaN, Double.NaN, Verdict.TOO_SHORT)
+            if (series.size < FEWEST ||
+                series.any { !it.isFinite() }
+            ) {
+                return Steadiness(Double.NaN, Double.NaN, Verdict.TOO_SHORT)
+            }
             var y = series
             while (y.size >= MOST) y = batches(y, 2)
             val noise = residuals(y.copyOfRange(y.size / 3, y.size))
@@ -53,13 +64,23 @@ public class Steadiness private constructor(public val change: Double, public va
             val change = slope * (y.size - 1)
             if (deviation == 0.0 && slope == 0.0) return Steadiness(0.0, 0.0, Verdict.STEADY)
             val significance = slope / (deviation * spread)
-            return Steadiness(change, significance, if (abs(significance) > SIGNIFICANT) Verdict.DRIFTING else Verdict.STEADY)
+            return Steadiness(
+                change,
+                significance,
+                if (abs(significance) >
+                    SIGNIFICANT
+                ) {
+                    Verdict.DRIFTING
+                } else {
+                    Verdict.STEADY
+                },
+            )
         }
 
         /**
-         * Index from which on [series] is steady, if it is anywhere: what comes before, and would be left out, makes the error of the mean of the rest smallest
-         * (MSER-5: White 1997, Simulation 69, 323; White, Cobb & Spratt 2000). At most half of the series is left out; −1 when that is not enough, or for
-         * fewer than 50 numbers.
+         * Index from which on [series] is steady, if it is anywhere: what comes before, and would be left out, makes
+         * the error of the mean of the rest smallest (MSER-5: White 1997, Simulation 69, 323; White, Cobb & Spratt
+         * 2000). At most half of the series is left out; −1 when that is not enough, or for fewer than 50 numbers.
          */
         public fun steadyFrom(series: DoubleArray): Int {
             val y = batches(series, BATCH)

@@ -15,7 +15,12 @@ import kotlin.math.sqrt
  * @param semiMajorAxis of the moon, same unit of length
  * @param moonE amplitude of the moon's epicycle, a length: its eccentricity times its semi-major axis
  */
-public class Encounter(public val distance: Double, public val massRatio: Double, public val semiMajorAxis: Double, public val moonE: Double = 0.0) {
+public class Encounter(
+    public val distance: Double,
+    public val massRatio: Double,
+    public val semiMajorAxis: Double,
+    public val moonE: Double = 0.0,
+) {
     init {
         require(distance != 0.0 && distance.isFinite()) { "distance from the moon is $distance; it must not be 0" }
         require(moonE >= 0 && moonE.isFinite()) { "the moon's epicycle is $moonE; it must be >= 0" }

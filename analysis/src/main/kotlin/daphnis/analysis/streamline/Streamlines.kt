@@ -1,6 +1,6 @@
 package daphnis.analysis.streamline
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
 import daphnis.core.boundary.ContactFaces
@@ -10,19 +10,26 @@ import kotlin.math.hypot
 import kotlin.math.sqrt
 
 /**
- * Streamlines as ring dynamicists read them (Lewis & Stewart 2000, AJ 120, 3295; Lewis's SwiftVis): the patch is cut into slabs of azimuth; in each the particles,
- * sorted by radial distance, are cut into groups of equal count. Streamline k goes through the mean place of group k from slab to slab.
+ * Streamlines as ring dynamicists read them (Lewis & Stewart 2000, AJ 120, 3295; Lewis's SwiftVis): the patch is cut
+ * into slabs of azimuth; in each the particles, sorted by radial distance, are cut into groups of equal count.
+ * Streamline k goes through the mean place of group k from slab to slab.
  *
- * Errors are one standard error, from the scatter of the particles of a group (its number less one), as if they were independent; NaN for fewer than two.
+ * Errors are one standard error, from the scatter of the particles of a group (its number less one), as if they were
+ * independent; NaN for fewer than two.
  *
- * Arrays are by group and slab: entry `slab · groups + group`, groups from the inside out, slabs from low y to high. A group of an empty slab, and one that gets no
- * particle, has count 0 and NaN elsewhere.
+ * Arrays are by group and slab: entry `slab · groups + group`, groups from the inside out, slabs from low y to high. A
+ * group of an empty slab, and one that gets no particle, has count 0 and NaN elsewhere.
  *
  * @property slabs number of slabs; [slabWidth] is their width along y
  * @property groups number of groups in a slab
  * @property key what particles were sorted by
  */
-public class Streamlines private constructor(public val slabs: Int, public val groups: Int, public val slabWidth: Double, public val key: RadialKey) {
+public class Streamlines private constructor(
+    public val slabs: Int,
+    public val groups: Int,
+    public val slabWidth: Double,
+    public val key: RadialKey,
+) {
     private val n = slabs * groups
 
     /** Particles. */
@@ -38,44 +45,57 @@ public class Streamlines private constructor(public val slabs: Int, public val g
     public val guidingX: DoubleArray = nan()
 
     /**
-     * Error of [meanX] for a given [guidingX], of groups sorted by guiding centre. NaN for groups sorted by x, whose places the sort sets.
+     * Error of [meanX] for a given [guidingX], of groups sorted by guiding centre. NaN for groups sorted by x, whose
+     * places the sort sets.
      */
     public val meanXError: DoubleArray = nan()
 
     /**
-     * Optical depth Σ π r² / (Δs Δy). s is what was sorted by: x, or the guiding centre X, when it is the depth that the ring would have on circular orbits. Δs is
-     * between the middles of neighbouring groups, which are at the mean s; at the ends of a periodic patch the neighbour is the image of the group at the other
-     * end, and where there is none the group goes as far out from its middle as in. Of n independent particles a group, Δs² scatters by 5/(12 n) of itself, by 2/(3 n) at
-     * an end; by these less 1/(n · groups), since a slab's length is fixed, the mean of 1/Δs would be too large, which is taken out.
+     * Optical depth Σ π r² / (Δs Δy). s is what was sorted by: x, or the guiding centre X, when it is the depth that
+     * the ring would have on circular orbits. Δs is between the middles of neighbouring groups, which are at the mean
+     * s; at the ends of a periodic patch the neighbour is the image of the group at the other end, and where there is
+     * none the group goes as far out from its middle as in. Of n independent particles a group, Δs² scatters by 5/(12
+     * n) of itself, by 2/(3 n) at an end; by these less 1/(n · groups), since a slab's length is fixed, the mean of
+     * 1/Δs would be too large, which is taken out.
      */
     public val opticalDepth: DoubleArray = nan()
     public val opticalDepthError: DoubleArray = nan()
 
-    /** Residual velocity dispersion, around the group's mean velocity with the shear −(3/2)Ωx taken out; each particle counts alike. */
+    /**
+     * Residual velocity dispersion, around the group's mean velocity with the shear −(3/2)Ωx taken out; each particle
+     * counts alike.
+     */
     public val dispersion: DoubleArray = nan()
     public val dispersionError: DoubleArray = nan()
 
-    /** Mean amplitude e of the epicycles, and i of the vertical motion, in units of length. NaN without Hill's frame, as all that follows. */
+    /**
+     * Mean amplitude e of the epicycles, and i of the vertical motion, in units of length. NaN without Hill's frame, as
+     * all that follows.
+     */
     public val meanE: DoubleArray = nan()
     public val meanEError: DoubleArray = nan()
     public val meanI: DoubleArray = nan()
     public val meanIError: DoubleArray = nan()
 
-    /** Mean phase φ: direction of Σ e·exp(iφ), unwrapped from slab to slab; its error in radians, for errors well below 1. */
+    /**
+     * Mean phase φ: direction of Σ e·exp(iφ), unwrapped from slab to slab; its error in radians, for errors well below
+     * 1.
+     */
     public val phase: DoubleArray = nan()
     public val phaseError: DoubleArray = nan()
 
     /**
-     * Forced eccentricity |⟨e·exp(iφ)⟩|, in units of length: what the particles of a group have in common. Random epicycles alone make it √(π/4) ⟨e²⟩^½/√n of n
-     * particles; [forcedEUnbiased] is √(|⟨e·exp(iφ)⟩|² − its expected noise), 0 where the noise is larger.
+     * Forced eccentricity |⟨e·exp(iφ)⟩|, in units of length: what the particles of a group have in common. Random
+     * epicycles alone make it √(π/4) ⟨e²⟩^½/√n of n particles; [forcedEUnbiased] is √(|⟨e·exp(iφ)⟩|² − its expected
+     * noise), 0 where the noise is larger.
      */
     public val forcedE: DoubleArray = nan()
     public val forcedEError: DoubleArray = nan()
     public val forcedEUnbiased: DoubleArray = nan()
 
     /**
-     * q = |d(e·exp(iφ))/dX| between neighbouring streamlines: where it reaches 1 they cross (Borderies, Goldreich & Tremaine 1982, Nature 299, 209). Noise raises it;
-     * it means nothing below some two of its errors.
+     * q = |d(e·exp(iφ))/dX| between neighbouring streamlines: where it reaches 1 they cross (Borderies, Goldreich &
+     * Tremaine 1982, Nature 299, 209). Noise raises it; it means nothing below some two of its errors.
      */
     public val q: DoubleArray = nan()
     public val qError: DoubleArray = nan()
@@ -98,7 +118,7 @@ public class Streamlines private constructor(public val slabs: Int, public val g
 
     private fun nan() = DoubleArray(n) { Double.NaN }
 
-    private fun measure(state: PatchState, group: StreamlineGroup, entry: Int) {
+    private fun measure(state: State, group: StreamlineGroup, entry: Int) {
         val n = group.size
         count[entry] = n
         if (n == 0) return
@@ -110,7 +130,9 @@ public class Streamlines private constructor(public val slabs: Int, public val g
         area[entry] = group.sum { PI * p.radius[it] * p.radius[it] }
         areaScatter[entry] = group.variance { PI * p.radius[it] * p.radius[it] } * n
         val mean = DoubleArray(3) { axis -> group.mean { state.againstFlow(it, axis) } }
-        val square = group.variance { state.againstFlow(it, 0) } + group.variance { state.againstFlow(it, 1) } + group.variance { state.againstFlow(it, 2) }
+        val square =
+            group.variance { state.againstFlow(it, 0) } + group.variance { state.againstFlow(it, 1) } +
+                group.variance { state.againstFlow(it, 2) }
         dispersion[entry] = sqrt(square)
         val spread = group.variance { k ->
             val u = state.againstFlow(k, 0) - mean[0]
@@ -123,7 +145,7 @@ public class Streamlines private constructor(public val slabs: Int, public val g
         if (omega == null) guidingX[entry] = meanX[entry] else epicycles(state, omega, group, entry)
     }
 
-    private fun epicycles(state: PatchState, omega: Double, group: StreamlineGroup, entry: Int) {
+    private fun epicycles(state: State, omega: Double, group: StreamlineGroup, entry: Int) {
         val p = state.population
         val n = group.size
         val vertical = omega * Math.max(state.verticalFactor, 1e-300)
@@ -143,7 +165,8 @@ public class Streamlines private constructor(public val slabs: Int, public val g
         forcedE[entry] = forced
         phase[entry] = atan2(s, c)
         noise[entry] = (group.variance { cosine(it) } + group.variance { sine(it) }) / n
-        forcedEUnbiased[entry] = sqrt(Math.max(0.0, forced * forced - noise[entry]).let { if (noise[entry].isNaN()) Double.NaN else it })
+        forcedEUnbiased[entry] =
+            sqrt(Math.max(0.0, forced * forced - noise[entry]).let { if (noise[entry].isNaN()) Double.NaN else it })
         if (forced == 0.0) return
         // Along the mean, and across it.
         forcedEError[entry] = sqrt(group.variance { (cosine(it) * c + sine(it) * s) / forced } / n)
@@ -174,7 +197,8 @@ public class Streamlines private constructor(public val slabs: Int, public val g
             val scatter = if (atEnd) END_SCATTER else SCATTER
             val excess = Math.max(0.0, scatter - 1.0 / filled.size) / count[entry]
             opticalDepth[entry] = area[entry] / (width * slabWidth) * (1 - excess)
-            opticalDepthError[entry] = opticalDepth[entry] * sqrt(scatter / count[entry] + areaScatter[entry] / (area[entry] * area[entry]))
+            opticalDepthError[entry] =
+                opticalDepth[entry] * sqrt(scatter / count[entry] + areaScatter[entry] / (area[entry] * area[entry]))
         }
     }
 
@@ -187,7 +211,8 @@ public class Streamlines private constructor(public val slabs: Int, public val g
                 val outer = if (group + 1 < groups) k + 1 else k
                 val distance = guidingX[outer] - guidingX[inner]
                 if (outer == inner || distance == 0.0) continue
-                q[k] = hypot(forcedCos[outer] - forcedCos[inner], forcedSin[outer] - forcedSin[inner]) / Math.abs(distance)
+                q[k] =
+                    hypot(forcedCos[outer] - forcedCos[inner], forcedSin[outer] - forcedSin[inner]) / Math.abs(distance)
                 // Noise of one direction is half of that of both.
                 qError[k] = sqrt((noise[outer] + noise[inner]) / 2) / Math.abs(distance)
             }
@@ -204,7 +229,10 @@ public class Streamlines private constructor(public val slabs: Int, public val g
     }
 
     public companion object {
-        /** Variance of the width between the middles of a group's neighbours, times n, of its square: n independent particles in each. */
+        /**
+         * Variance of the width between the middles of a group's neighbours, times n, of its square: n independent
+         * particles in each.
+         */
         private const val SCATTER = 5.0 / 12
 
         /** The same at an end without an image, from the group's middle to that of its neighbour. */
@@ -216,7 +244,13 @@ public class Streamlines private constructor(public val slabs: Int, public val g
          * @param key what to sort by; the guiding centre needs Hill's frame
          * @param order an order to be reused, whose ranks stay there for what follows
          */
-        public fun of(state: PatchState, slabs: Int, groups: Int, key: RadialKey = RadialKey.X, order: RadialOrder = RadialOrder()): Streamlines {
+        public fun of(
+            state: State,
+            slabs: Int,
+            groups: Int,
+            key: RadialKey = RadialKey.X,
+            order: RadialOrder = RadialOrder(),
+        ): Streamlines {
             require(slabs >= 1) { "$slabs slabs; there must be at least one" }
             require(groups >= 1) { "$groups groups; there must be at least one" }
             order.sort(state, key)
@@ -234,7 +268,13 @@ public class Streamlines private constructor(public val slabs: Int, public val g
                 val k = order.order[rank]
                 if (state.isParticle(k)) members[start[slab(k) + 1]++] = k
             }
-            val period = if (state.boundary.contactFaces(0) == ContactFaces.PERIODIC) state.boundary.box.length(0) else Double.POSITIVE_INFINITY
+            val period = if (state.boundary.contactFaces(0) ==
+                ContactFaces.PERIODIC
+            ) {
+                state.boundary.box.length(0)
+            } else {
+                Double.POSITIVE_INFINITY
+            }
             val lines = Streamlines(slabs, groups, width, key)
             val group = StreamlineGroup(members)
             for (s in 0 until slabs) {
@@ -250,7 +290,7 @@ public class Streamlines private constructor(public val slabs: Int, public val g
         }
 
         /** From where to where along y the slabs go: the box where it is finite, else the particles. */
-        private fun strip(state: PatchState): DoubleArray {
+        private fun strip(state: State): DoubleArray {
             val p = state.population
             val box = state.boundary.box
             if (box.length(1).isFinite()) return doubleArrayOf(box.lower(1), box.lower(1) + box.length(1))

@@ -45,7 +45,13 @@ internal object NumberColumns {
         return names.indices.associate { names[it] to columns[it].copyOf(rows) }
     }
 
-    private fun number(cell: String, needed: Boolean): Double? = if (cell.isEmpty() && !needed) Double.NaN else cell.toDoubleOrNull()
+    private fun number(cell: String, needed: Boolean): Double? = if (cell.isEmpty() &&
+        !needed
+    ) {
+        Double.NaN
+    } else {
+        cell.toDoubleOrNull()
+    }
 
     private fun checkTime(path: Path, time: DoubleArray, rows: Int) {
         for (row in 0 until rows) {

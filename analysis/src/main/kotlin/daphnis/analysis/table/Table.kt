@@ -10,16 +10,28 @@ public class Column(public val name: String, public val unit: String, public val
 public class Table(public val name: String, public val columns: List<Column>) {
     init {
         val rows = columns.firstOrNull()?.values?.size ?: 0
-        for (column in columns) require(column.values.size == rows) { "$name: column ${column.name} has ${column.values.size} rows, the first has $rows" }
+        for (column in columns) {
+            require(column.values.size == rows) {
+                "$name: column ${column.name} has ${column.values.size} rows, the first has $rows"
+            }
+        }
     }
 
     /** Writes `name.csv` into [directory], which is made. */
     public fun write(directory: Path) {
         Files.createDirectories(directory)
         Files.newBufferedWriter(directory.resolve("$name.csv")).use { out ->
-            out.append(columns.joinToString(",") { if (it.unit.isEmpty()) it.name else "${it.name} [${it.unit}]" }).append('\n')
+            out.append(
+                columns.joinToString(",") {
+                    if (it.unit.isEmpty()) it.name else "${it.name} [${it.unit}]"
+                },
+            ).append('\n')
             for (row in 0 until (columns.firstOrNull()?.values?.size ?: 0)) {
-                out.append(columns.joinToString(",") { c -> c.values[row].let { if (it.isNaN()) "" else it.toString() } }).append('\n')
+                out.append(
+                    columns.joinToString(",") { c ->
+                        c.values[row].let { if (it.isNaN()) "" else it.toString() }
+                    },
+                ).append('\n')
             }
         }
     }

@@ -51,7 +51,13 @@ public class UnitNames(units: UnitsSpec?) {
         private val TIMES = listOf(1.0 to "s")
         private val MASSES = listOf(0.001 to "g", 1.0 to "kg")
 
-        private fun nameOf(inSi: Double?, known: List<Pair<Double, String>>) = if (inSi == null) null else known.find { abs(inSi / it.first - 1) < CLOSE }?.second
+        private fun nameOf(inSi: Double?, known: List<Pair<Double, String>>) = if (inSi ==
+            null
+        ) {
+            null
+        } else {
+            known.find { abs(inSi / it.first - 1) < CLOSE }?.second
+        }
 
         /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `5 m`. */
         public fun amount(number: String, unit: String): String = if (number == "1" &&
@@ -66,6 +72,7 @@ public class UnitNames(units: UnitsSpec?) {
         public fun raised(unit: String): String = unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹")
 
         /** What stands at an axis: [quantity] with its [unit] in brackets, or alone for a pure number. */
-        public fun axis(quantity: String, unit: String): String = if (unit.isEmpty()) quantity else "$quantity [${raised(unit)}]"
+        public fun axis(quantity: String, unit: String): String =
+            if (unit.isEmpty()) quantity else "$quantity [${raised(unit)}]"
     }
 }

@@ -12,7 +12,11 @@ import java.nio.file.Path
  * @property to upper edge of each bin
  * @property collisions in each bin
  */
-public class ImpactTable private constructor(public val from: DoubleArray, public val to: DoubleArray, public val collisions: DoubleArray) {
+public class ImpactTable private constructor(
+    public val from: DoubleArray,
+    public val to: DoubleArray,
+    public val collisions: DoubleArray,
+) {
     /** Number of bins. */
     public val size: Int get() = from.size
 
@@ -39,7 +43,8 @@ public class ImpactTable private constructor(public val from: DoubleArray, publi
             return if (from > 0 && to > from && collisions >= 0) cells.toDoubleArray() else null
         }
 
-        private fun damaged(path: Path, number: Int, line: String) =
-            FormatException("$path:$number: is '${line.take(40)}'; it must be two speeds, ascending, and a number of collisions")
+        private fun damaged(path: Path, number: Int, line: String) = FormatException(
+            "$path:$number: is '${line.take(40)}'; it must be two speeds, ascending, and a number of collisions",
+        )
     }
 }

@@ -11,10 +11,10 @@ import kotlin.math.sqrt
  * Averages of a steady shear flow from a run's [TransportTable]: Hill's frame with γ = dv_y/dx = −(3/2)Ω, or
  * Lees–Edwards boxes. Units are the run's.
  *
- * Rows cut the time into intervals. An interval has the state of the row at its end and what collisions added since the row
- * before. Every quantity is a function of the means of these over all intervals, by length of time, and its error is that of
- * the function ([BlockAverage]): parts that fluctuate together, such as the three pressures, or what particles carry and what
- * collisions carry, are not taken as independent.
+ * Rows cut the time into intervals. An interval has the state of the row at its end and what collisions added since the
+ * row before. Every quantity is a function of the means of these over all intervals, by length of time, and its error
+ * is that of the function ([BlockAverage]): parts that fluctuate together, such as the three pressures, or what
+ * particles carry and what collisions carry, are not taken as independent.
  *
  * Two kinds of velocity: c is peculiar, without the mean flow as it is measured, and temperature and dispersion are of
  * it; w is without the straight flow of the boundary's rate, and stresses are of it, since the energy balance holds for
@@ -35,14 +35,19 @@ import kotlin.math.sqrt
  */
 public class Transport(private val table: TransportTable, private val shearRate: Double) {
     init {
-        require(table.size >= 2) { "the transport table has ${table.size} rows in the time that is averaged; two are needed" }
+        require(table.size >= 2) {
+            "the transport table has ${table.size} rows in the time that is averaged; two are needed"
+        }
     }
 
     private val time = table["time"]
     private val intervals = table.size - 1
     private val length = DoubleArray(intervals) { time[it + 1] - time[it] }
 
-    /** −1 for a shear that carries momentum to lower velocities along +, as Hill's does; the viscosity is positive either way. NaN without shear. */
+    /**
+     * −1 for a shear that carries momentum to lower velocities along +, as Hill's does; the viscosity is positive
+     * either way. NaN without shear.
+     */
     private val toViscosity = if (shearRate == 0.0) Double.NaN else -(if (shearRate < 0) -1.0 else 1.0) / abs(shearRate)
 
     /** Length of time that is averaged. */
@@ -85,7 +90,10 @@ public class Transport(private val table: TransportTable, private val shearRate:
     public val collisionRate: BlockAverage get() = average(added("collisions", "particles")) { 2 * it[0] }
 
     /** Mean impact speed. */
-    public val impactSpeed: BlockAverage get() = average(added("sum_impact_speed", null), added("collisions", null)) { it[0] / it[1] }
+    public val impactSpeed: BlockAverage get() = average(added("sum_impact_speed", null), added("collisions", null)) {
+        it[0] /
+            it[1]
+    }
 
     public val translational: BlockAverage get() = kinetic("xy") * toViscosity
     public val collisional: BlockAverage get() = average(added("virial_xy", "mass")) { it[0] } * toViscosity
@@ -99,18 +107,24 @@ public class Transport(private val table: TransportTable, private val shearRate:
 
     /** γ² ν over the dissipation: 1 in a steady state. NaN without dissipation. */
     public val energyBalance: BlockAverage
-        get() = average(*stresses(), added("dissipated", "mass")) { if (it[3] == 0.0) Double.NaN else (it[0] + it[1] + it[2]) / it[3] } *
+        get() = average(*stresses(), added("dissipated", "mass")) {
+            if (it[3] == 0.0) Double.NaN else (it[0] + it[1] + it[2]) / it[3]
+        } *
             (toViscosity * shearRate * shearRate)
 
     /** Pressure tensor times volume over mass, by component: ⟨w_a w_b⟩ + Σ Δp_a δ_b / (M T). */
-    public fun pressure(component: String): BlockAverage = average(during(carried + component), added("virial_$component", "mass")) { it[0] + it[1] }
+    public fun pressure(component: String): BlockAverage =
+        average(during(carried + component), added("virial_$component", "mass")) {
+            it[0] +
+                it[1]
+        }
 
     /** Pressure times volume over mass: a third of the trace of the tensor. */
     public val pressure: BlockAverage get() = average(*diagonal(carried), *virials()) { it.sum() / 3 }
 
     /**
-     * Compressibility: pressure over [temperature], the pressure too without the mean flow as it is measured; 1 for points,
-     * whatever flows.
+     * Compressibility: pressure over [temperature], the pressure too without the mean flow as it is measured; 1 for
+     * points, whatever flows.
      */
     public val compressibility: BlockAverage
         get() = average(*diagonal("c_"), *virials()) { it.sum() / (it[0] + it[1] + it[2]) }
@@ -129,7 +143,12 @@ public class Transport(private val table: TransportTable, private val shearRate:
 
     private fun stresses() = arrayOf(during("${carried}xy"), added("virial_xy", "mass"), gravity())
 
-    private fun gravity() = table["gravity_xy"].let { g -> DoubleArray(intervals) { g[it + 1] / table["mass"][it + 1] * length[it] } }
+    private fun gravity() = table["gravity_xy"].let { g ->
+        DoubleArray(intervals) {
+            g[it + 1] / table["mass"][it + 1] *
+                length[it]
+        }
+    }
 
     /** The state's [column] times the length of each interval. */
     private fun during(column: String) = table[column].let { c -> DoubleArray(intervals) { c[it + 1] * length[it] } }

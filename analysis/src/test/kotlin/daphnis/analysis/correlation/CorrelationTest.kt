@@ -1,14 +1,14 @@
 package daphnis.analysis.correlation
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.Periodic
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -16,7 +16,13 @@ import kotlin.math.PI
 import kotlin.math.sqrt
 
 class CorrelationTest {
-    private fun at(x: List<Double>, y: List<Double>, z: List<Double>, boundary: daphnis.core.boundary.BoundaryConditions, time: Double = 0.0): PatchState {
+    private fun at(
+        x: List<Double>,
+        y: List<Double>,
+        z: List<Double>,
+        boundary: daphnis.core.boundary.BoundaryConditions,
+        time: Double = 0.0,
+    ): State {
         val n = x.size
         val p =
             Population(
@@ -31,12 +37,21 @@ class CorrelationTest {
                 },
                 DoubleArray(n) { 1.0 },
             )
-        return PatchState(p, boundary, time)
+        return State(p, boundary, time)
     }
 
-    private fun cubic(n: Int): PatchState {
+    private fun cubic(n: Int): State {
         val sites = (0 until n * n * n).map { Triple(it % n - n / 2.0, it / n % n - n / 2.0, it / n / n - n / 2.0) }
-        return at(sites.map { it.first }, sites.map { it.second }, sites.map { it.third }, Periodic(Box.centred(n.toDouble(), n.toDouble(), n.toDouble())))
+        return at(
+            sites.map {
+                it.first
+            },
+            sites.map {
+                it.second
+            },
+            sites.map { it.third },
+            Periodic(Box.centred(n.toDouble(), n.toDouble(), n.toDouble())),
+        )
     }
 
     @Test
@@ -59,7 +74,7 @@ class CorrelationTest {
     @Test
     fun `particles without correlation have g = 1 and S = 1, in a box and in a sheet whose images have slid`() {
         for (boundary in listOf(Periodic(Box.centred(10.0, 12.0, 8.0)), HillSheet(Box.centred(10.0, 12.0, 3.0), 1.0))) {
-            val state = uniform(8000, boundary, radius = 0.01).let { PatchState(it.population, boundary, 0.77) }
+            val state = uniform(8000, boundary, radius = 0.01).let { State(it.population, boundary, 0.77) }
             for (g in PairCorrelation(3.0, 6).of(state)) assertEquals(1.0, g, 0.05)
             for (s in StructureFactor(8.0, 3).of(state)) assertEquals(1.0, s, 0.5)
         }
@@ -72,7 +87,7 @@ class CorrelationTest {
             HillSheet(Box.centred(10.0, 12.0, 3.0), 1.0),
             HillSheet(Box.centred(10.0, 12.0, 3.0), 1.0, true),
         )) {
-            val state = uniform(250, boundary, radius = 0.01).let { PatchState(it.population, boundary, 0.77) }
+            val state = uniform(250, boundary, radius = 0.01).let { State(it.population, boundary, 0.77) }
             // A few sizes: the cells of the search are by size.
             for (k in 0 until 250) state.population.radius[k] = if (k % 50 == 0) 0.9 else 0.01 + 0.001 * (k % 7)
             val inPlane = boundary is HillSheet
@@ -84,7 +99,13 @@ class CorrelationTest {
                     for (x in -2..2) {
                         for (y in -2..2) {
                             for (z in -1..1) {
-                                if (x != 0 && boundary.contactFaces(0) != ContactFaces.PERIODIC || z != 0 && inPlane) continue
+                                if (x != 0 &&
+                                    boundary.contactFaces(0) != ContactFaces.PERIODIC ||
+                                    z != 0 &&
+                                    inPlane
+                                ) {
+                                    continue
+                                }
                                 val code = Images.code(x, y, z)
                                 val dx = p.x[j] - p.x[i] + images.shift(code, 0)
                                 val dy = p.y[j] - p.y[i] + images.shift(code, 1)
@@ -102,7 +123,9 @@ class CorrelationTest {
                 val b = a + 0.5
                 val shell = if (inPlane) PI * (b * b - a * a) / 120 else 4.0 / 3 * PI * (b * b * b - a * a * a) / 960
                 val room = if (images.shift(Images.code(1, 0, 0), 0) == 0.0) 1 - 2 / PI * (a + 0.25) / 10 else 1.0
-                assertEquals(counts[bin] * 2 / (250 * 249.0 * shell * room), g[bin], 1e-9) { "${boundary.javaClass.simpleName}, bin $bin" }
+                assertEquals(counts[bin] * 2 / (250 * 249.0 * shell * room), g[bin], 1e-9) {
+                    "${boundary.javaClass.simpleName}, bin $bin"
+                }
             }
         }
     }
@@ -113,7 +136,8 @@ class CorrelationTest {
         val random = SeededRandom(5)
         val n = 4000
         val sheet = HillSheet(Box.centred(20.0, 30.0, 2.0), 1.0)
-        val state = at(List(n) { (it % 20) - 9.5 }, List(n) { random.nextDouble(-15.0, 15.0) }, List(n) { 0.0 }, sheet, 0.3)
+        val state =
+            at(List(n) { (it % 20) - 9.5 }, List(n) { random.nextDouble(-15.0, 15.0) }, List(n) { 0.0 }, sheet, 0.3)
         val factor = StructureFactor(2 * PI * 1.01, 400)
         val s = factor.of(state)
         assertTrue(s[(2 * PI / (2 * PI * 1.01) * 400).toInt()] > 50)
@@ -122,7 +146,8 @@ class CorrelationTest {
     @Test
     fun `the autocorrelation of a leaning density wave leans as it does, and goes on through the faces`() {
         val box = Box.centred(60.0, 60.0, 2.0)
-        // Trailing crests: outward and backward, 30 degrees from the orbit; density 1 + cos(k (x cos 30° + y sin 30°)), made periodic by whole waves.
+        // Trailing crests: outward and backward, 30 degrees from the orbit; density 1 + cos(k (x cos 30° + y sin 30°)),
+        // made periodic by whole waves.
         val kx = 2 * PI / 60 * 4
         val ky = 2 * PI / 60 * 2
         val random = SeededRandom(8)

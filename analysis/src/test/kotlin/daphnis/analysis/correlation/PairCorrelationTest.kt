@@ -6,13 +6,13 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -40,7 +40,14 @@ class PairCorrelationTest {
         val pairs = PairCorrelation(2.0, 25, nearest = 1.0)
         val averages = Averages(pairs, from = 2.0, every = 10)
         val box = Periodic(Box.centred(edge, edge, edge))
-        val simulation = Simulation(population, box, CollisionForcing(ConstantRestitution(1.0)), FixedTimeStep(0.02), outputs = listOf(averages))
+        val simulation =
+            Simulation(
+                population,
+                box,
+                CollisionForcing(ConstantRestitution(1.0)),
+                FixedTimeStep(0.02),
+                outputs = listOf(averages),
+            )
         repeat(600) { simulation.advance() }
         val contact = (1 - 0.15) / (0.7 * 0.7 * 0.7)
         // On to contact from the middles of the first two bins.
@@ -53,7 +60,13 @@ class PairCorrelationTest {
     fun `few particles have g = 1 on average, in each bin, within its error, in whatever box`() {
         val box = Box.centred(10.0, 12.0, 8.0)
         val boundaries =
-            listOf<BoundaryConditions>(Periodic(box), LeesEdwards(box, 0.5), HillSheet(box, 1.0), HillSheet(box, 1.0, true), Periodic(box, false, true, true))
+            listOf<BoundaryConditions>(
+                Periodic(box),
+                LeesEdwards(box, 0.5),
+                HillSheet(box, 1.0),
+                HillSheet(box, 1.0, true),
+                Periodic(box, false, true, true),
+            )
         for (boundary in boundaries + listOf(Periodic(box, false, false, true), Periodic(box, false, false, false))) {
             val averages = Averages(PairCorrelation(4.0, 4))
             for (seed in 1L..1500L) averages.add(uniform(5, boundary, seed))
@@ -72,9 +85,15 @@ class PairCorrelationTest {
         assertEquals(5.0, PairCorrelation.farthest(HillSheet(flat, 1.0)))
         assertTrue(PairCorrelation.isInPlane(HillSheet(flat, 1.0)))
         assertFalse(PairCorrelation.isInPlane(LeesEdwards(flat, 1.0)))
-        val message = assertThrows(IllegalArgumentException::class.java) { PairCorrelation(2.0, 3).of(uniform(10, Periodic(flat))) }.message!!
+        val message = assertThrows(IllegalArgumentException::class.java) {
+            PairCorrelation(2.0, 3).of(uniform(10, Periodic(flat)))
+        }.message!!
         assertTrue("1.5" in message) { message }
         PairCorrelation(5.0, 3).of(uniform(10, HillSheet(flat, 1.0)))
-        for (nearest in listOf(-1.0, 2.0, Double.NaN)) assertThrows(IllegalArgumentException::class.java) { PairCorrelation(2.0, 3, nearest) }
+        for (nearest in listOf(-1.0, 2.0, Double.NaN)) {
+            assertThrows(IllegalArgumentException::class.java) {
+                PairCorrelation(2.0, 3, nearest)
+            }
+        }
     }
 }

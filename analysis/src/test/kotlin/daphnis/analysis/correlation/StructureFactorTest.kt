@@ -1,13 +1,13 @@
 package daphnis.analysis.correlation
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -19,7 +19,8 @@ import kotlin.math.sqrt
 
 class StructureFactorTest {
     private val box = Box.centred(10.0, 12.0, 3.0)
-    private val boundaries = listOf<BoundaryConditions>(Periodic(box), HillSheet(box, 1.0), LeesEdwards(box, 0.9), LeesEdwards(box, -0.9))
+    private val boundaries =
+        listOf<BoundaryConditions>(Periodic(box), HillSheet(box, 1.0), LeesEdwards(box, 0.9), LeesEdwards(box, -0.9))
 
     @Test
     fun `it is the same when some particles are replaced by their images, along whichever axis these have slid`() {
@@ -34,7 +35,7 @@ class StructureFactorTest {
                     moved.y[k] += images.shift(code, 1)
                 }
                 val factor = StructureFactor(6.0, 40)
-                assertArrayEquals(factor.of(PatchState(p, boundary, time)), factor.of(PatchState(moved, boundary, time)), 1e-9) {
+                assertArrayEquals(factor.of(State(p, boundary, time)), factor.of(State(moved, boundary, time)), 1e-9) {
                     "${boundary.javaClass.simpleName} at $time"
                 }
             }
@@ -62,7 +63,8 @@ class StructureFactorTest {
                 x[i] = base.x[i] - away * kx
                 y[i] = base.y[i] - away * ky
             }
-            val state = PatchState(Population(x, y, base.z, base.vx, base.vy, base.vz, base.radius, base.mass), boundary, time)
+            val state =
+                State(Population(x, y, base.z, base.vx, base.vy, base.vz, base.radius, base.mass), boundary, time)
             val bins = 500
             val s = StructureFactor(4.0, bins).of(state)
             val bin = (sqrt(k2) / 4.0 * bins).toInt()
@@ -74,8 +76,9 @@ class StructureFactorTest {
     @Test
     fun `every wave vector that fits counts once, on both sides, when images have slid far`() {
         for (boundary in boundaries) {
-            val time = boundary.shear?.let { 0.93 * (if (it.normalAxis == 0) 12.0 else 10.0) / Math.abs(it.velocity) } ?: 0.0
-            val state = uniform(40, boundary).let { PatchState(it.population, boundary, time) }
+            val time =
+                boundary.shear?.let { 0.93 * (if (it.normalAxis == 0) 12.0 else 10.0) / Math.abs(it.velocity) } ?: 0.0
+            val state = uniform(40, boundary).let { State(it.population, boundary, time) }
             val offset = boundary.shear?.offset(time) ?: 0.0
             val sum = DoubleArray(8)
             val count = IntArray(8)

@@ -1,13 +1,13 @@
 package daphnis.analysis.correlation
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -30,14 +30,14 @@ class SurfaceMapTest {
     )
 
     /** Masses 1 + cos(k·r) on a fine lattice. */
-    private fun wave(kx: Double, ky: Double, boundary: BoundaryConditions, time: Double): PatchState {
+    private fun wave(kx: Double, ky: Double, boundary: BoundaryConditions, time: Double): State {
         // Whole numbers of rows in a cell, wherever it begins.
         val n = 240
         val x = DoubleArray(n * n) { -30 + 60 * (it / n + 0.5) / n }
         val y = DoubleArray(n * n) { -24 + 48 * (it % n + 0.5) / n }
         val zero = DoubleArray(n * n)
         val mass = DoubleArray(n * n) { 1 + 1e-9 + cos(kx * x[it] + ky * y[it]) }
-        return PatchState(Population(x, y, zero, zero, zero, zero, DoubleArray(n * n) { 0.1 }, mass), boundary, time)
+        return State(Population(x, y, zero, zero, zero, zero, DoubleArray(n * n) { 0.1 }, mass), boundary, time)
     }
 
     @Test
@@ -72,7 +72,7 @@ class SurfaceMapTest {
     @Test
     fun `the autocorrelation is that of cells filled from all images one by one`() {
         for ((boundary, time) in sheared + listOf<Pair<BoundaryConditions, Double>>(Periodic(box) to 0.4)) {
-            val state = uniform(300, boundary).let { PatchState(it.population, boundary, time) }
+            val state = uniform(300, boundary).let { State(it.population, boundary, time) }
             val map = SurfaceMap.of(state, 6.0)
             val images = Images().also { it.prepare(boundary, time) }
             val cells = HashMap<Pair<Int, Int>, Double>()
@@ -116,7 +116,13 @@ class SurfaceMapTest {
         val a = map.autocorrelation(12, 2)
         for (lag in listOf(0, 6, 12)) {
             fun excess(i: Int) = map.density[i * 24] / map.mean - 1
-            assertEquals((0 until 30 - lag).map { excess(it) * excess(it + lag) }.average(), a[(12 + lag) * 5 + 2], 1e-6)
+            assertEquals(
+                (0 until 30 - lag).map {
+                    excess(it) * excess(it + lag)
+                }.average(),
+                a[(12 + lag) * 5 + 2],
+                1e-6,
+            )
         }
         assertTrue(a[(12 + 12) * 5 + 2] > 0.3)
     }

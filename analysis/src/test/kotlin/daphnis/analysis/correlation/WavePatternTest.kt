@@ -1,13 +1,13 @@
 package daphnis.analysis.correlation
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
@@ -30,14 +30,38 @@ class WavePatternTest {
     private val ky = 2 * PI / 72 * 2
     private val kx = (2 * PI * 4 - ky * 0.37 * 72) / 60
 
-    private fun state(x: DoubleArray, y: DoubleArray, boundary: BoundaryConditions = sheet, at: Double = time): PatchState {
+    private fun state(x: DoubleArray, y: DoubleArray, boundary: BoundaryConditions = sheet, at: Double = time): State {
         val n = x.size
         val zero = DoubleArray(n)
-        return PatchState(Population(x, y, zero, zero, zero, zero, DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 }), boundary, at)
+        return State(
+            Population(
+                x,
+                y,
+                zero,
+                zero,
+                zero,
+                zero,
+                DoubleArray(n) {
+                    0.1
+                },
+                DoubleArray(n) { 1.0 },
+            ),
+            boundary,
+            at,
+        )
     }
 
-    /** Autocorrelations of [states] independent states of [count] particles of density 1 + [depth] cos(k·r + some phase). */
-    private fun waves(count: Int, depth: Double, states: Int, random: SeededRandom, mirror: Int = 1): Pair<List<DoubleArray>, SurfaceMap> {
+    /**
+     * Autocorrelations of [states] independent states of [count] particles of density 1 + [depth] cos(k·r + some
+     * phase).
+     */
+    private fun waves(
+        count: Int,
+        depth: Double,
+        states: Int,
+        random: SeededRandom,
+        mirror: Int = 1,
+    ): Pair<List<DoubleArray>, SurfaceMap> {
         lateinit var map: SurfaceMap
         val maps = List(states) {
             val phase = random.nextDouble(0.0, 2 * PI)
@@ -57,7 +81,13 @@ class WavePatternTest {
         return maps to map
     }
 
-    private fun pattern(maps: Pair<List<DoubleArray>, SurfaceMap>) = WavePattern.of(maps.first, maps.second.nx / 2, maps.second.ny / 2, maps.second.dx, maps.second.dy)
+    private fun pattern(maps: Pair<List<DoubleArray>, SurfaceMap>) = WavePattern.of(
+        maps.first,
+        maps.second.nx / 2,
+        maps.second.ny / 2,
+        maps.second.dx,
+        maps.second.dy,
+    )
 
     @Test
     fun `a leaning wave comes back with its pitch and spacing, and its mirror with the other sign`() {
@@ -89,9 +119,13 @@ class WavePatternTest {
                 }
             }
             for (q in 0..1) {
-                assertTrue(covered[q] in REALISATIONS * 60 / 100..REALISATIONS * 76 / 100) { "$count particles: covered ${covered.toList()} of $REALISATIONS" }
+                assertTrue(covered[q] in REALISATIONS * 60 / 100..REALISATIONS * 76 / 100) {
+                    "$count particles: covered ${covered.toList()} of $REALISATIONS"
+                }
                 val scatter = sqrt(squares[q] / REALISATIONS)
-                assertTrue(Math.abs(sum[q] / REALISATIONS) < 3.5 * scatter / sqrt(REALISATIONS.toDouble())) { "$count particles: ${sum[q] / REALISATIONS} of $scatter" }
+                assertTrue(Math.abs(sum[q] / REALISATIONS) < 3.5 * scatter / sqrt(REALISATIONS.toDouble())) {
+                    "$count particles: ${sum[q] / REALISATIONS} of $scatter"
+                }
             }
         }
     }
@@ -104,7 +138,11 @@ class WavePatternTest {
             val x = DoubleArray(3000) { random.nextDouble(-30.0, 30.0) }
             val y = DoubleArray(3000)
             for (k in 0 until 3000) {
-                do y[k] = random.nextDouble(-36.0, 36.0) while (random.nextDouble() * 2 > 1 + cos(2 * PI / 72 * 5 * y[k]))
+                do {
+                    y[k] = random.nextDouble(-36.0, 36.0)
+                } while (random.nextDouble() * 2 >
+                    1 + cos(2 * PI / 72 * 5 * y[k])
+                )
             }
             SurfaceMap.of(state(x, y, box, 0.0), 2.5).autocorrelation(12, 14)
         }
@@ -112,7 +150,7 @@ class WavePatternTest {
     }
 
     /** Of [patches] patches of [states] states by [draw], those in which a pattern is found. */
-    private fun found(patches: Int, states: Int, draw: (Long) -> PatchState): Int = (0 until patches).count { patch ->
+    private fun found(patches: Int, states: Int, draw: (Long) -> State): Int = (0 until patches).count { patch ->
         lateinit var map: SurfaceMap
         val maps = List(states) {
             map = SurfaceMap.of(draw(1L + patch * states + it), 2.5)
@@ -123,7 +161,7 @@ class WavePatternTest {
 
     @Test
     fun `a uniform patch has no pattern, be its states one or many, different or the same`() {
-        fun even(seed: Long) = uniform(2000, sheet, seed).let { PatchState(it.population, sheet, time) }
+        fun even(seed: Long) = uniform(2000, sheet, seed).let { State(it.population, sheet, time) }
         assertTrue(found(200, 1) { even(it) } <= 2)
         assertTrue(found(50, 8) { even(it) } <= 1)
         // States a step apart hold the same noise; as many as there may be, they are no better than one.
@@ -132,14 +170,28 @@ class WavePatternTest {
 
     @Test
     fun `round clumps are no wakes`() {
-        fun clumps(seed: Long): PatchState {
+        fun clumps(seed: Long): State {
             val random = SeededRandom(1000 + seed)
             val x = DoubleArray(2000)
             val y = DoubleArray(2000)
             for (k in 0 until 2000) {
                 val centre = k - k % 20
-                x[k] = if (k == centre) random.nextDouble(-30.0, 30.0) else within(x[centre] + 1.5 * random.nextGaussian(), 60.0)
-                y[k] = if (k == centre) random.nextDouble(-36.0, 36.0) else within(y[centre] + 1.5 * random.nextGaussian(), 72.0)
+                x[k] =
+                    if (k ==
+                        centre
+                    ) {
+                        random.nextDouble(-30.0, 30.0)
+                    } else {
+                        within(x[centre] + 1.5 * random.nextGaussian(), 60.0)
+                    }
+                y[k] =
+                    if (k ==
+                        centre
+                    ) {
+                        random.nextDouble(-36.0, 36.0)
+                    } else {
+                        within(y[centre] + 1.5 * random.nextGaussian(), 72.0)
+                    }
             }
             return state(x, y, at = 0.0)
         }

@@ -4,21 +4,21 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.DiffusionSection
-import daphnis.analysis.report.Measures
 import daphnis.analysis.report.Numbers
+import daphnis.analysis.report.ReportAverages
 import daphnis.analysis.report.ReportPage
 import daphnis.analysis.report.Study
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Periodic
-import daphnis.core.force.Epicycle
-import daphnis.core.format.Frame
 import daphnis.core.format.H5md
+import daphnis.core.format.Snapshot
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -37,13 +37,16 @@ class MeanSquareDisplacementTest {
     private val box = Box.centred(7.0, 5.0, 9.0)
     private val positions = listOf(Coordinate.Position(0), Coordinate.Position(1), Coordinate.Position(2))
 
-    /** Walkers in a periodic box whose velocity keeps a part [memory] from step to step; unit steps of time and unit speeds: D = (1 + a)/(1 − a)/2. */
+    /**
+     * Walkers in a periodic box whose velocity keeps a part [memory] from step to step; unit steps of time and unit
+     * speeds: D = (1 + a)/(1 − a)/2.
+     */
     private fun walk(count: Int, times: Int, memory: Double, random: SeededRandom, drift: Double = 0.0): Trajectories {
         val v = Array(3) { DoubleArray(count) { random.nextGaussian() } }
         val p = population(count)
         val trajectories = Trajectories(positions, IntArray(count) { it })
         for (t in 0 until times) {
-            trajectories.add(Frame.of(p, Periodic(box), t.toLong(), t.toDouble()))
+            trajectories.add(Snapshot.of(p, Periodic(box), t.toLong(), t.toDouble()))
             for ((axis, x) in listOf(p.x, p.y, p.z).withIndex()) {
                 for (k in 0 until count) {
                     x[k] += v[axis][k] + drift
@@ -104,7 +107,7 @@ class MeanSquareDisplacementTest {
         for (k in 0 until 60) p.vx[k] = random.nextGaussian()
         val t = Trajectories(positions, IntArray(60) { it })
         for (step in 0 until 80) {
-            t.add(Frame.of(p, Periodic(box), step.toLong(), step * 0.5))
+            t.add(Snapshot.of(p, Periodic(box), step.toLong(), step * 0.5))
             for (k in 0 until 60) p.x[k] += p.vx[k] * 0.5
             Periodic(box).endStep(p, step * 0.5)
         }
@@ -112,7 +115,13 @@ class MeanSquareDisplacementTest {
         assertNull(msd.diffusion(0))
         assertNull(msd.diffusion(1))
         val mean = p.vx.average()
-        assertEquals((0 until 60).sumOf { (p.vx[it] - mean) * (p.vx[it] - mean) } / 60, msd.mean(0)[3] / 4, 1e-10) { "after 2 units of time" }
+        assertEquals(
+            (0 until 60).sumOf {
+                (p.vx[it] - mean) * (p.vx[it] - mean)
+            } / 60,
+            msd.mean(0)[3] / 4,
+            1e-10,
+        ) { "after 2 units of time" }
         assertEquals(0.5, msd.lag[0], 1e-12)
     }
 
@@ -121,14 +130,36 @@ class MeanSquareDisplacementTest {
         val omega = 0.7
         val sheet = HillSheet(Box.centred(3.0, 4.0, 1.0), omega)
         val random = SeededRandom(5)
-        val s = List(40) { Epicycle(random.nextDouble(-1.5, 1.5), random.nextDouble(-2.0, 2.0), 1.2, random.nextDouble(0.0, 6.0), 0.1, 0.0).state(omega) }
+        val s =
+            List(40) {
+                Epicycle(
+                    random.nextDouble(-1.5, 1.5),
+                    random.nextDouble(-2.0, 2.0),
+                    1.2,
+                    random.nextDouble(0.0, 6.0),
+                    0.1,
+                    0.0,
+                ).state(omega)
+            }
         val start = List(40) { 4 * s[it][0] + 2 * s[it][4] / omega }
         fun column(c: Int) = DoubleArray(40) { s[it][c] }
-        val p = Population(column(0), column(1), column(2), column(3), column(4), column(5), DoubleArray(40) { 0.1 }, DoubleArray(40) { 1.0 })
-        val frame = daphnis.core.force.HillFrame(omega)
+        val p =
+            Population(
+                column(0),
+                column(1),
+                column(2),
+                column(3),
+                column(4),
+                column(5),
+                DoubleArray(40) {
+                    0.1
+                },
+                DoubleArray(40) { 1.0 },
+            )
+        val frame = daphnis.core.hill.HillFrame(omega)
         val simulation = daphnis.core.Simulation(p, sheet, null, daphnis.core.FixedTimeStep(0.05), listOf(frame))
         repeat(600) { simulation.advance() }
-        val state = Frame.of(p, sheet, 600, simulation.time)
+        val state = Snapshot.of(p, sheet, 600, simulation.time)
         assertTrue(state.image!![0].any { abs(it) > 0 } && state.image!![1].any { abs(it) > 3 })
         for (k in 0 until 40) assertEquals(start[k], Coordinate.GuidingCentre(omega).of(state, k), 1e-8) { "sphere $k" }
     }
@@ -140,9 +171,10 @@ class MeanSquareDisplacementTest {
         assertTrue("15 times" in problem { MeanSquareDisplacement(walk(5, 15, 0.0, random)) })
         assertTrue("2 at least" in problem { MeanSquareDisplacement(walk(1, 20, 0.0, random)) })
         val t = Trajectories(positions, intArrayOf(0, 7))
-        val frame = Frame.of(population(5), Periodic(box), 0, 1.0)
+        val frame = Snapshot.of(population(5), Periodic(box), 0, 1.0)
         assertTrue("particle 7 is missing" in problem { t.add(frame) })
-        val silent = Frame(0, 1.0, frame.lengths, frame.periodic, 0.0, frame.id, frame.position, frame.velocity, frame.radius, frame.mass)
+        val silent =
+            Snapshot(0, 1.0, frame.lengths, frame.periodic, 0.0, frame.id, frame.position, frame.velocity, frame.radius, frame.mass)
         assertTrue("crossed the box" in problem { Trajectories(positions, intArrayOf(0)).add(silent) })
         val once = Trajectories(positions, intArrayOf(0)).also { it.add(frame) }
         assertTrue("must ascend" in problem { once.add(frame) })
@@ -154,7 +186,7 @@ class MeanSquareDisplacementTest {
         val input = AnalysisInput.ofRun(path)
         val last = input.state(input.size - 1)
         val options = AnalysisOptions()
-        val measures = Measures(last, input, options)
+        val measures = ReportAverages(last, input, options)
         val numbers = Numbers(input, from, measures.ofState)
         return DiffusionSection(Study(input, measures, numbers, last, from, doubleArrayOf(last.time), options, path))
     }
@@ -180,7 +212,8 @@ class MeanSquareDisplacementTest {
         val run = RunDirectory(path)
         for (step in run.snapshotSteps()) {
             val f = H5md.read(run.snapshot(step)).single()
-            val silent = Frame(f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass)
+            val silent =
+                Snapshot(f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass)
             H5md.write(listOf(silent), run.snapshot(step), "old")
         }
         val old = section(path, 5.0)
@@ -191,17 +224,31 @@ class MeanSquareDisplacementTest {
     @Test
     fun `sheared boxes diffuse across the flow only, rings by their guiding centres`() {
         val shear = home.resolve("shear")
-        Run.start(BuiltIn.scenario("shear-cell", listOf("until=4", "output.snapshotEvery=5", "particles.count=300")), "shear", shear).use { it.execute() }
+        Run.start(
+            BuiltIn.scenario("shear-cell", listOf("until=4", "output.snapshotEvery=5", "particles.count=300")),
+            "shear",
+            shear,
+        ).use {
+            it.execute()
+        }
         section(shear, 0.0).write(ReportPage("shear"))
         val header = Files.readAllLines(shear.resolve("tables/mean-square-displacement.csv"))[0]
-        assertEquals(listOf("lag", "msd_y", "msd_y_error", "msd_z", "msd_z_error"), header.split(',').map { it.substringBefore(' ') })
+        assertEquals(
+            listOf("lag", "msd_y", "msd_y_error", "msd_z", "msd_z_error"),
+            header.split(',').map {
+                it.substringBefore(' ')
+            },
+        )
         val ring = home.resolve("ring")
-        val settings = listOf("untilOrbits=10", "box.lengths=[50,50,20]", "output.snapshotEvery=20", "output.checkpointEvery=0")
+        val settings =
+            listOf("untilOrbits=10", "box.lengths=[50,50,20]", "output.snapshotEvery=20", "output.checkpointEvery=0")
         Run.start(BuiltIn.scenario("ring-patch", settings), "ring", ring).use { it.execute() }
         val row = section(ring, 2 * 2 * Math.PI / 1.4e-4).rows().single()
         assertEquals("self-diffusion of guiding centres D_X", row.what)
         // Of the order of the translational viscosity, as for any gas.
-        assertTrue(row.value > 1 && row.value < 30 && row.error < 0.2 * row.value) { "${row.value} ± ${row.error} ${row.unit}, ${row.note}" }
+        assertTrue(row.value > 1 && row.value < 30 && row.error < 0.2 * row.value) {
+            "${row.value} ± ${row.error} ${row.unit}, ${row.note}"
+        }
     }
 
     @Test
@@ -224,9 +271,22 @@ class MeanSquareDisplacementTest {
             "count,mean_radius [units of length],sigma_x [units of length/time],sigma_x_error [units of length/time]",
             table[0].split(',').take(4).joinToString(","),
         )
-        assertEquals(listOf("0.3", "0.5"), table.drop(1).map { it.split(',')[1].toDouble().let { r -> "%.1f".format(java.util.Locale.ROOT, r) } })
+        assertEquals(
+            listOf("0.3", "0.5"),
+            table.drop(1).map {
+                it.split(',')[1].toDouble().let { r -> "%.1f".format(java.util.Locale.ROOT, r) }
+            },
+        )
         // Equipartition: m c² is the same for both.
-        val energy = table.drop(1).map { row -> row.split(',').map { it.toDoubleOrNull() ?: Double.NaN }.let { it[1] * it[1] * it[1] * it[8] * it[8] } }
+        val energy = table.drop(1).map { row ->
+            row.split(',').map { it.toDoubleOrNull() ?: Double.NaN }.let {
+                it[1] *
+                    it[1] *
+                    it[1] *
+                    it[8] *
+                    it[8]
+            }
+        }
         assertEquals(1.0, energy[0] / energy[1], 0.25)
     }
 }

@@ -7,8 +7,8 @@ import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.VelocityMoments
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -42,7 +42,14 @@ class AveragesTest {
         var sum = 0.0
         repeat(REALISATIONS) { seed ->
             val averages = Averages(measure)
-            repeat(64) { averages.add(uniform(count, boundary, seed = 1000L * seed + it, radius = 0.3) { r -> 0.5 * r.nextGaussian() }) }
+            repeat(64) {
+                averages.add(
+                    uniform(count, boundary, seed = 1000L * seed + it, radius = 0.3) { r ->
+                        0.5 *
+                            r.nextGaussian()
+                    },
+                )
+            }
             for (k in numbers) {
                 val a = of(averages.average(k))
                 sum += a.mean
@@ -61,7 +68,12 @@ class AveragesTest {
         val sheared = LeesEdwards(box, 2.0)
         val b = 0.5
         val clear = (1 - PI * 0.09 / sin(b) / 120).pow(20)
-        val moments = Measure { s -> VelocityMoments.of(s.population, s.boundary.meanFlow).let { it.moments + doubleArrayOf(it.scaleHeight) } }
+        val moments = Measure { s ->
+            VelocityMoments.of(s.population, s.boundary.meanFlow).let {
+                it.moments +
+                    doubleArrayOf(it.scaleHeight)
+            }
+        }
         hold("pair correlation", PairCorrelation(3.0, 3), 0..2, sheared, 60, 1.0)
         hold("structure factor", StructureFactor(3.0, 3), 1..2, sheared, 20, 1.0)
         hold("transmission", RayCasting(b, rays = 64).transmission(), 0..0, hill, 20, clear)

@@ -1,11 +1,11 @@
 package daphnis.analysis.insitu
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.hill.HillSheet
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -16,12 +16,26 @@ class PlaneImagesTest {
 
     @Test
     fun `images stand where the contact search has them, whichever axis slides`() {
-        for (boundary in listOf(Periodic(box), HillSheet(box, 1.0), HillSheet(box, 1.0, true), LeesEdwards(box, 0.7), LeesEdwards(box, -0.7))) {
+        for (boundary in listOf(
+            Periodic(box),
+            HillSheet(box, 1.0),
+            HillSheet(box, 1.0, true),
+            LeesEdwards(box, 0.7),
+            LeesEdwards(box, -0.7),
+        )) {
             val images = PlaneImages(boundary, 0.83)
             val known = Images().also { it.prepare(boundary, 0.83) }
             for (ix in if (images.repeats(0)) -3..3 else 0..0) {
                 for (iy in -3..3) {
-                    for (axis in 0..1) assertEquals(known.shift(Images.code(ix, iy, 0), axis), images.shift(ix, iy, axis), 1e-12) { "$boundary $ix $iy" }
+                    for (axis in 0..1) {
+                        assertEquals(
+                            known.shift(Images.code(ix, iy, 0), axis),
+                            images.shift(ix, iy, axis),
+                            1e-12,
+                        ) {
+                            "$boundary $ix $iy"
+                        }
+                    }
                 }
             }
         }

@@ -1,15 +1,15 @@
 package daphnis.analysis.occultation
 
 import daphnis.analysis.insitu.Averages
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -21,8 +21,23 @@ import kotlin.math.exp
 import kotlin.math.sin
 
 class RayCastingTest {
-    private fun one(x: Double, y: Double, z: Double, boundary: daphnis.core.boundary.BoundaryConditions, time: Double = 0.0) = PatchState(
-        Population(doubleArrayOf(x), doubleArrayOf(y), doubleArrayOf(z), DoubleArray(1), DoubleArray(1), DoubleArray(1), doubleArrayOf(1.0), doubleArrayOf(1.0)),
+    private fun one(
+        x: Double,
+        y: Double,
+        z: Double,
+        boundary: daphnis.core.boundary.BoundaryConditions,
+        time: Double = 0.0,
+    ) = State(
+        Population(
+            doubleArrayOf(x),
+            doubleArrayOf(y),
+            doubleArrayOf(z),
+            DoubleArray(1),
+            DoubleArray(1),
+            DoubleArray(1),
+            doubleArrayOf(1.0),
+            doubleArrayOf(1.0),
+        ),
         boundary,
         time,
     )
@@ -32,7 +47,11 @@ class RayCastingTest {
         val sheet = HillSheet(Box.centred(10.0, 12.0, 8.0), 1.0)
         for (elevation in listOf(PI / 2, 1.0, 0.4)) {
             for (azimuth in listOf(0.0, 0.9, 2.0)) {
-                for (state in listOf(one(0.0, 0.0, 0.0, sheet), one(4.9, -5.8, 1.0, sheet, 0.37), one(-4.5, 3.0, -3.0, sheet, 2.2))) {
+                for (state in listOf(
+                    one(0.0, 0.0, 0.0, sheet),
+                    one(4.9, -5.8, 1.0, sheet, 0.37),
+                    one(-4.5, 3.0, -3.0, sheet, 2.2),
+                )) {
                     val blocked = 1 - RayCasting(elevation, azimuth).cast(state).transmission
                     assertEquals(PI / sin(elevation) / 120, blocked, 0.0005) { "B $elevation, A $azimuth" }
                 }
@@ -57,9 +76,14 @@ class RayCastingTest {
     @Test
     fun `rays are blocked by the spheres and images that a plain search along each ray finds, whichever axis slides`() {
         val box = Box.centred(10.0, 12.0, 8.0)
-        for (boundary in listOf(HillSheet(box, 1.0), LeesEdwards(box, 0.7), LeesEdwards(box, -0.7), HillSheet(box, 1.0, true))) {
+        for (boundary in listOf(
+            HillSheet(box, 1.0),
+            LeesEdwards(box, 0.7),
+            LeesEdwards(box, -0.7),
+            HillSheet(box, 1.0, true),
+        )) {
             val time = 0.83
-            val state = uniform(14, boundary, radius = 0.7).let { PatchState(it.population, boundary, time) }
+            val state = uniform(14, boundary, radius = 0.7).let { State(it.population, boundary, time) }
             val images = Images().also { it.prepare(boundary, time) }
             for ((elevation, azimuth) in listOf(PI / 2 to 0.0, 0.5 to 0.0, 0.5 to 1.1, 0.35 to 3.9)) {
                 val shadow = RayCasting(elevation, azimuth, rays = 36).cast(state)
@@ -68,21 +92,36 @@ class RayCastingTest {
                     val y = -6 + (at % shadow.ny + 0.5) * 12 / shadow.ny
                     isBlocked(state, images, x, y, elevation, azimuth)
                 }
-                assertArrayEquals(expected, shadow.blocked) { "${boundary.javaClass.simpleName}, B $elevation, A $azimuth" }
+                assertArrayEquals(expected, shadow.blocked) {
+                    "${boundary.javaClass.simpleName}, B $elevation, A $azimuth"
+                }
             }
         }
     }
 
     /** Whether the ray through (x, y, 0) comes nearer to a sphere or image than its radius. */
-    private fun isBlocked(state: PatchState, images: Images, x: Double, y: Double, elevation: Double, azimuth: Double): Boolean {
+    private fun isBlocked(
+        state: State,
+        images: Images,
+        x: Double,
+        y: Double,
+        elevation: Double,
+        azimuth: Double,
+    ): Boolean {
         val p = state.population
-        val ray = doubleArrayOf(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), sin(elevation))
+        val ray =
+            doubleArrayOf(
+                Math.cos(elevation) * Math.cos(azimuth),
+                Math.cos(elevation) * Math.sin(azimuth),
+                sin(elevation),
+            )
         val open = state.boundary.contactFaces(0) != ContactFaces.PERIODIC
         for (k in 0 until p.size) {
             for (ix in if (open) 0..0 else -6..6) {
                 for (iy in -10..10) {
                     val code = Images.code(ix, iy, 0)
-                    val d = doubleArrayOf(p.x[k] + images.shift(code, 0) - x, p.y[k] + images.shift(code, 1) - y, p.z[k])
+                    val d =
+                        doubleArrayOf(p.x[k] + images.shift(code, 0) - x, p.y[k] + images.shift(code, 1) - y, p.z[k])
                     val along = (0..2).sumOf { d[it] * ray[it] }
                     if ((0..2).sumOf { d[it] * d[it] } - along * along < p.radius[k] * p.radius[k]) return true
                 }
@@ -93,7 +132,8 @@ class RayCastingTest {
 
     @Test
     fun `a wake lets most light through along its crests and least across`() {
-        // Walls of spheres along crests that lean by 25 degrees from the orbit, 15 apart along x, as high as they are apart; rays 20 degrees above the plane.
+        // Walls of spheres along crests that lean by 25 degrees from the orbit, 15 apart along x, as high as they are
+        // apart; rays 20 degrees above the plane.
         val pitch = Math.toRadians(25.0)
         val ly = 60 / Math.tan(pitch)
         val spheres = ArrayList<DoubleArray>()
@@ -106,9 +146,23 @@ class RayCastingTest {
         }
         fun column(c: Int) = DoubleArray(spheres.size) { spheres[it][c] }
         val zero = DoubleArray(spheres.size)
-        val p = Population(column(0), column(1), column(2), zero, zero, zero, DoubleArray(spheres.size) { 0.7 }, DoubleArray(spheres.size) { 1.0 })
-        val state = PatchState(p, HillSheet(Box.centred(60.0, ly, 10.0), 1.0), 0.0)
-        val t = (0 until 36).associateWith { RayCasting(Math.toRadians(20.0), Math.toRadians(5.0 * it), rays = 256).cast(state).transmission }
+        val p =
+            Population(
+                column(0),
+                column(1),
+                column(2),
+                zero,
+                zero,
+                zero,
+                DoubleArray(spheres.size) {
+                    0.7
+                },
+                DoubleArray(spheres.size) { 1.0 },
+            )
+        val state = State(p, HillSheet(Box.centred(60.0, ly, 10.0), 1.0), 0.0)
+        val t = (0 until 36).associateWith {
+            RayCasting(Math.toRadians(20.0), Math.toRadians(5.0 * it), rays = 256).cast(state).transmission
+        }
         // Crests run from y backward outward: 90 + 25 degrees from x toward y, and rays climb the other way as well.
         assertEquals(115, 5 * t.maxByOrNull { it.value }!!.key)
         val darkest = 5 * t.minByOrNull { it.value }!!.key
@@ -146,7 +200,11 @@ class RayCastingTest {
 
     @Test
     fun `elevations below the plane and none are refused`() {
-        for (elevation in listOf(0.0, -1.0, 2.0, Double.NaN)) assertThrows(IllegalArgumentException::class.java) { RayCasting(elevation) }
+        for (elevation in listOf(0.0, -1.0, 2.0, Double.NaN)) {
+            assertThrows(IllegalArgumentException::class.java) {
+                RayCasting(elevation)
+            }
+        }
         assertThrows(IllegalArgumentException::class.java) { RayCasting(1.0, Double.NaN) }
     }
 }

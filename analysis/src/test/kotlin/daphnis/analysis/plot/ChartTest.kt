@@ -6,7 +6,14 @@ import org.junit.jupiter.api.Test
 
 class ChartTest {
     private fun limits(values: DoubleArray): List<*> {
-        val spec = Chart.map(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0), values, "x", "y", "autocorrelation A").toSpec()
+        val spec = Chart.map(
+            doubleArrayOf(0.0, 1.0),
+            doubleArrayOf(0.0, 1.0),
+            values,
+            "x",
+            "y",
+            "autocorrelation A",
+        ).toSpec()
         val fill = (spec["scales"] as List<*>).map { it as Map<*, *> }.single { it["aesthetic"] == "fill" }
         assertEquals("autocorrelation A", fill["name"])
         assertEquals(0.0, fill["midpoint"])

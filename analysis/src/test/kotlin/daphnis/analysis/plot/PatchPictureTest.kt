@@ -1,11 +1,11 @@
 package daphnis.analysis.plot
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -21,12 +21,23 @@ class PatchPictureTest {
     private val box = Box.centred(10.0, 14.0, 8.0)
 
     /** Spheres that stick out of faces, of a corner, of none. */
-    private fun state(boundary: BoundaryConditions, time: Double): PatchState {
+    private fun state(boundary: BoundaryConditions, time: Double): State {
         val x = doubleArrayOf(4.8, -2.0, 1.0, -4.9, 3.0)
         val y = doubleArrayOf(1.0, 6.7, -6.8, -6.9, 2.0)
         val n = x.size
-        return PatchState(
-            Population(x, y, DoubleArray(n) { it * 0.5 }, DoubleArray(n), DoubleArray(n), DoubleArray(n), DoubleArray(n) { 0.5 }, DoubleArray(n) { 1.0 }),
+        return State(
+            Population(
+                x,
+                y,
+                DoubleArray(n) {
+                    it * 0.5
+                },
+                DoubleArray(n),
+                DoubleArray(n),
+                DoubleArray(n),
+                DoubleArray(n) { 0.5 },
+                DoubleArray(n) { 1.0 },
+            ),
             boundary,
             time,
         )
@@ -35,8 +46,16 @@ class PatchPictureTest {
     /** Centres of the circles in a picture, in lengths from its lower left corner, and their colours. */
     private fun circles(name: String, height: Double): List<Triple<Double, Double, String>> {
         val scale = 1400 / 14.0
-        return Regex("<circle cx=\"([-0-9.]+)\" cy=\"([-0-9.]+)\" r=\"[0-9.]+\" fill=\"(#[0-9a-f]+)\"").findAll(Files.readString(home.resolve("$name.svg")))
-            .map { Triple(it.groupValues[1].toDouble() / scale, height - it.groupValues[2].toDouble() / scale, it.groupValues[3]) }.toList()
+        return Regex(
+            "<circle cx=\"([-0-9.]+)\" cy=\"([-0-9.]+)\" r=\"[0-9.]+\" fill=\"(#[0-9a-f]+)\"",
+        ).findAll(Files.readString(home.resolve("$name.svg")))
+            .map {
+                Triple(
+                    it.groupValues[1].toDouble() / scale,
+                    height - it.groupValues[2].toDouble() / scale,
+                    it.groupValues[3],
+                )
+            }.toList()
     }
 
     @Test
@@ -60,7 +79,11 @@ class PatchPictureTest {
                 val drawn = circles("above", 10.0)
                 assertEquals(expected.size, drawn.size) { "${boundary.javaClass.simpleName} at $time" }
                 for ((y, x) in expected) {
-                    assertTrue(drawn.any { Math.hypot(it.first - y, it.second - x) < 0.001 }) { "${boundary.javaClass.simpleName} at $time: none at $y, $x" }
+                    assertTrue(
+                        drawn.any {
+                            Math.hypot(it.first - y, it.second - x) < 0.001
+                        },
+                    ) { "${boundary.javaClass.simpleName} at $time: none at $y, $x" }
                 }
             }
         }
@@ -69,7 +92,8 @@ class PatchPictureTest {
     @Test
     fun `from the side an image that has slid is as near as where it stands in the box`() {
         val boundary = LeesEdwards(box, 0.7)
-        // The sphere at (−2, 6.7) sticks out at the right; its image at the left stands at x = −2 − 7, which is 1 in the box.
+        // The sphere at (−2, 6.7) sticks out at the right; its image at the left stands at x = −2 − 7, which is 1 in
+        // the box.
         val time = 7 / (0.7 * 14)
         val population = Population(
             doubleArrayOf(-2.0, 1.0, -5.0, 4.9),
@@ -81,7 +105,7 @@ class PatchPictureTest {
             DoubleArray(4) { 0.5 },
             DoubleArray(4) { 1.0 },
         )
-        PatchPicture(PatchState(population, boundary, time), "m").writeSide(home, "side")
+        PatchPicture(State(population, boundary, time), "m").writeSide(home, "side")
         val circles = circles("side", 1.0)
         assertEquals(5, circles.size)
         val image = circles.first { it.first < 0 }

@@ -16,12 +16,20 @@ class PngTest {
             for (x in 0 until width) for (y in 0 until height) image.setRGB(x, y, random.nextInt())
             val read = ImageIO.read(Png.encode(image).inputStream())
             assertEquals(listOf(width, height), listOf(read.width, read.height))
-            for (x in 0 until width) for (y in 0 until height) assertEquals(image.getRGB(x, y), read.getRGB(x, y)) { "at $x, $y" }
+            for (x in 0 until width) {
+                for (y in 0 until height) {
+                    assertEquals(image.getRGB(x, y), read.getRGB(x, y)) {
+                        "at $x, $y"
+                    }
+                }
+            }
         }
     }
 
     @Test
     fun `another kind of picture is refused`() {
-        assertThrows(IllegalArgumentException::class.java) { Png.encode(BufferedImage(2, 2, BufferedImage.TYPE_INT_ARGB)) }
+        assertThrows(IllegalArgumentException::class.java) {
+            Png.encode(BufferedImage(2, 2, BufferedImage.TYPE_INT_ARGB))
+        }
     }
 }

@@ -111,8 +111,13 @@ class RunPlotTest {
     @Test
     fun `the SVG is XML that a parser takes, whatever the title is`() {
         RunPlot.write(series(10) { 1.0 / (1 + it) }, home, "<my> & \u0007 run", gas)
-        val root = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(home.resolve("run.svg").toFile()).documentElement
-        assertEquals(listOf("svg", "800", "640"), listOf(root.tagName, root.getAttribute("width"), root.getAttribute("height")))
+        val root = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(
+            home.resolve("run.svg").toFile(),
+        ).documentElement
+        assertEquals(
+            listOf("svg", "800", "640"),
+            listOf(root.tagName, root.getAttribute("width"), root.getAttribute("height")),
+        )
         val texts = root.getElementsByTagName("text")
         assertTrue((0 until texts.length).any { texts.item(it).textContent == "<my> &   run" })
         assertEquals("time [units of time]", texts.item(texts.length - 3).textContent)
@@ -120,9 +125,12 @@ class RunPlotTest {
 
     @Test
     fun `lines go where the numbers are, the same in both formats`() {
-        // The temperature is 1 but for one row of 3 in the middle: the line touches the top of its panel there, at x = 440 of 800 points.
+        // The temperature is 1 but for one row of 3 in the middle: the line touches the top of its panel there, at x =
+        // 440 of 800 points.
         RunPlot.write(series(101) { if (it == 50) 3.0 else 1.0 }, home, "peak", gas)
-        val path = Regex("stroke=\"#1f4e79\"[^>]* d=\"M([^\"]*)\"").find(Files.readString(home.resolve("run.svg")))!!.groupValues[1]
+        val path = Regex(
+            "stroke=\"#1f4e79\"[^>]* d=\"M([^\"]*)\"",
+        ).find(Files.readString(home.resolve("run.svg")))!!.groupValues[1]
         val points = path.split('L').map { p -> p.split(' ').map { it.toDouble() } }
         assertEquals(101, points.size)
         val peak = points.minBy { it[1] }
@@ -143,13 +151,21 @@ class RunPlotTest {
         RunPlot.write(Files.writeString(home.resolve("empty.csv"), text), home.resolve("empty"), "nobody", gas)
         RunPlot.write(series(3) { 2.5 }, home.resolve("same"), "same", gas)
         RunPlot.write(series(3) { Double.NaN }, home.resolve("none"), "none", gas)
-        for (name in listOf("empty", "same", "none")) assertEquals(1600, ImageIO.read(home.resolve("$name/run.png").toFile()).width)
+        for (name in listOf(
+            "empty",
+            "same",
+            "none",
+        )) {
+            assertEquals(1600, ImageIO.read(home.resolve("$name/run.png").toFile()).width)
+        }
     }
 
     @Test
     fun `the one rate of a run of one step is a dash in the middle`() {
         RunPlot.write(series(2) { 1.0 + it }, home, "step", gas)
-        val dash = Regex("stroke=\"#b3541e\"[^>]* d=\"M([0-9.]*) ([0-9.]*)L([0-9.]*) ([0-9.]*)\"").find(Files.readString(home.resolve("run.svg")))!!
+        val dash = Regex(
+            "stroke=\"#b3541e\"[^>]* d=\"M([0-9.]*) ([0-9.]*)L([0-9.]*) ([0-9.]*)\"",
+        ).find(Files.readString(home.resolve("run.svg")))!!
         assertEquals(listOf(433.0, 474.0, 447.0, 474.0), dash.groupValues.drop(1).map { it.toDouble() })
     }
 

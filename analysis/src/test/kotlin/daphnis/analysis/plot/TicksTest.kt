@@ -6,7 +6,11 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class TicksTest {
-    private fun assertPlaces(ticks: Ticks, vararg places: Double) = assertArrayEquals(places, ticks.places.toDoubleArray(), 1e-12 * places.maxOf { Math.abs(it) })
+    private fun assertPlaces(ticks: Ticks, vararg places: Double) = assertArrayEquals(
+        places,
+        ticks.places.toDoubleArray(),
+        1e-12 * places.maxOf { Math.abs(it) },
+    )
 
     @Test
     fun `a linear axis is marked at round places within it`() {

@@ -1,10 +1,10 @@
 package daphnis.analysis.profile
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -14,8 +14,18 @@ import kotlin.math.sqrt
 class DispersionBySizeTest {
     private val boundary = LeesEdwards(Box.centred(30.0, 20.0, 10.0), 0.8)
 
-    /** [counts] spheres of [radii], components of the velocity normal with [sigmas] on top of the shear; heights with twice that. */
-    private fun state(radii: List<Double>, counts: List<Int>, sigmas: List<Double>, seed: Long, drift: Double = 0.4, bodies: Int = 0): PatchState {
+    /**
+     * [counts] spheres of [radii], components of the velocity normal with [sigmas] on top of the shear; heights with
+     * twice that.
+     */
+    private fun state(
+        radii: List<Double>,
+        counts: List<Int>,
+        sigmas: List<Double>,
+        seed: Long,
+        drift: Double = 0.4,
+        bodies: Int = 0,
+    ): State {
         val random = SeededRandom(seed)
         val radius = radii.indices.flatMap { c -> List(counts[c]) { radii[c] } }.toDoubleArray()
         val sigma = radii.indices.flatMap { c -> List(counts[c]) { sigmas[c] } }
@@ -24,8 +34,20 @@ class DispersionBySizeTest {
         val v = List(3) { axis -> DoubleArray(n) { sigma[it] * (axis + 1) * random.nextGaussian() + drift } }
         val z = DoubleArray(n) { 2 * sigma[it] * random.nextGaussian() }
         for (k in 0 until n) v[0][k] += 0.8 * y[k]
-        val p = Population(DoubleArray(n), y, z, v[0], v[1], v[2], radius, DoubleArray(n) { radius[it] * radius[it] * radius[it] })
-        return PatchState(p, boundary, 0.0, particles = n - bodies)
+        val p = Population(
+            DoubleArray(n),
+            y,
+            z,
+            v[0],
+            v[1],
+            v[2],
+            radius,
+            DoubleArray(n) {
+                radius[it] * radius[it] *
+                    radius[it]
+            },
+        )
+        return State(p, boundary, 0.0, firstBody = n - bodies)
     }
 
     private fun column(name: String) = DispersionBySize.COLUMNS.indexOf(name)
@@ -40,12 +62,18 @@ class DispersionBySizeTest {
         assertEquals(3, by.classes)
         val runs = 6000
         val sum = DoubleArray(3 * DispersionBySize.COLUMNS.size)
-        for (seed in 1L..runs) by.of(state(radii, counts, sigmas, seed)).forEachIndexed { k, value -> sum[k] += value / runs }
+        for (seed in 1L..runs) {
+            by.of(state(radii, counts, sigmas, seed)).forEachIndexed { k, value ->
+                sum[k] +=
+                    value / runs
+            }
+        }
         for (c in 0..2) {
             fun of(name: String) = sum[c * DispersionBySize.COLUMNS.size + column(name)]
             assertEquals(counts[c].toDouble(), of("count"), 1e-9)
             assertEquals(radii[c], of("mean_radius"), 1e-9)
-            // Relative error of a mean of squares of n numbers in 6000 states, and the noise that others leave in the centre of mass.
+            // Relative error of a mean of squares of n numbers in 6000 states, and the noise that others leave in the
+            // centre of mass.
             val slack = 5 * (sqrt(2.0 / counts[c] / runs) + 0.3 / sqrt(runs.toDouble()) / sigmas[c] / sigmas[c])
             for ((axis, name) in listOf("c_xx", "c_yy", "c_zz").withIndex()) {
                 val wanted = (axis + 1) * (axis + 1) * sigmas[c] * sigmas[c]
@@ -77,7 +105,12 @@ class DispersionBySizeTest {
         assertNull(DispersionBySize.of(state(listOf(1.0, 9.0), listOf(10, 1), listOf(1.0, 1.0), 1, bodies = 1)))
         val by = DispersionBySize.of(state(listOf(1.0, 2.0, 3.0), listOf(40, 5, 2), listOf(1.0, 1.0, 1.0), 1))!!
         val without = by.of(state(listOf(1.0, 3.0), listOf(40, 2), listOf(1.0, 1.0), 3))
-        assertEquals(listOf(false, true, false), List(3) { without[it * DispersionBySize.COLUMNS.size + column("c2")].isNaN() })
+        assertEquals(
+            listOf(false, true, false),
+            List(3) {
+                without[it * DispersionBySize.COLUMNS.size + column("c2")].isNaN()
+            },
+        )
         val heavy = by.of(state(listOf(1.0, 3.0), listOf(20, 1), listOf(1.0, 1.0), 3))
         assertTrue(heavy[column("c2")].isNaN())
         assertEquals(20.0, heavy[0])

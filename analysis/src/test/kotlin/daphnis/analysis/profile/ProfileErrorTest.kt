@@ -1,15 +1,15 @@
 package daphnis.analysis.profile
 
 import daphnis.analysis.insitu.Averages
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -60,7 +60,9 @@ class ProfileErrorTest {
             val all = REALISATIONS * BINS
             for ((name, value) in truth) {
                 val share = (covered[name] ?: 0) / (given[name] ?: 0).toDouble()
-                assertTrue(share in 0.60..0.75 && given.getValue(name) > 0.9 * all) { "$name at $perBin a bin: $share of ${given[name]} of $all" }
+                assertTrue(share in 0.60..0.75 && given.getValue(name) > 0.9 * all) {
+                    "$name at $perBin a bin: $share of ${given[name]} of $all"
+                }
                 val scale = if (value > 0) {
                     value
                 } else if (name == "c_xy") {
@@ -84,13 +86,20 @@ class ProfileErrorTest {
             averages.add(state)
         }
         val temperatures = (0 until 20).map { averages.average(it * width + column("c_xx")) }
-        for ((bin, t) in temperatures.withIndex()) if (t.isLevelled) assertTrue(abs(t.mean - T) < 3.5 * t.error) { "bin $bin: $t" }
+        for ((bin, t) in temperatures.withIndex()) {
+            if (t.isLevelled) {
+                assertTrue(abs(t.mean - T) < 3.5 * t.error) {
+                    "bin $bin: $t"
+                }
+            }
+        }
         assertTrue(temperatures.count { it.isLevelled } >= 16)
     }
 
     @Test
     fun `a state counts by the particles it has in a bin`() {
-        // One particle at speed 1 in each of 20 states, three at speed 0 in each of 20 others: the mean over particles is 20/80, over states ½.
+        // One particle at speed 1 in each of 20 states, three at speed 0 in each of 20 others: the mean over particles
+        // is 20/80, over states ½.
         val averages = Averages(Profile(0, -5.0, 5.0, 1))
         repeat(40) { k ->
             val n = if (k % 2 == 0) 1 else 3
@@ -104,7 +113,7 @@ class ProfileErrorTest {
                 DoubleArray(n) { 0.1 },
                 DoubleArray(n) { 1.0 },
             )
-            averages.add(PatchState(p, Periodic(box), k.toDouble()))
+            averages.add(State(p, Periodic(box), k.toDouble()))
         }
         assertEquals(0.25, averages.average(column("mean_vx")).mean, 1e-14)
         assertEquals(80 * 0.25 * 0.75 / 79, averages.average(column("c_xx")).mean, 1e-14)
@@ -116,7 +125,12 @@ class ProfileErrorTest {
         val averages = Averages(Profile(0, -5.0, 5.0, 2))
         repeat(30) { k ->
             val n = if (k < 10) 1 else 0
-            averages.add(uniform(n, Periodic(Box(0.0, -10.0, -2.0, 5.0, 10.0, 2.0)), seed = k + 1L) { 0.1 * it.nextGaussian() })
+            averages.add(
+                uniform(n, Periodic(Box(0.0, -10.0, -2.0, 5.0, 10.0, 2.0)), seed = k + 1L) {
+                    0.1 *
+                        it.nextGaussian()
+                },
+            )
         }
         assertTrue(averages.average(column("mean_vx")).mean.isNaN() && averages.average(column("c_xx")).mean.isNaN())
         val filled = averages.average(width + column("mean_vx"))

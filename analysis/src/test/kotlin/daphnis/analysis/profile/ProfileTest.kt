@@ -2,12 +2,12 @@ package daphnis.analysis.profile
 
 import daphnis.analysis.flow.FlowField
 import daphnis.analysis.insitu.Averages
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -66,8 +66,17 @@ class ProfileTest {
     @Test
     fun `a sphere is cut at the faces of its bins`() {
         val p =
-            Population(doubleArrayOf(0.0), doubleArrayOf(0.0), doubleArrayOf(0.5), DoubleArray(1), DoubleArray(1), DoubleArray(1), doubleArrayOf(1.0), doubleArrayOf(1.0))
-        val r = Profile(2, -2.0, 2.0, 2).of(PatchState(p, Periodic(box), 0.0))
+            Population(
+                doubleArrayOf(0.0),
+                doubleArrayOf(0.0),
+                doubleArrayOf(0.5),
+                DoubleArray(1),
+                DoubleArray(1),
+                DoubleArray(1),
+                doubleArrayOf(1.0),
+                doubleArrayOf(1.0),
+            )
+        val r = Profile(2, -2.0, 2.0, 2).of(State(p, Periodic(box), 0.0))
         // Below z = 0 lies the cap of height ½: π h² (3r − h)/3.
         val cap = PI * 0.25 * 2.5 / 3
         assertEquals(cap, r[column("filling_factor")] * 200 * 2, 1e-12)

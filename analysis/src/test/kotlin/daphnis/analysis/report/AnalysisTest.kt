@@ -3,13 +3,13 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.FormatException
-import daphnis.core.format.Frame
 import daphnis.core.format.H5md
+import daphnis.core.format.Snapshot
+import daphnis.core.hill.HillSheet
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
@@ -39,7 +39,14 @@ class AnalysisTest {
     fun `a ring patch gives tables, plots and one page with everything inside`() {
         val path = run("ring-patch", "untilOrbits=2", "box.lengths=[60,60,20]", "output.snapshotEvery=50")
         val seen = ArrayList<Int>()
-        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(elevation = 35.0, azimuth = 15.0)).write(path) { done, all, _ -> seen += 100 * done / all }
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(elevation = 35.0, azimuth = 15.0)).write(path) {
+                done,
+                all,
+                _,
+            ->
+            seen +=
+                100 * done / all
+        }
         assertEquals(100, seen.last())
         assertEquals(seen.sorted(), seen)
         val html = Files.readString(path.resolve("report.html"))
@@ -52,12 +59,17 @@ class AnalysisTest {
         assertFalse(Regex("""(src|href)="(?!data:|#)""").containsMatchIn(html))
         assertFalse("<script" in html)
         val tables = Files.list(path.resolve("tables")).use { files -> files.map { it.name }.toList().toSet() }
-        val wanted = "numbers streamlines-x streamlines-guiding-centre profile-radial profile-vertical evolution pair-correlation " +
-            "structure-factor autocorrelation wakes occultation impact-speeds"
+        val wanted =
+            "numbers streamlines-x streamlines-guiding-centre profile-radial profile-vertical evolution pair-correlation " +
+                "structure-factor autocorrelation wakes occultation impact-speeds"
         for (name in wanted.split(' ')) {
             assertTrue("$name.csv" in tables) { name }
         }
-        assertTrue(Files.readAllLines(path.resolve("tables/profile-radial.csv"))[0].startsWith("centre [m],count,count_error,surface_density [kg/m^2]"))
+        assertTrue(
+            Files.readAllLines(
+                path.resolve("tables/profile-radial.csv"),
+            )[0].startsWith("centre [m],count,count_error,surface_density [kg/m^2]"),
+        )
         for (plot in listOf("patch-above", "patch-side", "streamlines", "velocity-ellipsoid")) {
             assertTrue(Files.size(path.resolve("plots/$plot.png")) > 1000)
             assertTrue(Files.readString(path.resolve("plots/$plot.svg")).startsWith("<svg"))
@@ -73,9 +85,15 @@ class AnalysisTest {
         // Filled all around: no light through it, no wakes, and g(r) in space from contact on.
         assertFalse(">Occultation</h2>" in html || "Wakes" in html || "wakes" in html)
         assertTrue("Radial distribution function in space" in html && "2147483647" !in html)
-        val pairs = Files.readAllLines(sheared.resolve("tables/pair-correlation.csv")).drop(1).map { row -> row.split(',').take(2).map { it.toDouble() } }
+        val pairs = Files.readAllLines(sheared.resolve("tables/pair-correlation.csv")).drop(1).map { row ->
+            row.split(',').take(2).map { it.toDouble() }
+        }
         val half = (pairs[1][0] - pairs[0][0]) / 2
-        assertEquals(2 * BuiltIn.scenario("shear-cell", emptyList()).particles!!.sizes.let { (it as SizesSpec.Equal).radius }, pairs[0][0] - half, 1e-9)
+        assertEquals(
+            2 * BuiltIn.scenario("shear-cell", emptyList()).particles!!.sizes.let { (it as SizesSpec.Equal).radius },
+            pairs[0][0] - half,
+            1e-9,
+        )
         assertTrue(pairs[0][1] > 1.5) { "g at contact is ${pairs[0][1]}" }
         assertTrue("temperature T*" in Files.readString(sheared.resolve("tables/numbers.csv")))
         val open = run("cooling-gas", "until=0.2", "boundary={\"type\":\"open\"}", "particles.count=200")
@@ -88,21 +106,34 @@ class AnalysisTest {
         val cooling = run("cooling-gas", "until=20", "output.snapshotEvery=1000", "particles.count=300")
         Analysis(AnalysisInput.ofRun(cooling)).write(cooling)
         val html = Files.readString(cooling.resolve("report.html"))
-        assertTrue("Not steady: granular temperature fell by" in html) { Regex("(?s)<h2 id=\"numbers.{0,1500}").find(html)?.value.orEmpty() }
+        assertTrue("Not steady: granular temperature fell by" in html) {
+            Regex("(?s)<h2 id=\"numbers.{0,1500}").find(html)?.value.orEmpty()
+        }
         assertTrue("fewer than eight independent ones" in html)
-        val row = Files.readAllLines(cooling.resolve("tables/numbers.csv")).first { it.startsWith("granular temperature") }
+        val row = Files.readAllLines(cooling.resolve("tables/numbers.csv")).first {
+            it.startsWith("granular temperature")
+        }
         assertTrue(row.endsWith(",too few independent states")) { row }
     }
 
     @Test
     fun `a clump that flies apart in open space is analysed, though its box grows`() {
-        val clump = run("cooling-gas", "until=2", "boundary={\"type\":\"open\"}", "particles.count=100", "box.lengths=[8,8,8]", "output.snapshotEvery=2")
+        val clump =
+            run(
+                "cooling-gas",
+                "until=2",
+                "boundary={\"type\":\"open\"}",
+                "particles.count=100",
+                "box.lengths=[8,8,8]",
+                "output.snapshotEvery=2",
+            )
         Analysis(AnalysisInput.ofRun(clump), AnalysisOptions(from = 0.0)).write(clump)
         assertTrue(">Structure</h2>" in Files.readString(clump.resolve("report.html")))
         // And one that shrinks: the last state has the smallest box.
-        val frames = H5md.read(clump.resolve("snapshots/0000000020.h5")) + H5md.read(clump.resolve("snapshots/0000000000.h5"))
-        fun inOrder(list: List<Frame>) = list.mapIndexed { k, f ->
-            Frame(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass)
+        val frames =
+            H5md.read(clump.resolve("snapshots/0000000020.h5")) + H5md.read(clump.resolve("snapshots/0000000000.h5"))
+        fun inOrder(list: List<Snapshot>) = list.mapIndexed { k, f ->
+            Snapshot(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass)
         }
         for ((name, list) in listOf("shrinks" to inOrder(frames), "grows" to inOrder(frames.reversed()))) {
             val file = directory.resolve("$name.h5")
@@ -115,7 +146,8 @@ class AnalysisTest {
 
     @Test
     fun `steadiness is told from the series where transport has few rows`() {
-        val cooling = run("cooling-gas", "until=10", "particles.count=300", "output.transportEvery=25", "output.snapshotEvery=20")
+        val cooling =
+            run("cooling-gas", "until=10", "particles.count=300", "output.transportEvery=25", "output.snapshotEvery=20")
         Analysis(AnalysisInput.ofRun(cooling)).write(cooling)
         assertTrue("Not steady: granular temperature fell by" in Files.readString(cooling.resolve("report.html")))
     }
@@ -128,7 +160,7 @@ class AnalysisTest {
                 val p = uniform(60, boundary, radius = 1.0).population
                 // All in one place.
                 if (k >= opaque) for (axis in listOf(p.x, p.y, p.z)) axis.fill(0.0)
-                Frame.of(p, boundary, k.toLong(), k.toDouble())
+                Snapshot.of(p, boundary, k.toLong(), k.toDouble())
             }
             val file = directory.resolve("light.h5")
             H5md.write(frames, file, "test")
@@ -181,8 +213,14 @@ class AnalysisTest {
     fun `averages that begin after the last state are refused in one line`() {
         val path = run("cooling-gas", "until=1", "particles.count=50", "box.lengths=[8,8,8]", "output.snapshotEvery=5")
         val input = AnalysisInput.ofRun(path)
-        val message = assertThrows(InputException::class.java) { Analysis(input, AnalysisOptions(from = 1.5)) }.message!!
-        for (part in listOf("--from: is 1.5", "last state is at time 1,", "at most")) assertTrue(part in message) { message }
+        val message = assertThrows(InputException::class.java) {
+            Analysis(input, AnalysisOptions(from = 1.5))
+        }.message!!
+        for (part in listOf("--from: is 1.5", "last state is at time 1,", "at most")) {
+            assertTrue(part in message) {
+                message
+            }
+        }
         assertFalse('\n' in message)
         Analysis(input, AnalysisOptions(from = 1.0)).write(path)
         assertTrue("Averages over 1 state of 3, time 1 unit of time." in Files.readString(path.resolve("report.html")))
@@ -213,7 +251,10 @@ class AnalysisTest {
         val path = run("ring-patch", "untilOrbits=1", "box.lengths=[40,40,20]", "output.snapshotEvery=100")
         Analysis(AnalysisInput.ofRun(path)).write(path)
         val html = Files.readString(path.resolve("report.html")).replace(Regex("base64,[^\"]*"), "")
-        assertEquals(null, Regex("""\d[eE][-+−]?\d""").find(html.substringAfter("<main>").substringBefore("state digest"))?.value)
+        assertEquals(
+            null,
+            Regex("""\d[eE][-+−]?\d""").find(html.substringAfter("<main>").substringBefore("state digest"))?.value,
+        )
         assertTrue("· 10⁻" in html)
         assertTrue("./daphnis compare $path $path-again" in html) { html.takeLast(1500) }
         assertTrue("time [orbits]" in Files.readString(path.resolve("plots/temperature.svg")))
@@ -224,7 +265,7 @@ class AnalysisTest {
     fun `foreign files give the states they hold`() {
         val path = run("elastic-gas", "until=0.2", "particles.count=300", "output.snapshotEvery=1")
         val original = AnalysisInput.ofRun(path).state(0).population
-        val frame = Frame.of(original, Periodic(Box.centred(10.0, 10.0, 10.0)), 0, 0.5)
+        val frame = Snapshot.of(original, Periodic(Box.centred(10.0, 10.0, 10.0)), 0, 0.5)
         val xyz = directory.resolve("a.xyz")
         Files.newBufferedWriter(xyz).use {
             ExtendedXyz.write(frame, it)

@@ -23,7 +23,11 @@ class MoonEncounterTest {
         assertEquals(1.667, ratio.amplitude, 0.01)
         // GM of Saturn over G, in kilograms.
         val mass = 8.71e-12 * 3.7931206e16 / UnitsSpec.GRAVITATIONAL_CONSTANT
-        val byMass = MoonEncounter.of(wake("forces=[{\"type\":\"satellite\",\"mass\":$mass,\"x\":-167,\"y\":-7500}]"), omega, box)!!
+        val byMass = MoonEncounter.of(
+            wake("forces=[{\"type\":\"satellite\",\"mass\":$mass,\"x\":-167,\"y\":-7500}]"),
+            omega,
+            box,
+        )!!
         assertEquals(ratio.massRatio, byMass.massRatio, 1e-12 * ratio.massRatio)
         assertEquals(ratio.amplitude, byMass.amplitude, 1e-9)
         assertEquals(ratio.distance, byMass.distance)
@@ -41,7 +45,11 @@ class MoonEncounterTest {
     fun `the rows say what is of the circle and what of the epicycle`() {
         val units = UnitNames(wake().units)
         fun rows(e: Double) = MoonEncounter.rows(
-            MoonEncounter.of(wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":-167,\"y\":-7500,\"e\":$e}]"), omega, box)!!,
+            MoonEncounter.of(
+                wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":-167,\"y\":-7500,\"e\":$e}]"),
+                omega,
+                box,
+            )!!,
             box,
             units,
         )
@@ -62,6 +70,12 @@ class MoonEncounterTest {
     fun `no moon, no encounter`() {
         assertNull(MoonEncounter.of(wake("forces=[]"), omega, box))
         assertNull(MoonEncounter.of(null, omega, box))
-        assertNull(MoonEncounter.of(wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":0,\"y\":-7500}]"), omega, box))
+        assertNull(
+            MoonEncounter.of(
+                wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":0,\"y\":-7500}]"),
+                omega,
+                box,
+            ),
+        )
     }
 }

@@ -1,6 +1,6 @@
 package daphnis.analysis.report
 
-import daphnis.core.setup.SeededRandom
+import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -8,14 +8,25 @@ import org.junit.jupiter.api.Test
 class SteadinessTextTest {
     private val time = DoubleArray(400) { it * 0.5 }
     private val random = SeededRandom(6)
-    private fun history(name: String, signal: (Int) -> Double) = History(name, time, DoubleArray(400) { signal(it) + 0.01 * random.nextGaussian() })
+    private fun history(name: String, signal: (Int) -> Double) = History(
+        name,
+        time,
+        DoubleArray(400) {
+            signal(it) +
+                0.01 * random.nextGaussian()
+        },
+    )
 
     @Test
     fun `a drift is named with its size, its rate, and the time from which the run is steady`() {
         val falls = history("scale height") { k -> if (k < 200) 2 - k / 200.0 else 1.0 }
         val lines = SteadinessText(20.0, "orbit", 10.0).of(listOf(falls, history("dispersion") { 3.0 }))
         assertEquals(2, lines.size)
-        assertTrue(lines[0].startsWith("Not steady: scale height fell by ") && "per orbit" in lines[0] && "MSER-5" in lines[0]) { lines[0] }
+        assertTrue(
+            lines[0].startsWith("Not steady: scale height fell by ") && "per orbit" in lines[0] && "MSER-5" in lines[0],
+        ) {
+            lines[0]
+        }
         val from = Regex("from time (\\d+)").find(lines[0])!!.groupValues[1].toInt()
         assertTrue(from in 90..100) { lines[0] }
         assertEquals("No drift is seen over the time averaged: dispersion.", lines[1])
@@ -27,16 +38,34 @@ class SteadinessTextTest {
         val rises = history("temperature") { k -> 1 + k / 400.0 }
         val lines = SteadinessText(100.0, "unit of time", 1.0).of(listOf(falls, rises))
         // From 1.5 to 2 in 100 units of time: 29 % of the mean.
-        assertTrue(Regex("Not steady: temperature rose by 2[789] % .* \\(0\\.2[789] % per unit of time\\).*a longer run.*").matches(lines[0])) { lines[0] }
+        assertTrue(
+            Regex(
+                "Not steady: temperature rose by 2[789] % .* \\(0\\.2[789] % per unit of time\\).*a longer run.*",
+            ).matches(lines[0]),
+        ) {
+            lines[0]
+        }
         assertEquals("No drift is seen over the time averaged: scale height.", lines[1])
     }
 
     @Test
     fun `too few rows, none after the time, and drifts too small for a word`() {
         val lines = SteadinessText(195.0, "orbit", 1.0).of(listOf(history("a") { 1.0 * it }))
-        assertTrue(lines.single().startsWith("Whether it is steady cannot be told from fewer than 24 rows")) { lines[0] }
+        assertTrue(lines.single().startsWith("Whether it is steady cannot be told from fewer than 24 rows")) {
+            lines[0]
+        }
         assertTrue("cannot be told" in SteadinessText(1e9, "orbit", 1.0).of(listOf(history("a") { 1.0 })).single())
-        val tiny = SteadinessText(0.0, "orbit", 1.0).of(listOf(History("energy", time, DoubleArray(400) { 1 + 1e-6 * it })))
+        val tiny = SteadinessText(0.0, "orbit", 1.0).of(
+            listOf(
+                History(
+                    "energy",
+                    time,
+                    DoubleArray(400) {
+                        1 + 1e-6 * it
+                    },
+                ),
+            ),
+        )
         assertEquals("No drift is seen over the time averaged: energy.", tiny.single())
         assertTrue(SteadinessText(0.0, "orbit", 1.0).of(emptyList()).isEmpty())
     }

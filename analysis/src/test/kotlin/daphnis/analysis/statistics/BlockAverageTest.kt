@@ -1,6 +1,6 @@
 package daphnis.analysis.statistics
 
-import daphnis.core.setup.SeededRandom
+import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -33,8 +33,19 @@ class BlockAverageTest {
                 if (given > REALISATIONS * 2 / 3) assertTrue(covered.toDouble() / given in 0.60..0.75) { what }
                 // Nothing is missed often: neither where errors are given as a rule nor where they slip through.
                 assertTrue(given - covered < 0.4 * REALISATIONS) { what }
-                if (n < BlockAverage.FEWEST_NUMBERS || memory > 0 && n < 5 * memory) assertTrue(given < 0.16 * REALISATIONS) { what }
-                if (memory == 0.0 && n >= 20 || n >= 40 * memory && n >= 100) assertTrue(given > 0.9 * REALISATIONS) { what }
+                if (n < BlockAverage.FEWEST_NUMBERS ||
+                    memory > 0 &&
+                    n < 5 * memory
+                ) {
+                    assertTrue(given < 0.16 * REALISATIONS) { what }
+                }
+                if (memory == 0.0 &&
+                    n >= 20 ||
+                    n >= 40 * memory &&
+                    n >= 100
+                ) {
+                    assertTrue(given > 0.9 * REALISATIONS) { what }
+                }
             }
         }
     }
@@ -49,7 +60,12 @@ class BlockAverageTest {
             if (abs(a.mean) <= a.error) covered++
         }
         assertTrue(covered / 400.0 in 0.60..0.75) { "$covered" }
-        val alternating = BlockAverage.of(DoubleArray(4096) { (if (it % 2 == 0) 1.0 else -1.0) + 0.01 * random.nextGaussian() })
+        val alternating = BlockAverage.of(
+            DoubleArray(4096) {
+                (if (it % 2 == 0) 1.0 else -1.0) +
+                    0.01 * random.nextGaussian()
+            },
+        )
         assertTrue(alternating.error / (0.01 / 64) in 0.8..1.3)
     }
 

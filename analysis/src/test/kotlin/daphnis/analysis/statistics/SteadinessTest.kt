@@ -1,7 +1,7 @@
 package daphnis.analysis.statistics
 
 import daphnis.analysis.statistics.Steadiness.Verdict
-import daphnis.core.setup.SeededRandom
+import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -20,14 +20,25 @@ class SteadinessTest {
         val random = SeededRandom(seed)
         return (0 until REALISATIONS).count {
             val a = noise(n, memory, random)
-            Steadiness.of(DoubleArray(n) { k -> deviation * a[k] + signal(k / n.toDouble()) }).verdict == Verdict.DRIFTING
+            Steadiness.of(DoubleArray(n) { k -> deviation * a[k] + signal(k / n.toDouble()) }).verdict ==
+                Verdict.DRIFTING
         }
     }
 
     @Test
     fun `a steady series is seldom called drifting`() {
         for ((n, memory, most) in listOf(
-            Triple(30, 0.0, 0.02), Triple(100, 0.0, 0.02), Triple(1000, 0.0, 0.02), Triple(100, 1.0, 0.03), Triple(300, 3.0, 0.02), Triple(1000, 10.0, 0.02),
+            Triple(
+                30,
+                0.0,
+                0.02,
+            ),
+            Triple(
+                100,
+                0.0,
+                0.02,
+            ),
+            Triple(1000, 0.0, 0.02), Triple(100, 1.0, 0.03), Triple(300, 3.0, 0.02), Triple(1000, 10.0, 0.02),
             Triple(5000, 50.0, 0.02), Triple(100, 5.0, 0.06), Triple(1000, 50.0, 0.06),
         )) {
             val alarms = drifting(n, memory, 1.0) { 0.0 }
@@ -81,7 +92,19 @@ class SteadinessTest {
 
     @Test
     fun `nothing, few numbers, NaN and a constant`() {
-        for (a in listOf(DoubleArray(0), DoubleArray(23) { it * 1.0 }, DoubleArray(50) { if (it == 3) Double.NaN else 1.0 })) {
+        for (a in listOf(
+            DoubleArray(0),
+            DoubleArray(23) { it * 1.0 },
+            DoubleArray(50) {
+                if (it ==
+                    3
+                ) {
+                    Double.NaN
+                } else {
+                    1.0
+                }
+            },
+        )) {
             val s = Steadiness.of(a)
             assertTrue(s.verdict == Verdict.TOO_SHORT && s.change.isNaN())
         }

@@ -1,6 +1,6 @@
 package daphnis.analysis.streamline
 
-import daphnis.core.force.Epicycle
+import daphnis.core.hill.Epicycle
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -25,7 +25,13 @@ class EncounterTest {
     fun `the integrated impulse of a moon on a circle is that of Julian and Toomre, on either side`() {
         for (distance in listOf(162.0, -30.0)) {
             val circle = Encounter(distance, 1e-12, 1e5)
-            for (phase in listOf(0.0, 2.0)) assertEquals(circle.amplitude, circle.amplitudeAt(phase), 3e-4 * circle.amplitude)
+            for (phase in listOf(0.0, 2.0)) {
+                assertEquals(
+                    circle.amplitude,
+                    circle.amplitudeAt(phase),
+                    3e-4 * circle.amplitude,
+                )
+            }
             assertEquals(circle.largestAmplitude, circle.leastAmplitude, 1e-9 * circle.amplitude)
         }
     }
@@ -36,15 +42,25 @@ class EncounterTest {
             for (moonE in listOf(0.1, 0.4)) {
                 val encounter = Encounter(distance, 1e-6, 1.0, moonE)
                 for (phase in listOf(0.3, 1.7, 3.3, 5.0)) {
-                    assertEquals(integrated(distance, moonE, phase, 1e-6), encounter.amplitudeAt(phase), 0.004 * encounter.amplitude) { "$distance, $moonE, $phase" }
+                    assertEquals(
+                        integrated(distance, moonE, phase, 1e-6),
+                        encounter.amplitudeAt(phase),
+                        0.004 * encounter.amplitude,
+                    ) { "$distance, $moonE, $phase" }
                 }
                 // Not the circle's by far: what the row of the report would be wrong by.
-                assertTrue(encounter.largestAmplitude > (1 + moonE) * encounter.amplitude && encounter.leastAmplitude < encounter.amplitude)
+                assertTrue(
+                    encounter.largestAmplitude > (1 + moonE) * encounter.amplitude &&
+                        encounter.leastAmplitude < encounter.amplitude,
+                )
             }
         }
     }
 
-    /** Amplitude of a particle from a circular orbit at [distance], after a moon of GM = [strength] has passed; Ω = 1. Runge and Kutta. */
+    /**
+     * Amplitude of a particle from a circular orbit at [distance], after a moon of GM = [strength] has passed; Ω = 1.
+     * Runge and Kutta.
+     */
     private fun integrated(distance: Double, moonE: Double, phase: Double, strength: Double): Double {
         val way = 100.0
         val dt = 0.005

@@ -1,15 +1,15 @@
 package daphnis.analysis.streamline
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.onEpicycles
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
-import daphnis.core.force.Epicycle
-import daphnis.core.setup.SeededRandom
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -22,15 +22,25 @@ class StreamlineErrorTest {
     private val omega = 0.7
     private val box = Box.centred(20.0, 60.0, 2.0)
 
-    /** [count] particles of Rayleigh distributed e and i of scale [E], phases at random, a common [forced] e along x. Guiding centres fill the box or a ring in it. */
-    private fun ring(boundary: BoundaryConditions, count: Int, forced: Double, seed: Long, half: Double = 10.0): PatchState {
+    /**
+     * [count] particles of Rayleigh distributed e and i of scale [E], phases at random, a common [forced] e along x.
+     * Guiding centres fill the box or a ring in it.
+     */
+    private fun ring(boundary: BoundaryConditions, count: Int, forced: Double, seed: Long, half: Double = 10.0): State {
         val random = SeededRandom(seed)
         val epicycles = List(count) {
             val c = E * random.nextGaussian() + forced
             val s = E * random.nextGaussian()
             val h = E * random.nextGaussian()
             val w = E * random.nextGaussian()
-            Epicycle(random.nextDouble(-half, half), random.nextDouble(-30.0, 30.0), Math.hypot(c, s), Math.atan2(s, c), Math.hypot(h, w), Math.atan2(w, h))
+            Epicycle(
+                random.nextDouble(-half, half),
+                random.nextDouble(-30.0, 30.0),
+                Math.hypot(c, s),
+                Math.atan2(s, c),
+                Math.hypot(h, w),
+                Math.atan2(w, h),
+            )
         }
         val state = onEpicycles(epicycles, boundary, omega)
         boundary.endStep(state.population, 0.0)
@@ -58,7 +68,17 @@ class StreamlineErrorTest {
                             }
                         }
                     }
-                    assertEquals(1.0, sum / measured / truth, if (perGroup == 4) 0.04 else 0.015) { "$key, $perGroup a group, open ${boundary.radiallyOpen}" }
+                    assertEquals(
+                        1.0,
+                        sum / measured / truth,
+                        if (perGroup ==
+                            4
+                        ) {
+                            0.04
+                        } else {
+                            0.015
+                        },
+                    ) { "$key, $perGroup a group, open ${boundary.radiallyOpen}" }
                 }
             }
         }
@@ -115,7 +135,12 @@ class StreamlineErrorTest {
             var unbiased = 0.0
             var all = 0
             for (seed in 1L..100L) {
-                val lines = Streamlines.of(ring(HillSheet(box, omega), perGroup * 24, 0.0, seed), 1, 24, RadialKey.GUIDING_CENTRE)
+                val lines = Streamlines.of(
+                    ring(HillSheet(box, omega), perGroup * 24, 0.0, seed),
+                    1,
+                    24,
+                    RadialKey.GUIDING_CENTRE,
+                )
                 for (k in 0 until 24) {
                     square += lines.dispersion[k] * lines.dispersion[k]
                     raw += lines.forcedE[k]
@@ -144,7 +169,12 @@ class StreamlineErrorTest {
     @Test
     fun `one particle, or one group, or two, have what they can tell`() {
         val one = Streamlines.of(ring(HillSheet(box, omega), 1, 0.0, 1), 1, 1)
-        assertTrue(one.dispersion[0].isNaN() && one.dispersionError[0].isNaN() && one.meanEError[0].isNaN() && one.forcedEUnbiased[0].isNaN())
+        assertTrue(
+            one.dispersion[0].isNaN() &&
+                one.dispersionError[0].isNaN() &&
+                one.meanEError[0].isNaN() &&
+                one.forcedEUnbiased[0].isNaN(),
+        )
         assertEquals(PI * 0.01 / 1200, one.opticalDepth[0], 1e-12)
         assertTrue(Streamlines.of(ring(HillSheet(box, omega, true), 1, 0.0, 1), 1, 1).opticalDepth[0].isNaN())
         for (groups in 1..2) {
@@ -156,7 +186,9 @@ class StreamlineErrorTest {
         assertEquals(4000 * PI * 0.01 / 1200, ringlet.opticalDepth[0], 0.08)
     }
 
-    /** Mean of |e| for a common part [forced] and Gaussian parts of deviation [E] along both directions, by quadrature. */
+    /**
+     * Mean of |e| for a common part [forced] and Gaussian parts of deviation [E] along both directions, by quadrature.
+     */
     private fun meanE(forced: Double): Double {
         var sum = 0.0
         var weight = 0.0

@@ -1,13 +1,13 @@
 package daphnis.analysis.streamline
 
-import daphnis.analysis.insitu.PatchState
+import daphnis.analysis.insitu.State
 import daphnis.analysis.onEpicycles
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Open
-import daphnis.core.force.Epicycle
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -18,8 +18,11 @@ class StreamlinesTest {
     private val omega = 0.7
     private val sheet = HillSheet(Box.centred(20.0, 400.0, 2.0), omega, radiallyOpen = true)
 
-    /** Guiding centres on a lattice, all in one wave of wavelength 200 along the orbit whose crests lean by [lean] radians a length of X. */
-    private fun wave(e: Double, lean: Double): PatchState = onEpicycles(
+    /**
+     * Guiding centres on a lattice, all in one wave of wavelength 200 along the orbit whose crests lean by [lean]
+     * radians a length of X.
+     */
+    private fun wave(e: Double, lean: Double): State = onEpicycles(
         List(100 * 400) {
             val gx = (it / 400 + 0.5) / 100 * 10 - 5
             val y = (it % 400 + 0.5) - 200
@@ -44,7 +47,11 @@ class StreamlinesTest {
                 assertEquals(0.5 * 0.4, lines.q[k], 0.025)
                 // dx/dX = 1 + e (dφ/dX) sin φ.
                 assertEquals(0.5 * (1 + 0.2 * Math.sin(phase)), lines.spacing[k], 0.2)
-                if (slab > 2) assertEquals(2 * PI * 4 / 200, lines.phase[k] - lines.phase[lines.at(slab - 1, group)], 0.04)
+                if (slab >
+                    2
+                ) {
+                    assertEquals(2 * PI * 4 / 200, lines.phase[k] - lines.phase[lines.at(slab - 1, group)], 0.04)
+                }
             }
         }
     }
@@ -69,7 +76,11 @@ class StreamlinesTest {
                 val outer = lines.meanX[lines.at(slab, minOf(group + 1, 6))]
                 val width = if (group == 0 || group == 6) outer - inner else (outer - inner) / 2
                 val excess = (if (group == 0 || group == 6) 2.0 / 3 else 5.0 / 12) - 1.0 / 7
-                assertEquals(mine.size * PI * 0.01 / (width * 40) * (1 - excess / mine.size), lines.opticalDepth[k], 1e-12)
+                assertEquals(
+                    mine.size * PI * 0.01 / (width * 40) * (1 - excess / mine.size),
+                    lines.opticalDepth[k],
+                    1e-12,
+                )
                 assertEquals(mine.map { 4 * p.x[it] + 2 * p.vy[it] / omega }.average(), lines.guidingX[k], 1e-11)
             }
         }
@@ -94,7 +105,7 @@ class StreamlinesTest {
                 DoubleArray(9) { 0.1 },
                 DoubleArray(9) { 1.0 },
             )
-        val same = Streamlines.of(PatchState(heap, Open, 0.0), 2, 3)
+        val same = Streamlines.of(State(heap, Open, 0.0), 2, 3)
         assertEquals(9, same.count.sum())
         assertTrue(same.opticalDepth.all { it.isNaN() } && same.forcedE.all { it.isNaN() })
         assertEquals(0, Streamlines.of(uniform(0, sheet), 2, 2).count.sum())

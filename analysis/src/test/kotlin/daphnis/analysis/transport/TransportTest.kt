@@ -2,7 +2,7 @@ package daphnis.analysis.transport
 
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.format.FormatException
-import daphnis.core.setup.SeededRandom
+import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -17,15 +17,24 @@ class TransportTest {
     @TempDir
     lateinit var directory: Path
 
-    private val header = "step,time,particles,mass,c_xx,c_yy,c_zz,c_xy,c_xz,c_yz,mean_vx,mean_vy,mean_vz,centre_z,scale_height,guiding_x," +
-        "collisions,sum_impact_speed,dissipated,virial_xx,virial_yy,virial_zz,virial_xy,virial_xz,virial_yz,gravity_xy"
+    private val header =
+        "step,time,particles,mass,c_xx,c_yy,c_zz,c_xy,c_xz,c_yz,mean_vx,mean_vy,mean_vz,centre_z,scale_height,guiding_x," +
+            "collisions,sum_impact_speed,dissipated,virial_xx,virial_yy,virial_zz,virial_xy,virial_xz,virial_yz,gravity_xy"
 
-    private fun file(vararg rows: String): Path = directory.resolve("transport.csv").also { Files.write(it, listOf(header) + rows) }
+    private fun file(vararg rows: String): Path = directory.resolve("transport.csv").also {
+        Files.write(
+            it,
+            listOf(header) + rows,
+        )
+    }
 
     @Test
     fun `viscosities, rates and the energy balance of made rows`() {
-        // Ω = 2, γ = −3: 10 spheres of mass 1, 5 collisions a unit of time with impact speed 0.5, virial_xy 6 and dissipation 4.05 a unit of time.
-        val rows = (0..9).map { t -> "$t,$t,10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3" }
+        // Ω = 2, γ = −3: 10 spheres of mass 1, 5 collisions a unit of time with impact speed 0.5, virial_xy 6 and
+        // dissipation 4.05 a unit of time.
+        val rows = (0..9).map { t ->
+            "$t,$t,10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
+        }
         val transport = Transport(TransportTable.read(file(*rows.toTypedArray())).from(2.0), -3.0)
         assertEquals(7.0, transport.duration)
         assertEquals(1.0, transport.dispersion.mean, 1e-12)
@@ -46,8 +55,8 @@ class TransportTest {
     }
 
     /**
-     * Rows of a sheared gas whose temperature 1 + 0.1 [wobble] drives everything, pressures and stresses of both parts together; γ = 2 in a box of
-     * Lees and Edwards. Intervals are of lengths 1 and 3 by turns.
+     * Rows of a sheared gas whose temperature 1 + 0.1 [wobble] drives everything, pressures and stresses of both parts
+     * together; γ = 2 in a box of Lees and Edwards. Intervals are of lengths 1 and 3 by turns.
      */
     private fun sheared(rows: Int, random: SeededRandom, memory: Double): TransportTable {
         val keep = Math.exp(-1 / memory)
@@ -61,7 +70,9 @@ class TransportTest {
             val f = 1 + 0.1 * wobble
             val gains = doubleArrayOf(50.0, 25.0, 48.0, 80.0, 80.0, 80.0, -60.0)
             for (k in sums.indices) sums[k] += gains[k] * dt * (f + 0.02 * random.nextGaussian())
-            "$row,$t,10,10,${0.5 * f},${0.3 * f},${0.2 * f},${-1.2 * f},0,0,0,0,0,0,${1.5 * f},0,${sums.joinToString(",")},0,0,${-20 * f}"
+            "$row,$t,10,10,${0.5 * f},${0.3 * f},${0.2 * f},${-1.2 * f},0,0,0,0,0,0,${1.5 * f},0,${sums.joinToString(
+                ",",
+            )},0,0,${-20 * f}"
         }
         return TransportTable.read(file(*lines.toTypedArray()))
     }
@@ -93,14 +104,18 @@ class TransportTest {
             }
         }
         for ((k, quantity) in truth.withIndex()) {
-            assertTrue(given[k] > 0.95 * REALISATIONS && covered[k].toDouble() / given[k] in 0.60..0.75) { "${quantity.first}: ${covered[k]} of ${given[k]}" }
+            assertTrue(given[k] > 0.95 * REALISATIONS && covered[k].toDouble() / given[k] in 0.60..0.75) {
+                "${quantity.first}: ${covered[k]} of ${given[k]}"
+            }
         }
     }
 
     @Test
     fun `a gas that cools has no error, and neither has one of a few rows`() {
         val rows = (0..99).map { t ->
-            "$t,$t,10,10,${Math.exp(-t / 30.0)},0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
+            "$t,$t,10,10,${Math.exp(
+                -t / 30.0,
+            )},0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
         }
         val cooling = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0)
         assertFalse(cooling.temperature.isLevelled || cooling.pressure.isLevelled || cooling.compressibility.isLevelled)
@@ -112,7 +127,9 @@ class TransportTest {
     @Test
     fun `the orientation of an axis near a right angle has the error of a small angle`() {
         val random = SeededRandom(3)
-        val rows = (0..60).map { t -> "$t,$t,10,10,0.2,0.5,0.2,${0.02 * random.nextGaussian()},0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,0,0,0,0" }
+        val rows = (0..60).map { t ->
+            "$t,$t,10,10,0.2,0.5,0.2,${0.02 * random.nextGaussian()},0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,0,0,0,0"
+        }
         val orientation = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0).orientation
         assertEquals(PI / 2, Math.abs(orientation.mean), 0.05)
         assertEquals(0.02 / 0.3 / Math.sqrt(60.0), orientation.error, 0.004)
@@ -140,8 +157,16 @@ class TransportTest {
     fun `a line cut short at the end is left out, elsewhere and other damage are named`() {
         val good = "0,0,10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,5,1,1,8,8,8,6,0,0,3"
         assertEquals(1, TransportTable.read(file(good, "1,1,10,10,0.5")).size)
-        assertTrue(assertThrows(FormatException::class.java) { TransportTable.read(file("1,1,10", good)) }.message!!.contains(":2: 3 values"))
-        assertTrue(assertThrows(FormatException::class.java) { TransportTable.read(file(good.replace("0.5", "half"))) }.message!!.contains("c_xx is 'half'"))
+        assertTrue(
+            assertThrows(FormatException::class.java) {
+                TransportTable.read(file("1,1,10", good))
+            }.message!!.contains(":2: 3 values"),
+        )
+        assertTrue(
+            assertThrows(FormatException::class.java) {
+                TransportTable.read(file(good.replace("0.5", "half")))
+            }.message!!.contains("c_xx is 'half'"),
+        )
         assertThrows(FormatException::class.java) { TransportTable.read(directory.resolve("nowhere.csv")) }
         assertThrows(IllegalArgumentException::class.java) { Transport(TransportTable.read(file(good)), -1.0) }
     }

@@ -36,7 +36,9 @@ public class Box(
 ) {
     init {
         for (axis in 0..2) {
-            require(lower(axis) < upper(axis)) { "box along ${"xyz"[axis]} is [${lower(axis)}, ${upper(axis)}]; lower must be below upper" }
+            require(lower(axis) < upper(axis)) {
+                "box along ${"xyz"[axis]} is [${lower(axis)}, ${upper(axis)}]; lower must be below upper"
+            }
         }
     }
 
@@ -62,7 +64,14 @@ public class Box(
 
     public companion object {
         /** A box of the given edge lengths, centred on the origin. */
-        public fun centred(lengthX: Double, lengthY: Double, lengthZ: Double): Box = Box(-lengthX / 2, -lengthY / 2, -lengthZ / 2, lengthX / 2, lengthY / 2, lengthZ / 2)
+        public fun centred(lengthX: Double, lengthY: Double, lengthZ: Double): Box = Box(
+            -lengthX / 2,
+            -lengthY / 2,
+            -lengthZ / 2,
+            lengthX / 2,
+            lengthY / 2,
+            lengthZ / 2,
+        )
 
         /** All of space. */
         public val UNBOUNDED: Box = Double.POSITIVE_INFINITY.let { Box(-it, -it, -it, it, it, it) }

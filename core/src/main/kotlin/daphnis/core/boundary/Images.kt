@@ -1,9 +1,9 @@
 package daphnis.core.boundary
 
 /**
- * Periodic images as small integers. A code packs how many boxes away an image is along x, y and z, a signed byte each, so 0 is
- * the sphere itself. For a step that starts at time `t₀` the image of a sphere is displaced by `shift(code) + s·slide(code)`,
- * s the time since the start of the step, and moves with `slide(code)` against its original.
+ * Periodic images as small integers. A code packs how many boxes away an image is along x, y and z, a signed byte each,
+ * so 0 is the sphere itself. For a step that starts at time `t₀` the image of a sphere is displaced by `shift(code) +
+ * s·slide(code)`, s the time since the start of the step, and moves with `slide(code)` against its original.
  *
  * Negating a code negates every one of these numbers exactly, so a pair has the same contact time from either side.
  */
@@ -34,7 +34,13 @@ public class Images {
     }
 
     /** Velocity along [axis] against the original. */
-    public fun slide(code: Int, axis: Int): Double = if (code != 0 && axis == slideAxis) component(code, normalAxis) * velocity else 0.0
+    public fun slide(code: Int, axis: Int): Double = if (code != 0 &&
+        axis == slideAxis
+    ) {
+        component(code, normalAxis) * velocity
+    } else {
+        0.0
+    }
 
     /** Displacement at the start of the step of the image at +1 along the shear's normal axis, in [0, L). */
     public val shearOffset: Double get() = offset

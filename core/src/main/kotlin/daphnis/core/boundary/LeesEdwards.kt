@@ -5,9 +5,9 @@ import daphnis.core.population.Population
 import kotlin.math.floor
 
 /**
- * Lees–Edwards boundaries (Lees & Edwards 1972, J. Phys. C 5, 1921), the consistent form of a sheared periodic box: the image
- * above the upper y face slides with `shearRate · L_y` along x, its offset is `shearRate · L_y · t` (mod L_x), and contacts are
- * found through all faces. x and z are periodic.
+ * Lees–Edwards boundaries (Lees & Edwards 1972, J. Phys. C 5, 1921), the consistent form of a sheared periodic box: the
+ * image above the upper y face slides with `shearRate · L_y` along x, its offset is `shearRate · L_y · t` (mod L_x),
+ * and contacts are found through all faces. x and z are periodic.
  */
 public class LeesEdwards(override val box: Box, public val shearRate: Double) : PerSphereBoundary {
     init {
@@ -15,7 +15,8 @@ public class LeesEdwards(override val box: Box, public val shearRate: Double) : 
         require(shearRate.isFinite()) { "shear rate is $shearRate; it must be finite" }
     }
 
-    override val shear: ImageShear = ImageShear(normalAxis = 1, slideAxis = 0, velocity = shearRate * box.length(1), slideLength = box.length(0))
+    override val shear: ImageShear =
+        ImageShear(normalAxis = 1, slideAxis = 0, velocity = shearRate * box.length(1), slideLength = box.length(0))
 
     override val meanFlow: MeanFlow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = shearRate)
 

@@ -2,15 +2,24 @@ package daphnis.core.boundary
 
 import daphnis.core.population.Population
 
-/** A box that repeats along the axes marked in [periodic] (x, y, z) and is open along the others; contacts are found through the faces. */
-public class Periodic(override val box: Box, periodicX: Boolean = true, periodicY: Boolean = true, periodicZ: Boolean = true) : PerSphereBoundary {
+/**
+ * A box that repeats along the axes marked in [periodic] (x, y, z) and is open along the others; contacts are found
+ * through the faces.
+ */
+public class Periodic(
+    override val box: Box,
+    periodicX: Boolean = true,
+    periodicY: Boolean = true,
+    periodicZ: Boolean = true,
+) : PerSphereBoundary {
     private val periodic = booleanArrayOf(periodicX, periodicY, periodicZ)
 
     init {
         requireFinite(box) { periodic[it] }
     }
 
-    override fun contactFaces(axis: Int): ContactFaces = if (periodic[axis]) ContactFaces.PERIODIC else ContactFaces.OPEN
+    override fun contactFaces(axis: Int): ContactFaces =
+        if (periodic[axis]) ContactFaces.PERIODIC else ContactFaces.OPEN
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         if (periodic[0]) wrap(population, 0, box, from, to)

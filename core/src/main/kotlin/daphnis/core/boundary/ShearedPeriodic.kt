@@ -5,10 +5,11 @@ import daphnis.core.population.Population
 import kotlin.math.floor
 
 /**
- * The sheared periodic box of Lewis & Massingill: at the end of a step a sphere beyond a face is put on the other side, and one
- * that passed a y face has its x velocity changed by [velocityJump]. There is no offset of position and no collision search
- * through the faces, so such a box is not a consistent replica of itself and a wrap can land one sphere on another; the
- * pair then collides if it approaches and separates if it recedes. Use it for the paper's figures, [LeesEdwards] for physics.
+ * The sheared periodic box of Lewis & Massingill: at the end of a step a sphere beyond a face is put on the other side,
+ * and one that passed a y face has its x velocity changed by [velocityJump]. There is no offset of position and no
+ * collision search through the faces, so such a box is not a consistent replica of itself and a wrap can land one
+ * sphere on another; the pair then collides if it approaches and separates if it recedes. Use it for the paper's
+ * figures, [LeesEdwards] for physics.
  */
 public class ShearedPeriodic(override val box: Box, public val velocityJump: Double) : PerSphereBoundary {
     init {

@@ -8,7 +8,9 @@ internal const val AXES = 3
 /** A box that repeats or has walls must end somewhere along the axes that [which] accepts. */
 internal inline fun requireFinite(box: Box, which: (Int) -> Boolean) {
     for (axis in 0 until AXES) {
-        require(!which(axis) || box.length(axis).isFinite()) { "box along ${"xyz"[axis]} must be finite for this boundary" }
+        require(!which(axis) || box.length(axis).isFinite()) {
+            "box along ${"xyz"[axis]} must be finite for this boundary"
+        }
     }
 }
 
@@ -39,7 +41,10 @@ internal fun ImageShear.count(population: Population, index: Int, boxes: Double,
     population.addCrossing(index, slideAxis, (-boxes * turns(time)).toInt())
 }
 
-/** −tiny + length rounds to the upper face itself, which is outside; the nearest double inside is the same point to half an ulp. */
+/**
+ * −tiny + length rounds to the upper face itself, which is outside; the nearest double inside is the same point to half
+ * an ulp.
+ */
 internal fun inside(v: Double, lower: Double, upper: Double): Double = if (v < lower) {
     lower
 } else if (v >= upper) {

@@ -1,8 +1,8 @@
 package daphnis.core.collision
 
 /**
- * Ends inelastic collapse, the infinitely many collisions in finite time that a constant ε < 1 can lead to, by making some
- * collisions elastic. Each collision it makes elastic is counted.
+ * Ends inelastic collapse, the infinitely many collisions in finite time that a constant ε < 1 can lead to, by making
+ * some collisions elastic. Each collision it makes elastic is counted.
  */
 public interface CollapseGuard {
     /** Whether [makesElastic] looks at the times since the last collisions; then the engine keeps them. */
@@ -10,8 +10,8 @@ public interface CollapseGuard {
 
     /**
      * @param impactSpeed normal component of the relative velocity, ≥ 0
-     * @param sinceFirst time since the last collision of one sphere, +∞ when it had none; likewise [sinceSecond]; meaningless
-     *   unless [needsLastCollision]
+     * @param sinceFirst time since the last collision of one sphere, +∞ when it had none; likewise [sinceSecond];
+     *   meaningless unless [needsLastCollision]
      */
     public fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean
 }
@@ -31,16 +31,23 @@ public class FloorSpeedGuard(public val speed: Double) : CollapseGuard {
 
     override val needsLastCollision: Boolean get() = false
 
-    override fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean = impactSpeed < speed
+    override fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean =
+        impactSpeed < speed
 }
 
-/** The TC rule (Luding & McNamara 1998, Granular Matter 1, 113): ε = 1 when either sphere collided less than [contactDuration] ago. */
+/**
+ * The TC rule (Luding & McNamara 1998, Granular Matter 1, 113): ε = 1 when either sphere collided less than
+ * [contactDuration] ago.
+ */
 public class ContactDurationGuard(public val contactDuration: Double) : CollapseGuard {
     init {
-        require(contactDuration > 0 && contactDuration.isFinite()) { "contact duration is $contactDuration; it must be > 0" }
+        require(contactDuration > 0 && contactDuration.isFinite()) {
+            "contact duration is $contactDuration; it must be > 0"
+        }
     }
 
     override val needsLastCollision: Boolean get() = true
 
-    override fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean = sinceFirst < contactDuration || sinceSecond < contactDuration
+    override fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean =
+        sinceFirst < contactDuration || sinceSecond < contactDuration
 }

@@ -1,8 +1,8 @@
 package daphnis.core.collision
 
 /**
- * What an engine counted since the start of the run. The first three belong to the trajectory and are the same for every engine;
- * the others tell how the engine got there.
+ * What an engine counted since the start of the run. The first three belong to the trajectory and are the same for
+ * every engine; the others tell how the engine got there.
  */
 public class CollisionCounters {
     /** Collisions between two spheres. */

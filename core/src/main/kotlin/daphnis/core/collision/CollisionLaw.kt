@@ -7,11 +7,12 @@ import daphnis.core.collision.StepRows.Companion.VX
 import kotlin.math.sqrt
 
 /**
- * What a collision does: brings both spheres to the moment of contact and exchanges momentum along the line of centres, with
- * coefficient ε of [restitution] unless [guard] makes the collision elastic. Spheres are smooth: tangential velocities stand.
+ * What a collision does: brings both spheres to the moment of contact and exchanges momentum along the line of centres,
+ * with coefficient ε of [restitution] unless [guard] makes the collision elastic. Spheres are smooth: tangential
+ * velocities stand.
  *
- * The outcome is a pure function of the two states. One object serves one worker at a time: the result fields below are its
- * scratch.
+ * The outcome is a pure function of the two states. One object serves one worker at a time: the result fields below are
+ * its scratch.
  */
 public class CollisionLaw(public val restitution: Restitution, public val guard: CollapseGuard = NoGuard) {
     /** Impact speed of the last collision. */
@@ -26,7 +27,10 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
     public var impulse: Double = 0.0
         private set
 
-    /** Vector from the centre of the first to the centre of the second sphere at contact; likewise [separationY], [separationZ]. */
+    /**
+     * Vector from the centre of the first to the centre of the second sphere at contact; likewise [separationY],
+     * [separationZ].
+     */
     public var separationX: Double = 0.0
         private set
     public var separationY: Double = 0.0
@@ -34,7 +38,9 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
     public var separationZ: Double = 0.0
         private set
 
-    /** Place of the last collision among those at the same time that led to it, 1 for the first; see [StepRows.rank]. */
+    /**
+     * Place of the last collision among those at the same time that led to it, 1 for the first; see [StepRows.rank].
+     */
     public var rank: Int = 0
         private set
 
@@ -48,7 +54,8 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
     /**
      * Processes the collision of slots [first] and [second] at [time] (from the start of the step).
      *
-     * @return false when round-off at a grazing contact left them receding, so that nothing but their local times changed
+     * @return false when round-off at a grazing contact left them receding, so that nothing but their local times
+     *   changed
      */
     public fun collide(rows: StepRows, first: Int, second: Int, image: Int, images: Images, time: Double): Boolean {
         val state = rows.state
@@ -73,7 +80,8 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
             guard.makesElastic(impactSpeed, 0.0, 0.0)
         }
         coefficient = if (guarded) 1.0 else restitution.coefficient(impactSpeed)
-        // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost energy.
+        // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
+        // energy.
         val factor = (1.0 + coefficient) * b / d2
         val m1 = rows.mass[first]
         val m2 = rows.mass[second]

@@ -1,11 +1,13 @@
 package daphnis.core.collision
 
 /**
- * The collisions of one step in the order (time, rank, lower id, higher id), as a structure of arrays of [size] entries. Filled by the engine
- * when it is asked for; valid until the next step. Of collisions at one time each stands behind those that led to it: its [rank] is one more than
- * that of any which one of its spheres had before at that time. The order belongs to the trajectory, so it is the same from every engine.
+ * The collisions of one step in the order (time, rank, lower id, higher id), as a structure of arrays of [size]
+ * entries. Filled by the engine when it is asked for; valid until the next step. Of collisions at one time each stands
+ * behind those that led to it: its [rank] is one more than that of any which one of its spheres had before at that
+ * time. The order belongs to the trajectory, so it is the same from every engine.
  *
- * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher id.
+ * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher
+ * id.
  */
 public class CollisionRecord {
     /** Number of collisions. */
@@ -78,8 +80,8 @@ public class CollisionRecord {
     }
 
     /**
-     * Puts the entries in order. Engines call it at the end of the step, since in the order in which they process collisions, simultaneous ones may
-     * stand otherwise.
+     * Puts the entries in order. Engines call it at the end of the step, since in the order in which they process
+     * collisions, simultaneous ones may stand otherwise.
      */
     public fun sort() {
         var k = 1

@@ -14,14 +14,15 @@ public const val NEVER: Double = Double.POSITIVE_INFINITY
  * When do the surfaces of two spheres, approaching, touch? Times count from the start of the step.
  *
  * With relative position **d**, relative velocity **u** and s = r₁ + r₂, the surfaces touch at the smaller root of
- * a t² + 2 b t + c = 0, a = u², b = **d**·**u**, c = d² − s², taken in the form c / (−b + √(b² − ac)), which does not cancel.
+ * a t² + 2 b t + c = 0, a = u², b = **d**·**u**, c = d² − s², taken in the form c / (−b + √(b² − ac)), which does
+ * not cancel.
  * - b ≥ 0: they recede, [NEVER], also when they overlap: they part by themselves.
  * - c ≤ 0 and b < 0: they touch or overlap by round-off and approach: at once
  *   (Bannerman, Strobl, Formella & Pöschel 2014, Comput. Part. Mech. 1, 191; arXiv 1211.6718).
  * - b² < ac: they miss each other, [NEVER].
  *
- * A pure function of the two states, and the same to the last bit from either side of the pair: exchanging the spheres negates
- * **d** and **u** exactly. Every search in daphnis computes exactly this expression.
+ * A pure function of the two states, and the same to the last bit from either side of the pair: exchanging the spheres
+ * negates **d** and **u** exactly. Every search in daphnis computes exactly this expression.
  */
 public fun contactTime(rows: StepRows, first: Int, second: Int, image: Int, images: Images): Double =
     contactTime(rows.state, first * STRIDE, rows.state, second * STRIDE, image, images)
@@ -36,13 +37,26 @@ public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: In
     val uy = b[q + VX + 1] - a[p + VX + 1] + images.slide(image, 1)
     val uz = b[q + VX + 2] - a[p + VX + 2]
     val dx = (b[q] + b[q + VX] * dtQ) - (a[p] + a[p + VX] * dtP) + (images.shift(image, 0) + images.slide(image, 0) * t)
-    val dy = (b[q + 1] + b[q + VX + 1] * dtQ) - (a[p + 1] + a[p + VX + 1] * dtP) + (images.shift(image, 1) + images.slide(image, 1) * t)
+    val dy =
+        (b[q + 1] + b[q + VX + 1] * dtQ) - (a[p + 1] + a[p + VX + 1] * dtP) +
+            (images.shift(image, 1) + images.slide(image, 1) * t)
     val dz = (b[q + 2] + b[q + VX + 2] * dtQ) - (a[p + 2] + a[p + VX + 2] * dtP) + images.shift(image, 2)
     return t + timeToContact(dx, dy, dz, ux, uy, uz, a[p + RADIUS] + b[q + RADIUS])
 }
 
-/** The root described at [contactTime], counted from the moment of the given relative position and velocity; ≥ 0 or [NEVER]. */
-public fun timeToContact(dx: Double, dy: Double, dz: Double, ux: Double, uy: Double, uz: Double, reach: Double): Double {
+/**
+ * The root described at [contactTime], counted from the moment of the given relative position and velocity; ≥ 0 or
+ * [NEVER].
+ */
+public fun timeToContact(
+    dx: Double,
+    dy: Double,
+    dz: Double,
+    ux: Double,
+    uy: Double,
+    uz: Double,
+    reach: Double,
+): Double {
     val b = dx * ux + dy * uy + dz * uz
     if (b >= 0.0) return NEVER
     val c = dx * dx + dy * dy + dz * dz - reach * reach

@@ -25,12 +25,16 @@ public class ConstantRestitution(public val value: Double) : Restitution {
 }
 
 /**
- * Power law measured on ice: ε(v) = min(1, [prefactor] · v^[exponent]), v in cm/s (Bridges, Hatzes & Lin 1984, Nature 309, 333).
+ * Power law measured on ice: ε(v) = min(1, [prefactor] · v^[exponent]), v in cm/s (Bridges, Hatzes & Lin 1984, Nature
+ * 309, 333).
  *
  * @property cmPerSecond how many cm/s one unit of speed of the scenario is
  */
-public class BridgesRestitution(public val prefactor: Double = LEWIS_PREFACTOR, public val exponent: Double = EXPONENT, public val cmPerSecond: Double = 1.0) :
-    Restitution {
+public class BridgesRestitution(
+    public val prefactor: Double = LEWIS_PREFACTOR,
+    public val exponent: Double = EXPONENT,
+    public val cmPerSecond: Double = 1.0,
+) : Restitution {
     init {
         require(prefactor > 0 && prefactor.isFinite()) { "Bridges prefactor is $prefactor; it must be > 0" }
         require(exponent <= 0 && exponent.isFinite()) { "Bridges exponent is $exponent; it must be <= 0" }
@@ -63,9 +67,12 @@ public class BridgesRestitution(public val prefactor: Double = LEWIS_PREFACTOR, 
  * @property criticalSpeed v* in cm/s
  * @property cmPerSecond how many cm/s one unit of speed of the scenario is
  */
-public class BorderiesRestitution(public val criticalSpeed: Double, public val cmPerSecond: Double = 1.0) : Restitution {
+public class BorderiesRestitution(public val criticalSpeed: Double, public val cmPerSecond: Double = 1.0) :
+    Restitution {
     init {
-        require(criticalSpeed > 0 && criticalSpeed.isFinite()) { "critical speed is $criticalSpeed cm/s; it must be > 0" }
+        require(criticalSpeed > 0 && criticalSpeed.isFinite()) {
+            "critical speed is $criticalSpeed cm/s; it must be > 0"
+        }
         require(cmPerSecond > 0 && cmPerSecond.isFinite()) { "one unit of speed is $cmPerSecond cm/s; it must be > 0" }
     }
 

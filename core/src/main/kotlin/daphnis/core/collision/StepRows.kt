@@ -6,9 +6,9 @@ import daphnis.core.population.Columns
 import daphnis.core.population.Population
 
 /**
- * The population during one step: a packed copy in cell order, eight doubles a sphere, so that the sphere a collision touches is
- * one or two cache lines and a cell is a run of memory. **Slot** s is the place of a sphere in this order and does not change
- * within the step; entry `s·8 + k` of [state] is
+ * The population during one step: a packed copy in cell order, eight doubles a sphere, so that the sphere a collision
+ * touches is one or two cache lines and a cell is a run of memory. **Slot** s is the place of a sphere in this order
+ * and does not change within the step; entry `s·8 + k` of [state] is
  *
  * | k | 0 1 2 | 3 4 5 | 6 | 7 |
  * |---|---|---|---|---|
@@ -34,7 +34,10 @@ public class StepRows {
     public var origin: IntArray = IntArray(0)
         private set
 
-    /** Time of the last collision by slot, counted from the start of this step (≤ 0 when it lies before); −∞ when there was none. */
+    /**
+     * Time of the last collision by slot, counted from the start of this step (≤ 0 when it lies before); −∞ when there
+     * was none.
+     */
     public var lastCollision: DoubleArray = DoubleArray(0)
         private set
 
@@ -69,7 +72,13 @@ public class StepRows {
      * Takes [population] over in the given [order] (index by slot) for a step of [duration], every local time 0.
      * Allocates only when the population grew.
      */
-    public fun load(population: Population, order: IntArray, duration: Double, tracksLastCollision: Boolean, loop: RangeLoop = InlineLoop) {
+    public fun load(
+        population: Population,
+        order: IntArray,
+        duration: Double,
+        tracksLastCollision: Boolean,
+        loop: RangeLoop = InlineLoop,
+    ) {
         reserve(population.size)
         size = population.size
         resolution = duration * RESOLUTION
@@ -162,7 +171,9 @@ public class StepRows {
         size = 0
     }
 
-    /** Appends a copy of row [slot] of [rows] with everything that belongs to it; its place here. Allocates when full. */
+    /**
+     * Appends a copy of row [slot] of [rows] with everything that belongs to it; its place here. Allocates when full.
+     */
     public fun take(rows: StepRows, slot: Int): Int {
         val k = size++
         if (k * STRIDE == state.size) grow()

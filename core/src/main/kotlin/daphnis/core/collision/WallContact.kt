@@ -8,8 +8,8 @@ import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
 
 /**
- * Reflecting walls. A wall is a partner with a negative number, −1 − face; faces are numbered −x, +x, −y, +y, −z, +z from 0, and
- * in the order of events a wall counts as an id of that negative number.
+ * Reflecting walls. A wall is a partner with a negative number, −1 − face; faces are numbered −x, +x, −y, +y, −z, +z
+ * from 0, and in the order of events a wall counts as an id of that negative number.
  */
 public class WallContact {
     private val lower = DoubleArray(3)
@@ -33,7 +33,10 @@ public class WallContact {
         restitution = boundary.wallRestitution
     }
 
-    /** When sphere [slot] reaches the wall [face], from the start of the step, or [NEVER]. One that stands in the wall and moves outward touches at once. */
+    /**
+     * When sphere [slot] reaches the wall [face], from the start of the step, or [NEVER]. One that stands in the wall
+     * and moves outward touches at once.
+     */
     public fun time(rows: StepRows, slot: Int, face: Int): Double {
         val axis = face shr 1
         if (!walled[axis]) return NEVER

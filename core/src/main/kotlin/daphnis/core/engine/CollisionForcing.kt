@@ -32,7 +32,10 @@ public class CollisionForcing(
     /** The collisions of the last step, in order, none after one that failed; null when they are not kept. */
     public val record: CollisionRecord? = if (recordCollisions) CollisionRecord() else null
 
-    /** Moves [population] from [start] over [duration]; boundaries at the end are the caller's. See [CollisionEngine.advance]. */
+    /**
+     * Moves [population] from [start] over [duration]; boundaries at the end are the caller's. See
+     * [CollisionEngine.advance].
+     */
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
         val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
             ?: CollisionStep(population, boundary, law, counters, search).also { step = it }

@@ -13,7 +13,13 @@ public interface EngineFactory {
 
     public companion object {
         /** [threads], or as many as the machine has when that is 0. */
-        public fun threadsOrAll(threads: Int): Int = if (threads == 0) Runtime.getRuntime().availableProcessors() else threads
+        public fun threadsOrAll(threads: Int): Int = if (threads ==
+            0
+        ) {
+            Runtime.getRuntime().availableProcessors()
+        } else {
+            threads
+        }
     }
 }
 
@@ -21,5 +27,7 @@ public interface EngineFactory {
 public class CombinedEngines(private vararg val factories: EngineFactory) : EngineFactory {
     override val names: List<String> = factories.flatMap { it.names }
 
-    override fun create(name: String, threads: Int): CollisionEngine? = factories.firstNotNullOfOrNull { it.create(name, threads) }
+    override fun create(name: String, threads: Int): CollisionEngine? = factories.firstNotNullOfOrNull {
+        it.create(name, threads)
+    }
 }

@@ -13,14 +13,21 @@ import kotlin.math.sqrt
 
 /**
  * The two searches of a step, over the runs of slots that the grid names. Both compute exactly
- * [daphnis.core.collision.contactTime], term for term, with what is known left out: at the start all local times are 0, and
- * a sphere that has just collided is the later of any pair. `SerialEngineTest` holds the engine against one that calls that function, by digest.
+ * [daphnis.core.collision.contactTime], term for term, with what is known left out: at the start all local times are 0,
+ * and a sphere that has just collided is the later of any pair. `SerialEngineTest` holds the engine against one that
+ * calls that function, by digest.
  *
- * Nine of ten candidates are dismissed without a square root and with one well-predicted branch. For c > 0 the contact comes
- * c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time τ has c ≤ −2bτ; in the same floating-point
- * numbers this holds with τ larger by a few units of rounding, for which [ROUNDING] leaves ample room.
+ * Nine of ten candidates are dismissed without a square root and with one well-predicted branch. For c > 0 the contact
+ * comes c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time τ has c ≤ −2bτ; in the
+ * same floating-point numbers this holds with τ larger by a few units of rounding, for which [ROUNDING] leaves ample
+ * room.
  */
-internal class NeighbourSearch(private val rows: StepRows, private val grid: Grid, private val queue: EventSink, bounds: RowBounds? = null) {
+internal class NeighbourSearch(
+    private val rows: StepRows,
+    private val grid: Grid,
+    private val queue: EventSink,
+    bounds: RowBounds? = null,
+) {
     private val near = CellRuns(grid, bounds)
     private var duration = 0.0
 
@@ -29,7 +36,10 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
         this.duration = duration
     }
 
-    /** Queues every potential collision there is before anybody has moved, each from that of its slots which comes first in the grid; slots [from] until [to]. */
+    /**
+     * Queues every potential collision there is before anybody has moved, each from that of its slots which comes first
+     * in the grid; slots [from] until [to].
+     */
     fun queueStart(from: Int = 0, to: Int = rows.size) {
         for (slot in from until to) queueForward(slot)
     }
@@ -66,7 +76,11 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
                 val b = dx * ux + dy * uy + dz * uz
                 val s = radius + state[q + RADIUS]
                 val c = dx * dx + dy * dy + dz * dz - s * s
-                if (c <= b * closing && b < 0.0) queueIfInTime(slot, q / STRIDE, image, 0.0, b, c, ux * ux + uy * uy + uz * uz)
+                if (c <= b * closing &&
+                    b < 0.0
+                ) {
+                    queueIfInTime(slot, q / STRIDE, image, 0.0, b, c, ux * ux + uy * uy + uz * uz)
+                }
                 q += STRIDE
             }
         }
@@ -112,13 +126,21 @@ internal class NeighbourSearch(private val rows: StepRows, private val grid: Gri
                 val s = radius + state[q + RADIUS]
                 val c = dx * dx + dy * dy + dz * dz - s * s
                 // The sphere itself is in one of the runs; against itself b is 0.
-                if (c <= b * closing && b < 0.0 && q != exceptRow) queueIfInTime(slot, q / STRIDE, image, time, b, c, ux * ux + uy * uy + uz * uz)
+                if (c <= b * closing &&
+                    b < 0.0 &&
+                    q != exceptRow
+                ) {
+                    queueIfInTime(slot, q / STRIDE, image, time, b, c, ux * ux + uy * uy + uz * uz)
+                }
                 q += STRIDE
             }
         }
     }
 
-    /** The rest of the contact time, for the few candidates that are near and approach: a t² + 2 b t + c = 0 with b < 0, from [time] on. */
+    /**
+     * The rest of the contact time, for the few candidates that are near and approach: a t² + 2 b t + c = 0 with b < 0,
+     * from [time] on.
+     */
     private fun queueIfInTime(slot: Int, other: Int, image: Int, time: Double, b: Double, c: Double, a: Double) {
         var t = time
         if (c > 0.0) {

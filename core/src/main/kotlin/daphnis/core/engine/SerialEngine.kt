@@ -16,21 +16,21 @@ import daphnis.core.search.RowBounds
  *
  * 1. Bound how far anybody can go in the step, build a grid for that bound, copy the spheres in cell order.
  * 2. Queue every potential collision of the step.
- * 3. Take the earliest. Bring its two spheres, and nobody else, to the moment of contact and change their velocities. Drop what
- *    the two had queued; find and queue what they can now hit. Repeat until the queue is empty.
+ * 3. Take the earliest. Bring its two spheres, and nobody else, to the moment of contact and change their velocities.
+ *    Drop what the two had queued; find and queue what they can now hit. Repeat until the queue is empty.
  * 4. Bring every sphere to the end of the step.
  *
- * **No contact is missed.** The grid finds every pair that can touch as long as nobody goes farther from where it started than
- * the bound. Paths between collisions are straight, so it is enough to look, after each collision, at where the sphere
- * would be at the end of the step. When that is beyond the bound, the step is abandoned, the bound enlarged and the step redone
- * from the population, which has not been written yet.
+ * **No contact is missed.** The grid finds every pair that can touch as long as nobody goes farther from where it
+ * started than the bound. Paths between collisions are straight, so it is enough to look, after each collision, at
+ * where the sphere would be at the end of the step. When that is beyond the bound, the step is abandoned, the bound
+ * enlarged and the step redone from the population, which has not been written yet.
  *
  * **When a step fails** is part of the specification too: a collapse, too many collisions ([StepLimits]) and images too
  * far away ([Reach]) are noticed at the first collision, in order of time, at which they hold, by what belongs to the
  * trajectory alone. Engines that guess put what fails them before this one.
  *
- * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere sees its
- * collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.
+ * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere
+ * sees its collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.
  */
 public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : CollisionEngine {
     override val name: String get() = "serial"

@@ -10,20 +10,33 @@ import daphnis.core.population.Population
 import kotlin.math.sqrt
 
 /**
- * Gravity between a few heavy spheres and everybody, pair by pair: moonlets embedded in a ring. The others do not attract one another. Along periodic
- * axes the nearest image counts; images that slide are where they are at the time. A light sphere pulls a body as much as the body pulls it, so
- * Σ m v is conserved to round-off; sums in the order of ids.
+ * Gravity between a few heavy spheres and everybody, pair by pair: moonlets embedded in a ring. The others do not
+ * attract one another. Along periodic axes the nearest image counts; images that slide are where they are at the time.
+ * A light sphere pulls a body as much as the body pulls it, so Σ m v is conserved to round-off; sums in the order of
+ * ids.
  *
  * @param bodies ids of the heavy spheres; who was removed is passed over
  * @param constant G, in length³/(mass · time²)
  * @param softening ε in 1/(r² + ε²), length
  */
-public class BodyGravity(private val bodies: IntArray, private val boundary: BoundaryConditions, private val constant: Double, private val softening: Double = 0.0) :
-    Kick {
+public class BodyGravity(
+    private val bodies: IntArray,
+    private val boundary: BoundaryConditions,
+    private val constant: Double,
+    private val softening: Double = 0.0,
+) : Kick {
     private var loop: RangeLoop = InlineLoop
     private val images = Images()
     private val sum = OrderedSum()
-    private val length = DoubleArray(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) boundary.box.length(it) else 0.0 }
+    private val length = DoubleArray(3) {
+        if (boundary.contactFaces(it) ==
+            ContactFaces.PERIODIC
+        ) {
+            boundary.box.length(it)
+        } else {
+            0.0
+        }
+    }
     private val normal = boundary.shear?.normalAxis ?: -1
     private val slide = boundary.shear?.slideAxis ?: -1
 
@@ -81,7 +94,13 @@ public class BodyGravity(private val bodies: IntArray, private val boundary: Bou
             d[normal] -= boxes * length[normal]
             d[slide] -= boxes * images.shearOffset
         }
-        for (axis in 0..2) if (axis != normal && length[axis] > 0) d[axis] -= Math.rint(d[axis] / length[axis]) * length[axis]
+        for (axis in 0..2) {
+            if (axis != normal &&
+                length[axis] > 0
+            ) {
+                d[axis] -= Math.rint(d[axis] / length[axis]) * length[axis]
+            }
+        }
     }
 
     private fun react(p: Population, body: Int) {

@@ -3,9 +3,10 @@ package daphnis.core.force
 import kotlin.math.sqrt
 
 /**
- * The potential of the force that fades as [GravityCut] weighs it: 0 where gravity ends, and its slope along the periodic axes
- * is the weighed force there. With q = ρ² + ε² and w a cubic in q, the work ½ ∫ w q^(−3/2) dq is elementary. The height z
- * between two particles is left out where it fades, which is wrong by about (z/ρ)² of what is small there already.
+ * The potential of the force that fades as [GravityCut] weighs it: 0 where gravity ends, and its slope along the
+ * periodic axes is the weighed force there. With q = ρ² + ε² and w a cubic in q, the work ½ ∫ w q^(−3/2) dq is
+ * elementary. The height z between two particles is left out where it fades, which is wrong by about (z/ρ)² of what is
+ * small there already.
  *
  * @param range2 square of the distance at which gravity ends; infinite where nothing is cut
  * @param inner2 square of that at which it begins to fade

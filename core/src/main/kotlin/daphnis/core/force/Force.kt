@@ -5,12 +5,13 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
- * Something that changes velocities. Within a step spheres drift on straight lines, on which contacts are found exactly; forces act before and
- * after the drift, so paths that they bend are met with an error of the order of the step squared (docs/physics.md; kick–drift–kick, Quinn, Perrine, Richardson & Barnes 2010, AJ 139, 803).
+ * Something that changes velocities. Within a step spheres drift on straight lines, on which contacts are found
+ * exactly; forces act before and after the drift, so paths that they bend are met with an error of the order of the
+ * step squared (docs/physics.md; kick–drift–kick, Quinn, Perrine, Richardson & Barnes 2010, AJ 139, 803).
  *
- * Most forces are a [Kick]; a rotating frame, which maps the state as a whole, is a [Drift]. Must not change positions, and must be a pure
- * function of the population and the time: the same bits for the same state, whatever the order of the arrays. A step
- * that fails may be done again, so what a force adds up for itself must bear being told twice.
+ * Most forces are a [Kick]; a rotating frame, which maps the state as a whole, is a [Drift]. Must not change positions,
+ * and must be a pure function of the population and the time: the same bits for the same state, whatever the order of
+ * the arrays. A step that fails may be done again, so what a force adds up for itself must bear being told twice.
  */
 public interface Force {
     /** Called before the drift of a step that begins at [start] and lasts [duration]. */

@@ -5,9 +5,9 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 
 /**
- * How far gravity reaches where the box repeats: around each particle, by the distance ρ along the periodic axes alone (a cylinder in a
- * flat sheet, a sphere in a box that repeats along x, y and z), so that every particle sees the same sheet around itself. Nothing is cut
- * along axes that do not repeat.
+ * How far gravity reaches where the box repeats: around each particle, by the distance ρ along the periodic axes alone
+ * (a cylinder in a flat sheet, a sphere in a box that repeats along x, y and z), so that every particle sees the same
+ * sheet around itself. Nothing is cut along axes that do not repeat.
  *
  * ```
  *   weight of a pair   1 ──────╮              w = t² (3 − 2t),  t = (range² − ρ²) / (range² − inner²)
@@ -16,10 +16,11 @@ import daphnis.core.boundary.Images
  *                         0  inner  range
  * ```
  *
- * The weight is the same from either side of a pair, so momentum is conserved; it fades, so that a tree's node near the cut, weighed by
- * where its centre of mass is, is not in or out as a whole.
+ * The weight is the same from either side of a pair, so momentum is conserved; it fades, so that a tree's node near the
+ * cut, weighed by where its centre of mass is, is not in or out as a whole.
  *
- * @param images the range is ([images] + ½) of the shortest periodic edge: the circle that fits into 2·[images] + 1 boxes
+ * @param images the range is ([images] + ½) of the shortest periodic edge: the circle that fits into 2·[images] + 1
+ *   boxes
  */
 internal class GravityCut(private val boundary: BoundaryConditions, images: Int) {
     private val periodic = BooleanArray(3) { boundary.contactFaces(it) == ContactFaces.PERIODIC }
@@ -29,7 +30,8 @@ internal class GravityCut(private val boundary: BoundaryConditions, images: Int)
 
     /** Where gravity ends; infinite when nothing repeats. */
     val range: Double =
-        (0..2).filter { periodic[it] }.minOfOrNull { boundary.box.length(it) }?.let { it * (images + 0.5) } ?: Double.POSITIVE_INFINITY
+        (0..2).filter { periodic[it] }.minOfOrNull { boundary.box.length(it) }?.let { it * (images + 0.5) }
+            ?: Double.POSITIVE_INFINITY
 
     /** Where it begins to fade. */
     val inner: Double = range * INNER_PART
@@ -40,13 +42,19 @@ internal class GravityCut(private val boundary: BoundaryConditions, images: Int)
     private val boxes = IntArray(3) { if (periodic[it]) farthest(it) else 0 }
     private val center = IntArray(3)
 
-    /** Codes of the images that may hold something in range of something; those across sliding faces as they stand after [choose]. */
+    /**
+     * Codes of the images that may hold something in range of something; those across sliding faces as they stand after
+     * [choose].
+     */
     val codes = IntArray(boxes.fold(1) { n, most -> n * (2 * most + 1) })
 
     /** 1 for an axis that counts for the distance, else 0. */
     fun counts(axis: Int): Double = if (periodic[axis]) 1.0 else 0.0
 
-    /** Boxes away along [axis] that two particles in range of one another can be; images that slide are up to half an edge off. */
+    /**
+     * Boxes away along [axis] that two particles in range of one another can be; images that slide are up to half an
+     * edge off.
+     */
     private fun farthest(axis: Int): Int {
         val off = if (boundary.shear?.slideAxis == axis) 1.5 else 1.0
         return Math.ceil(range / boundary.box.length(axis) + off).toInt() - 1

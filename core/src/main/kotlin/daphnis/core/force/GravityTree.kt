@@ -3,9 +3,9 @@ package daphnis.core.force
 import daphnis.core.population.Population
 
 /**
- * An octree over a population for sums of gravity (Barnes & Hut 1986, Nature 324, 446). Spheres are sorted along a Morton curve, spheres with one key by
- * id, so the tree and every sum in it are the same whatever order the arrays are in. Nodes stand in depth-first order: the first child of node n is n + 1,
- * what comes after its subtree is [skip].
+ * An octree over a population for sums of gravity (Barnes & Hut 1986, Nature 324, 446). Spheres are sorted along a
+ * Morton curve, spheres with one key by id, so the tree and every sum in it are the same whatever order the arrays are
+ * in. Nodes stand in depth-first order: the first child of node n is n + 1, what comes after its subtree is [skip].
  *
  * ```
  *   0 root        skip 9
@@ -99,7 +99,9 @@ internal class GravityTree {
         val scale = if (extent > 0) CELLS / extent else 0.0
         for (k in 0 until n) {
             order[k] = k
-            keys[k] = spread(p.x[k] - low[0], scale) or (spread(p.y[k] - low[1], scale) shl 1) or (spread(p.z[k] - low[2], scale) shl 2)
+            keys[k] =
+                spread(p.x[k] - low[0], scale) or (spread(p.y[k] - low[1], scale) shl 1) or
+                (spread(p.z[k] - low[2], scale) shl 2)
         }
     }
 

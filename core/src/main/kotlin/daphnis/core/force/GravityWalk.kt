@@ -7,11 +7,17 @@ import daphnis.core.force.GravityTree.Companion.WIDTH
 import kotlin.math.sqrt
 
 /**
- * One walk through a [tree] for all spheres of a leaf (Barnes 1990, J. Comput. Phys. 87, 161): [begin], [collect] for each image, [sum]. Collects what
- * attracts the leaf, spheres and nodes taken as one, in two lists: what is so near to all of the leaf that nothing is cut, and what the
- * [cut] weighs pair by pair. Then sums the lists for each sphere. Each thread has its own.
+ * One walk through a [tree] for all spheres of a leaf (Barnes 1990, J. Comput. Phys. 87, 161): [begin], [collect] for
+ * each image, [sum]. Collects what attracts the leaf, spheres and nodes taken as one, in two lists: what is so near to
+ * all of the leaf that nothing is cut, and what the [cut] weighs pair by pair. Then sums the lists for each sphere.
+ * Each thread has its own.
  */
-internal class GravityWalk(private val tree: GravityTree, private val openingAngle: Double, softening: Double, private val cut: GravityCut) {
+internal class GravityWalk(
+    private val tree: GravityTree,
+    private val openingAngle: Double,
+    softening: Double,
+    private val cut: GravityCut,
+) {
     private val whole = Attractors()
     private val cutOff = Attractors()
     private val softening2 = softening * softening
@@ -39,9 +45,13 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
         cutOff.clear()
     }
 
-    /** Adds what attracts the leaf from the image of everything that is displaced by ([dx], [dy], [dz]); all zero for the original. */
+    /**
+     * Adds what attracts the leaf from the image of everything that is displaced by ([dx], [dy], [dz]); all zero for
+     * the original.
+     */
     fun collect(dx: Double, dy: Double, dz: Double) {
-        // A node that holds the leaf itself is never taken as one mass: that of a single sphere would stand beside it by a rounding.
+        // A node that holds the leaf itself is never taken as one mass: that of a single sphere would stand beside it
+        // by a rounding.
         val isOriginal = dx == 0.0 && dy == 0.0 && dz == 0.0
         val first = tree.from[leaf]
         val node = tree.node
@@ -66,7 +76,14 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
                 into.add(node[p] + dx, node[p + 1] + dy, node[p + 2] + dz, node[p + MASS])
                 n = skip[n]
             } else if (skip[n] == n + 1) {
-                for (k in tree.from[n] until tree.to[n]) into.add(tree.x[k] + dx, tree.y[k] + dy, tree.z[k] + dz, tree.mass[k])
+                for (k in tree.from[n] until tree.to[n]) {
+                    into.add(
+                        tree.x[k] + dx,
+                        tree.y[k] + dy,
+                        tree.z[k] + dz,
+                        tree.mass[k],
+                    )
+                }
                 n++
             } else {
                 n++
@@ -101,8 +118,12 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
         0.0
     }
 
-    /** Square of the least distance, along the axes that count, between a sphere of the leaf and one of the image of node [n]. */
-    private fun nearest2(n: Int, dx: Double, dy: Double, dz: Double): Double = countsX * near2(n, 0, dx) + countsY * near2(n, 1, dy) + countsZ * near2(n, 2, dz)
+    /**
+     * Square of the least distance, along the axes that count, between a sphere of the leaf and one of the image of
+     * node [n].
+     */
+    private fun nearest2(n: Int, dx: Double, dy: Double, dz: Double): Double =
+        countsX * near2(n, 0, dx) + countsY * near2(n, 1, dy) + countsZ * near2(n, 2, dz)
 
     private fun near2(n: Int, axis: Int, shift: Double): Double {
         val node = tree.node
@@ -113,7 +134,8 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
     }
 
     /** Likewise the greatest distance. */
-    private fun farthest2(n: Int, dx: Double, dy: Double, dz: Double): Double = countsX * far2(n, 0, dx) + countsY * far2(n, 1, dy) + countsZ * far2(n, 2, dz)
+    private fun farthest2(n: Int, dx: Double, dy: Double, dz: Double): Double =
+        countsX * far2(n, 0, dx) + countsY * far2(n, 1, dy) + countsZ * far2(n, 2, dz)
 
     private fun far2(n: Int, axis: Int, shift: Double): Double {
         val node = tree.node
@@ -124,7 +146,14 @@ internal class GravityWalk(private val tree: GravityTree, private val openingAng
     }
 
     /** Writes the acceleration of every sphere of the leaf, Σ a_y Δx and the potential, by index in the population. */
-    fun sum(constant: Double, ax: DoubleArray, ay: DoubleArray, az: DoubleArray, stress: DoubleArray, potential: DoubleArray) {
+    fun sum(
+        constant: Double,
+        ax: DoubleArray,
+        ay: DoubleArray,
+        az: DoubleArray,
+        stress: DoubleArray,
+        potential: DoubleArray,
+    ) {
         for (place in tree.from[leaf] until tree.to[leaf]) {
             sumWhole(tree.x[place], tree.y[place], tree.z[place])
             addCutOff(tree.x[place], tree.y[place], tree.z[place])

@@ -8,16 +8,18 @@ import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
 
 /**
- * Gravity of all spheres on one another, by a tree (Barnes & Hut 1986, Nature 324, 446): a node whose size is below [openingAngle] times its distance counts as
- * one mass at its centre of mass, others are opened. Spheres of one leaf share a walk, so the distance is that from the leaf's box, and a sphere's
- * error is smaller than that of a walk of its own.
+ * Gravity of all spheres on one another, by a tree (Barnes & Hut 1986, Nature 324, 446): a node whose size is below
+ * [openingAngle] times its distance counts as one mass at its centre of mass, others are opened. Spheres of one leaf
+ * share a walk, so the distance is that from the leaf's box, and a sphere's error is smaller than that of a walk of its
+ * own.
  *
- * Along periodic axes images attract too, where they are at the time if they slide. What attracts a particle ends at one distance around
- * itself ([range]), fading from half of it on, so that a uniform sheet pulls nothing along itself and there is no centre that a patch prefers.
- * Without periodic axes everything attracts.
+ * Along periodic axes images attract too, where they are at the time if they slide. What attracts a particle ends at
+ * one distance around itself ([range]), fading from half of it on, so that a uniform sheet pulls nothing along itself
+ * and there is no centre that a patch prefers. Without periodic axes everything attracts.
  *
- * The sums are taken in the order of the tree, which depends on positions and ids alone: the same bits on any number of threads. The force at the end
- * of a step is kept for the beginning of the next. Momentum is conserved as well as the opening angle allows, not to round-off.
+ * The sums are taken in the order of the tree, which depends on positions and ids alone: the same bits on any number of
+ * threads. The force at the end of a step is kept for the beginning of the next. Momentum is conserved as well as the
+ * opening angle allows, not to round-off.
  *
  * @param constant G, length³/(mass · time²)
  * @param openingAngle θ in [0, 1]; 0 opens everything
@@ -79,8 +81,9 @@ public class SelfGravity(
     }
 
     /**
-     * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i), F_ij the force of j on i, over images too.
-     * A uniform sheet carries none. Of [population] as it stands at [time]; summed in the order of ids.
+     * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i),
+     * F_ij the force of j on i, over images too. A uniform sheet carries none. Of [population] as it stands at [time];
+     * summed in the order of ids.
      */
     public fun stressXY(population: Population, time: Double): Double {
         evaluate(population, time)
@@ -93,9 +96,9 @@ public class SelfGravity(
     }
 
     /**
-     * ½ Σ m Φ over all spheres and images that attract, Φ = −G Σ m_j/√(r² + ε²), raised so that it is 0 where gravity ends
-     * (see [FadingPotential]): exact up to the opening angle. The potential is summed in the walk of the force, so where the
-     * last kick was at this [time] nothing is walked again.
+     * ½ Σ m Φ over all spheres and images that attract, Φ = −G Σ m_j/√(r² + ε²), raised so that it is 0 where gravity
+     * ends (see [FadingPotential]): exact up to the opening angle. The potential is summed in the walk of the force, so
+     * where the last kick was at this [time] nothing is walked again.
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
@@ -122,7 +125,13 @@ public class SelfGravity(
             val walk = walks[worker]
             for (leaf in from until to) {
                 walk.begin(tree.leaves[leaf])
-                for (code in cut.codes) walk.collect(periodicImages.shift(code, 0), periodicImages.shift(code, 1), periodicImages.shift(code, 2))
+                for (code in cut.codes) {
+                    walk.collect(
+                        periodicImages.shift(code, 0),
+                        periodicImages.shift(code, 1),
+                        periodicImages.shift(code, 2),
+                    )
+                }
                 walk.sum(constant, ax, ay, az, stress, potential)
             }
         }
@@ -143,7 +152,8 @@ private class SeenPositions {
     private var z = DoubleArray(0)
     private var time = Double.NaN
 
-    fun isSame(p: Population, time: Double): Boolean = time == this.time && x.size == p.size && x.contentEquals(p.x) && y.contentEquals(p.y) && z.contentEquals(p.z)
+    fun isSame(p: Population, time: Double): Boolean =
+        time == this.time && x.size == p.size && x.contentEquals(p.x) && y.contentEquals(p.y) && z.contentEquals(p.z)
 
     fun forget() {
         time = Double.NaN

@@ -8,8 +8,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius. Spheres
- * in the order of their ids; ids and masses are not kept.
+ * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius.
+ * Spheres in the order of their ids; ids and masses are not kept.
  */
 public object CartAndRad {
     /** Writes [population] to [path], replacing it. */
@@ -37,7 +37,8 @@ public object CartAndRad {
      * Reads [path]; ids are 0, 1, 2, …
      *
      * @param density mass per volume, since the file has no masses
-     * @throws FormatException when the length is not what N says, or a number is not finite, or a radius is not positive
+     * @throws FormatException when the length is not what N says, or a number is not finite, or a radius is not
+     *   positive
      */
     public fun read(path: Path, density: Double = 1.0): Population {
         val size = Files.size(path)
@@ -52,8 +53,8 @@ public object CartAndRad {
         for (k in 0 until n) for (c in columns) c[k] = buffer.getDouble()
         val radius = DoubleArray(n) { buffer.getDouble() }
         for (k in 0 until n) {
-            if (radius[k] !in FrameCheck.LEAST..FrameCheck.MOST) {
-                val right = "> 0, ${FrameCheck.LEAST} to ${FrameCheck.MOST}"
+            if (radius[k] !in SnapshotCheck.LEAST..SnapshotCheck.MOST) {
+                val right = "> 0, ${SnapshotCheck.LEAST} to ${SnapshotCheck.MOST}"
                 throw FormatException("$path: the radius of particle $k is ${radius[k]}; it must be $right")
             }
         }

@@ -141,7 +141,8 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         return node
     }
 
-    private fun wrongType(name: String): Nothing = fail(name, "is not of numbers of at most 64 bits of the kind that belongs there")
+    private fun wrongType(name: String): Nothing =
+        fail(name, "is not of numbers of at most 64 bits of the kind that belongs there")
 
     private fun fail(name: String, problem: String): Nothing = throw FormatException("$path: $name $problem")
 

@@ -8,20 +8,21 @@ import io.jhdf.api.WritableGroup
 import java.nio.file.Path
 
 /**
- * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView read. One
- * particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius as plain datasets,
- * radius being an addition of ours; `box/edges` of a box centred on the origin. Units are the scenario's and have no names, or SI
- * by H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a checksum over all that is read
- * ([H5mdChecksum]).
+ * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView
+ * read. One particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius
+ * as plain datasets, radius being an addition of ours; `box/edges` of a box centred on the origin. Units are the
+ * scenario's and have no names, or SI by H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a
+ * checksum over all that is read ([H5mdChecksum]).
  */
 public object H5md {
     /**
      * Writes [frames], all of the same spheres, to [path]. Holds all of them in memory.
      *
      * @param version the version of daphnis to name as creator
-     * @param units what the units are in SI units; then the numbers are written in these, and every dataset says its `unit`
+     * @param units what the units are in SI units; then the numbers are written in these, and every dataset says its
+     *   `unit`
      */
-    public fun write(frames: List<Frame>, path: Path, version: String, units: SiUnits? = null) {
+    public fun write(frames: List<Snapshot>, path: Path, version: String, units: SiUnits? = null) {
         require(frames.isNotEmpty()) { "no frame to write" }
         val first = frames.first()
         for (frame in frames) {
@@ -33,7 +34,7 @@ public object H5md {
         HdfFile.write(path).use { file -> write(written, file, version, units != null) }
     }
 
-    private fun write(frames: List<Frame>, file: WritableHdfFile, version: String, si: Boolean) {
+    private fun write(frames: List<Snapshot>, file: WritableHdfFile, version: String, si: Boolean) {
         val first = frames.first()
         val names = if (si) UnitNames("m", "s", "m s-1", "kg") else null
         val h5md = file.putGroup("h5md")
@@ -60,7 +61,7 @@ public object H5md {
         parameters.putAttribute(H5mdChecksum.ATTRIBUTE, H5mdChecksum.of(frames))
     }
 
-    private fun particles(all: WritableGroup, frames: List<Frame>, names: UnitNames?) {
+    private fun particles(all: WritableGroup, frames: List<Snapshot>, names: UnitNames?) {
         val first = frames.first()
         element(all, "position", frames, names?.length, names?.time) { it.position }
         element(all, "velocity", frames, names?.speed, names?.time) { it.velocity }
@@ -71,11 +72,17 @@ public object H5md {
     }
 
     /** Lengths, or rows of edge vectors when images slide; by time either way, as MDAnalysis wants it. */
-    private fun edges(box: WritableGroup, frames: List<Frame>, names: UnitNames?) {
+    private fun edges(box: WritableGroup, frames: List<Snapshot>, names: UnitNames?) {
         val edges = box.putGroup("edges")
         steps(edges, frames, names?.time)
         val slid = frames.any { it.shearOffset != 0.0 }
-        val value: Any = if (slid) Array(frames.size) { t -> frames[t].edges() } else Array(frames.size) { frames[it].lengths }
+        val value: Any = if (slid) {
+            Array(frames.size) { t ->
+                frames[t].edges()
+            }
+        } else {
+            Array(frames.size) { frames[it].lengths }
+        }
         edges.putDataset("value", value).unit(names?.length)
     }
 
@@ -86,12 +93,19 @@ public object H5md {
 
     private class UnitNames(val length: String, val time: String, val speed: String, val mass: String)
 
-    private fun steps(element: WritableGroup, frames: List<Frame>, time: String?) {
+    private fun steps(element: WritableGroup, frames: List<Snapshot>, time: String?) {
         element.putDataset("step", LongArray(frames.size) { frames[it].step })
         element.putDataset("time", DoubleArray(frames.size) { frames[it].time }).unit(time)
     }
 
-    private fun element(group: WritableGroup, name: String, frames: List<Frame>, unit: String?, time: String?, of: (Frame) -> Array<DoubleArray>) {
+    private fun element(
+        group: WritableGroup,
+        name: String,
+        frames: List<Snapshot>,
+        unit: String?,
+        time: String?,
+        of: (Snapshot) -> Array<DoubleArray>,
+    ) {
         val element = group.putGroup(name)
         steps(element, frames, time)
         val value = Array(frames.size) { t ->
@@ -102,7 +116,7 @@ public object H5md {
     }
 
     /** 32-bit integers: how often each sphere crossed the box along x, y, z. */
-    private fun images(group: WritableGroup, frames: List<Frame>, time: String?) {
+    private fun images(group: WritableGroup, frames: List<Snapshot>, time: String?) {
         val element = group.putGroup("image")
         steps(element, frames, time)
         val value = Array(frames.size) { t ->
@@ -112,16 +126,19 @@ public object H5md {
         element.putDataset("value", value, options(frames))
     }
 
-    private fun options(frames: List<Frame>) =
-        DatasetCreationOptions.builder().chunkDimensions(1, minOf(frames.first().size, CHUNK), 3).shuffle().deflate(DEFLATE).build()
+    private fun options(frames: List<Snapshot>) = DatasetCreationOptions.builder().chunkDimensions(
+        1,
+        minOf(frames.first().size, CHUNK),
+        3,
+    ).shuffle().deflate(DEFLATE).build()
 
     /**
-     * Reads every frame of a file that [write] wrote, or that has the same datasets of numbers of any width. One without a checksum, of an older version or another
-     * program, is taken as it is.
+     * Reads every frame of a file that [write] wrote, or that has the same datasets of numbers of any width. One
+     * without a checksum, of an older version or another program, is taken as it is.
      *
      * @throws FormatException when it is no such file, or is damaged
      */
-    public fun read(path: Path): List<Frame> = H5mdReader.read(path)
+    public fun read(path: Path): List<Snapshot> = H5mdReader.read(path)
 
     private const val CHUNK = 32_768
     private const val DEFLATE = 4

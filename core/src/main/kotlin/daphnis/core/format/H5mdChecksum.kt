@@ -12,7 +12,7 @@ internal object H5mdChecksum {
     const val ATTRIBUTE = "crc32c"
 
     /** Of [frames] of the same spheres. What a file holds once, such as radii and faces, is the first frame's. */
-    fun of(frames: List<Frame>): Long {
+    fun of(frames: List<Snapshot>): Long {
         val sum = Sum()
         val first = frames.first()
         val hasEdges = first.lengths.none { it.isNaN() }

@@ -4,7 +4,7 @@ import java.nio.file.Path
 
 /** Reads the states of an H5MD file of the layout that [H5md] writes, whoever wrote it. */
 internal class H5mdReader(private val source: H5Source, private val path: Path) {
-    private fun frames(): List<Frame> {
+    private fun frames(): List<Snapshot> {
         val steps = source.longs("$ALL/position/step", one("$ALL/position/step"))
         val count = steps.size.toLong()
         val times = source.doubles("$ALL/position/time", listOf(count))
@@ -17,7 +17,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         // HDF5 as it is written here has no datasets of size 0: a state without particles has no values at all.
         val particles = if (source.has("$ALL/id") || source.has("$ALL/velocity")) Particles(count) else null
         val frames = steps.indices.map { t ->
-            Frame(
+            Snapshot(
                 steps[t], times[t], lengths[t], periodic, offsets[t], particles?.id ?: IntArray(0),
                 columns(particles?.position, t), columns(particles?.velocity, t),
                 particles?.radius ?: DoubleArray(0), particles?.mass ?: DoubleArray(0),
@@ -28,7 +28,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         if (checksum != null && frames.isNotEmpty() && checksum != H5mdChecksum.of(frames)) {
             throw FormatException("$path: is damaged: its checksum is wrong")
         }
-        for ((t, frame) in frames.withIndex()) FrameCheck.check(frame, "$path: frame $t")
+        for ((t, frame) in frames.withIndex()) SnapshotCheck.check(frame, "$path: frame $t")
         return frames
     }
 
@@ -38,7 +38,9 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         return Array(3) { axis -> DoubleArray(values.count) { values.data[values.at(t, it, axis)] } }
     }
 
-    private fun Cube<IntArray>.image(t: Int): Array<IntArray> = Array(3) { axis -> IntArray(count) { data[at(t, it, axis)] } }
+    private fun Cube<IntArray>.image(t: Int): Array<IntArray> = Array(3) { axis ->
+        IntArray(count) { data[at(t, it, axis)] }
+    }
 
     /** Numbers by frame, particle and axis, the axis fastest. */
     private class Cube<A>(val data: A, val count: Int) {
@@ -97,7 +99,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
          *
          * @throws FormatException for whatever the library makes of a file that is none or damaged, in one line
          */
-        fun read(path: Path): List<Frame> = try {
+        fun read(path: Path): List<Snapshot> = try {
             H5Source(path).use { H5mdReader(it, path).frames() }
         } catch (e: FormatException) {
             throw e
@@ -117,7 +119,9 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
 
         private fun none(path: Path, e: Throwable): FormatException {
             val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES)
-            val words = causes.map { it.message.orEmpty().replace(CLASS, "").take(MOST_SHOWN) }.filter { it.isNotBlank() }
+            val words = causes.map {
+                it.message.orEmpty().replace(CLASS, "").take(MOST_SHOWN)
+            }.filter { it.isNotBlank() }
             val problem = words.distinct().joinToString(", for: ").ifEmpty { "it is cut short or damaged" }
             return FormatException("$path: is not an H5MD file of daphnis: $problem")
         }

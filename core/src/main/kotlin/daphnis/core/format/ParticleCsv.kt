@@ -20,15 +20,15 @@ public object ParticleCsv {
     public fun read(path: Path, density: Double = 1.0): Population = frame(path, density).population()
 
     /** Reads [path] as a frame at step and time 0, masses from density 1 where it has none. */
-    public fun frame(path: Path): Frame = frame(path, 1.0)
+    public fun frame(path: Path): Snapshot = frame(path, 1.0)
 
-    private fun frame(path: Path, density: Double): Frame {
+    private fun frame(path: Path, density: Double): Snapshot {
         val table = try {
             TextLines(path).use { table(it, path) }
         } catch (e: IOException) {
             throw FormatException("$path: cannot be read: ${e.message}")
         }
-        return table.frame(density).also { FrameCheck.check(it, "$path") }
+        return table.frame(density).also { SnapshotCheck.check(it, "$path") }
     }
 
     private fun table(lines: TextLines, path: Path): Table {
@@ -85,7 +85,7 @@ public object ParticleCsv {
         val rows = ArrayList<DoubleArray>()
 
         /** The rows in the order of ids. */
-        fun frame(density: Double): Frame {
+        fun frame(density: Double): Snapshot {
             val at = names.indexOf("id")
             if (at >= 0) rows.sortBy { it[at] }
             val radius = column("radius")
@@ -95,7 +95,7 @@ public object ParticleCsv {
             } else {
                 DoubleArray(rows.size) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
             }
-            return Frame(
+            return Snapshot(
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
                 arrayOf(column("x"), column("y"), column("z")), arrayOf(column("vx"), column("vy"), column("vz")),

@@ -6,7 +6,8 @@ import java.nio.file.Path
 import kotlin.io.path.name
 
 /**
- * The formats that states of particles are read from: one list for what a scenario starts from and for what is analysed.
+ * The formats that states of particles are read from: one list for what a scenario starts from and for what is
+ * analysed.
  *
  * @property title what the format is called
  * @property extensions endings of file names, without the dot, lower case; the first is the one we would give
@@ -19,18 +20,18 @@ public enum class SnapshotFormat(public val title: String, public val extensions
     ;
 
     /**
-     * Reads every frame of [path], in the order of the file. Where it has no masses ([Frame.hasMass]) they stand in for density 1, or are 1 each in
-     * extended XYZ.
+     * Reads every frame of [path], in the order of the file. Where it has no masses ([Snapshot.hasMass]) they stand in
+     * for density 1, or are 1 each in extended XYZ.
      *
      * @throws FormatException for what is wrong, in one line
      */
-    public fun read(path: Path): List<Frame> = try {
+    public fun read(path: Path): List<Snapshot> = try {
         when (this) {
             H5MD -> H5md.read(path)
             EXTENDED_XYZ -> ExtendedXyz.read(path)
             CART_AND_RAD -> {
-                val frame = Frame.of(CartAndRad.read(path), Open, 0, 0.0, hasMass = false)
-                FrameCheck.check(frame, "$path")
+                val frame = Snapshot.of(CartAndRad.read(path), Open, 0, 0.0, hasMass = false)
+                SnapshotCheck.check(frame, "$path")
                 listOf(frame)
             }
             CSV -> listOf(ParticleCsv.frame(path))
@@ -41,7 +42,9 @@ public enum class SnapshotFormat(public val title: String, public val extensions
 
     public companion object {
         /** All formats and their endings, for help and messages. */
-        public val known: String = entries.joinToString { format -> "${format.extensions.joinToString(" ") { ".$it" }} (${format.title})" }
+        public val known: String = entries.joinToString { format ->
+            "${format.extensions.joinToString(" ") { ".$it" }} (${format.title})"
+        }
 
         /**
          * The format of [path] by its name: its ending, or `CartAndRad` anywhere in it, as SwiftVis names its files.

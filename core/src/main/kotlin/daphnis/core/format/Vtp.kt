@@ -7,10 +7,16 @@ import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** VTK PolyData (`.vtp`, XML with raw appended data) for ParaView, one file a frame, and the `.pvd` index that gives them their times. */
+/**
+ * VTK PolyData (`.vtp`, XML with raw appended data) for ParaView, one file a frame, and the `.pvd` index that gives
+ * them their times.
+ */
 public object Vtp {
-    /** Writes one [frame]: points, one vertex a sphere, point data radius, velocity, mass, id, and the time as field data. */
-    public fun write(frame: Frame, path: Path) {
+    /**
+     * Writes one [frame]: points, one vertex a sphere, point data radius, velocity, mass, id, and the time as field
+     * data.
+     */
+    public fun write(frame: Snapshot, path: Path) {
         val n = frame.size
         val blocks = ArrayList<ByteBuffer>()
         var offset = 0L
@@ -25,7 +31,8 @@ public object Vtp {
         }
         val time = block(8) { it.putDouble(frame.time) }
         val points = block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(frame.position[axis][k]) }
-        val velocity = block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(frame.velocity[axis][k]) }
+        val velocity =
+            block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(frame.velocity[axis][k]) }
         val radius = block(8 * n) { b -> for (r in frame.radius) b.putDouble(r) }
         val mass = block(8 * n) { b -> for (m in frame.mass) b.putDouble(m) }
         val id = block(4 * n) { b -> for (i in frame.id) b.putInt(i) }
@@ -65,7 +72,9 @@ public object Vtp {
 
     /** Writes the index of [files], given as file name and time. */
     public fun writeIndex(files: List<Pair<String, Double>>, path: Path) {
-        val entries = files.joinToString("") { (name, time) -> "<DataSet timestep=\"$time\" group=\"\" part=\"0\" file=\"$name\"/>\n" }
+        val entries = files.joinToString("") { (name, time) ->
+            "<DataSet timestep=\"$time\" group=\"\" part=\"0\" file=\"$name\"/>\n"
+        }
         Files.writeString(
             path,
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n$entries</Collection>\n</VTKFile>\n",

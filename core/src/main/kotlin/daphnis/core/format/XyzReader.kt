@@ -5,7 +5,7 @@ import java.nio.file.Path
 /** Reads extended XYZ frame by frame. */
 internal class XyzReader(private val lines: TextLines, private val path: Path) {
     /** The next frame, null at the end. */
-    fun frame(number: Int): Frame? {
+    fun frame(number: Int): Snapshot? {
         var head = lines.next() ?: return null
         while (head.isBlank()) head = lines.next() ?: return null
         val n = count(head)
@@ -22,7 +22,7 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         val scale = keys["scale"]?.let { number(it) } ?: 1.0
         if (scale <= 0) fail("Scale is $scale; it must be > 0")
         if (scale != 1.0) rows.divide(scale)
-        return made(number, keys, columns, rows, scale).also { FrameCheck.check(it, "$path:${lines.number}") }
+        return made(number, keys, columns, rows, scale).also { SnapshotCheck.check(it, "$path:${lines.number}") }
     }
 
     /** What the file says of the number of particles, as far as it is long enough for so many. */
@@ -65,7 +65,7 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
             ?: fail("id is '${TextLines.shown(text)}'; it must be a whole number in 0..${Int.MAX_VALUE}")
     }
 
-    private fun made(number: Int, keys: Map<String, String>, columns: XyzColumns, rows: Rows, scale: Double): Frame {
+    private fun made(number: Int, keys: Map<String, String>, columns: XyzColumns, rows: Rows, scale: Double): Snapshot {
         val lattice = keys["lattice"]?.let { numbers("Lattice", it, CELL) }
         if (lattice != null) for (k in lattice.indices) lattice[k] /= scale
         if (lattice != null) checkLattice(lattice)
@@ -83,14 +83,15 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         }
         val time = keys["time"]?.let { number(it) } ?: number.toDouble()
         val step = keys["step"]?.let { step(it) } ?: number.toLong()
-        return Frame(
+        return Snapshot(
             step, time, lengths, periodic(keys, lattice != null),
             if (overX != 0.0) overX else overY, rows.id, rows.position, rows.velocity, rows.radius, rows.mass,
             if (overX != 0.0) 0 else 1, if (overX != 0.0) 1 else 0, columns.mass >= 0, columns.radius >= 0,
         )
     }
 
-    private fun step(text: String): Long = text.toLongOrNull() ?: fail("Step is '${TextLines.shown(text)}'; it must be a whole number")
+    private fun step(text: String): Long =
+        text.toLongOrNull() ?: fail("Step is '${TextLines.shown(text)}'; it must be a whole number")
 
     private fun checkLattice(lattice: DoubleArray) {
         for (axis in 0..2) {
@@ -119,7 +120,8 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         return DoubleArray(count) { number(words[it]) }
     }
 
-    private fun number(text: String): Double = text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${TextLines.shown(text)}' must be a finite number")
+    private fun number(text: String): Double =
+        text.toDoubleOrNull()?.takeIf { it.isFinite() } ?: fail("'${TextLines.shown(text)}' must be a finite number")
 
     private fun fail(problem: String): Nothing = lines.fail(problem)
 

@@ -13,7 +13,7 @@ public class Extremes {
     public val magnitude: Double get() = if (least > greatest) 0.0 else Math.max(abs(least), abs(greatest))
 
     /** Looks through the first [size] entries of [a]. */
-    public fun of(a: DoubleArray, size: Int, loop: RangeLoop): Extremes {
+    public fun measure(a: DoubleArray, size: Int, loop: RangeLoop): Extremes {
         least = Double.POSITIVE_INFINITY
         greatest = Double.NEGATIVE_INFINITY
         loop.run(size, RangeLoop.GRAIN * 4) { _, from, to ->

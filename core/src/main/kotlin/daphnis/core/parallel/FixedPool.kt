@@ -4,19 +4,21 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
 
 /**
- * The second form of the paper's handler: threads that are kept and wait for the next task. They spin for some microseconds before they
- * sleep, since the phases of a step follow one another closely.
+ * The second form of the paper's handler: threads that are kept and wait for the next task. They spin for some
+ * microseconds before they sleep, since the phases of a step follow one another closely.
  *
- * Hand-over: [run] writes [task] and [remaining], then [generation] (volatile) → a worker sees the new generation, then reads the task and
- * works → it decrements [remaining] (atomic) → the caller sees 0 and returns. A sleeper sets its flag and looks at the generation once
- * more before it parks, and [run] looks at the flags after it has written the generation, so one of the two sees the other.
+ * Hand-over: [run] writes [task] and [remaining], then [generation] (volatile) → a worker sees the new generation, then
+ * reads the task and works → it decrements [remaining] (atomic) → the caller sees 0 and returns. A sleeper sets its
+ * flag and looks at the generation once more before it parks, and [run] looks at the flags after it has written the
+ * generation, so one of the two sees the other.
  *
  * When the system gives no more threads, the caller does the work of those that are missing after its own. An interrupt
  * of a worker means nothing and is cleared, since a thread with the flag set could not sleep.
  *
  * @param start starts a thread; for tests in which it fails
  */
-public class FixedPool internal constructor(override val threads: Int, private val start: (Thread) -> Unit) : ThreadHandler {
+public class FixedPool internal constructor(override val threads: Int, private val start: (Thread) -> Unit) :
+    ThreadHandler {
     public constructor(threads: Int) : this(threads, Thread::start)
 
     private val workers = arrayOfNulls<Thread>(threads)

@@ -6,8 +6,8 @@ public interface RangeLoop {
     public val workers: Int
 
     /**
-     * Calls [body] for ranges that together cover `0 until size` once, from several threads at once; returns when all is done. Pieces have
-     * about [grain] indices; a loop no longer than that runs on the caller's thread.
+     * Calls [body] for ranges that together cover `0 until size` once, from several threads at once; returns when all
+     * is done. Pieces have about [grain] indices; a loop no longer than that runs on the caller's thread.
      */
     public fun run(size: Int, grain: Int = GRAIN, body: RangeBody)
 
@@ -19,7 +19,10 @@ public interface RangeLoop {
 
 /** The body of a loop over a range. */
 public fun interface RangeBody {
-    /** Does the indices [from] until [to]; [worker] says which of the workers this is, so that each can have scratch of its own. */
+    /**
+     * Does the indices [from] until [to]; [worker] says which of the workers this is, so that each can have scratch of
+     * its own.
+     */
     public fun run(worker: Int, from: Int, to: Int)
 }
 

@@ -1,17 +1,20 @@
 package daphnis.core.parallel
 
 /**
- * Runs one piece of work on all of its threads at once: the thread handler of Lewis & Massingill. The caller's thread is worker 0.
+ * Runs one piece of work on all of its threads at once: the thread handler of Lewis & Massingill. The caller's thread
+ * is worker 0.
  *
- * What the caller wrote before [run] is seen by every worker, and what the workers wrote is seen by the caller once [run] has returned.
+ * What the caller wrote before [run] is seen by every worker, and what the workers wrote is seen by the caller once
+ * [run] has returned.
  */
 public interface ThreadHandler : AutoCloseable {
     /** Number of workers, the caller included; ≥ 1. */
     public val threads: Int
 
     /**
-     * Calls `task.work(worker)` once for each worker in `0 until threads`, at the same time, and returns when all have returned. One caller
-     * at a time. An interrupt of the caller does not end the wait; its flag is set again afterwards.
+     * Calls `task.work(worker)` once for each worker in `0 until threads`, at the same time, and returns when all have
+     * returned. One caller at a time. An interrupt of the caller does not end the wait; its flag is set again
+     * afterwards.
      *
      * @throws Throwable the first failure of a worker, after all have ended; the others are suppressed in it
      * @throws IllegalStateException after [close]

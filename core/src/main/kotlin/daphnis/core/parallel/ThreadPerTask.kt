@@ -7,7 +7,8 @@ package daphnis.core.parallel
  *
  * @param start starts a thread; for tests in which it fails
  */
-public class ThreadPerTask internal constructor(override val threads: Int, private val start: (Thread) -> Unit) : ThreadHandler {
+public class ThreadPerTask internal constructor(override val threads: Int, private val start: (Thread) -> Unit) :
+    ThreadHandler {
     public constructor(threads: Int) : this(threads, Thread::start)
 
     @Volatile

@@ -8,7 +8,7 @@ package daphnis.core.population
  * has none left and gives 0, as no sphere does. This is the number in `series.csv`, `summary.json` and the report, and
  * a third of c_xx + c_yy + c_zz in `transport.csv`. Sums in id order; allocates.
  *
- * @param leastBody spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none
+ * @param firstBody spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none
  */
-public fun granularTemperature(population: Population, flow: MeanFlow?, leastBody: Int = Int.MAX_VALUE): Double =
-    PopulationSums(flow, null, leastBody).apply { take(population) }.granularTemperature
+public fun granularTemperature(population: Population, flow: MeanFlow?, firstBody: Int = Int.MAX_VALUE): Double =
+    PopulationSums(flow, null, firstBody).apply { take(population) }.granularTemperature

@@ -3,20 +3,20 @@ package daphnis.core.population
 /**
  * Spheres as a structure of arrays: entry `k` of every array belongs to the sphere with the stable id `id[k]`.
  *
- * The **index** `k` of a sphere changes from step to step, because engines keep neighbours in space next to one another in
- * memory; its **id** never does. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not copied: an
- * analysis may read them between two calls of `advance()`, and a force may write the velocities. **Read them anew after
- * each `advance()`**: a step is written to a second set of arrays, which then becomes the population's, while those of
- * before are kept for the step to be taken back if it fails. Not thread-safe; during `advance()` the population belongs
- * to the engine.
+ * The **index** `k` of a sphere changes from step to step, because engines keep neighbours in space next to one another
+ * in memory; its **id** never does. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not
+ * copied: an analysis may read them between two calls of `advance()`, and a force may write the velocities. **Read them
+ * anew after each `advance()`**: a step is written to a second set of arrays, which then becomes the population's,
+ * while those of before are kept for the step to be taken back if it fails. Not thread-safe; during `advance()` the
+ * population belongs to the engine.
  *
  * @param x positions, in the scenario's unit of length; likewise [y], [z]
  * @param vx velocities, unit of length per unit of time; likewise [vy], [vz]
  * @param radius radii, > 0
  * @param mass masses, > 0
  * @param id distinct, in 0..[Int.MAX_VALUE], with gaps as they come; 0, 1, 2, … when not given
- * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not positive, or an
- *   id occurs twice
+ * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not positive,
+ *   or an id occurs twice
  */
 public class Population(
     x: DoubleArray,
@@ -48,8 +48,9 @@ public class Population(
     public val id: IntArray get() = now.id
 
     /**
-     * Time since each sphere's last collision, as a negative number counted from the end of the last step, or
-     * −∞ when it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the digest.
+     * Time since each sphere's last collision, as a negative number counted from the end of the last step, or −∞ when
+     * it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the
+     * digest.
      */
     public val lastCollision: DoubleArray get() = now.lastCollision
 
@@ -67,7 +68,11 @@ public class Population(
         for ((name, column) in columns) require(column.size == n) { "$name has ${column.size} entries, x has $n" }
         require(id.size == n) { "id has ${id.size} entries, x has $n" }
         for ((name, column) in columns + ("x" to x)) {
-            for (k in 0 until n) require(column[k].isFinite()) { "$name of particle ${id[k]} is ${column[k]}; it must be finite" }
+            for (k in 0 until n) {
+                require(column[k].isFinite()) {
+                    "$name of particle ${id[k]} is ${column[k]}; it must be finite"
+                }
+            }
         }
         for (k in 0 until n) {
             require(radius[k] > 0) { "radius of particle ${id[k]} is ${radius[k]}; it must be > 0" }
@@ -115,21 +120,25 @@ public class Population(
     }
 
     /**
-     * Through how many boxes the sphere with the stable id [id] has gone along [axis] (0 = x, 1 = y, 2 = z), counted positive
-     * upward: it stands where it would without images, less this many lengths of the box. Where images slide, the count along
-     * the slide is against images that were in line at time 0 and have slid since by velocity · time, not reduced to the box.
+     * Through how many boxes the sphere with the stable id [id] has gone along [axis] (0 = x, 1 = y, 2 = z), counted
+     * positive upward: it stands where it would without images, less this many lengths of the box. Where images slide,
+     * the count along the slide is against images that were in line at time 0 and have slid since by velocity · time,
+     * not reduced to the box.
      */
     public fun boxesCrossed(id: Int, axis: Int): Int = crossings.of(id, axis)
 
     /**
-     * Adds to [boxesCrossed] of the sphere at [index], for boundaries that put it that many boxes back. Threads may do this at
-     * the same time for different spheres. Part of the state of a run, though not of the digest; only spheres that cross pay.
+     * Adds to [boxesCrossed] of the sphere at [index], for boundaries that put it that many boxes back. Threads may do
+     * this at the same time for different spheres. Part of the state of a run, though not of the digest; only spheres
+     * that cross pay.
      */
     public fun addCrossing(index: Int, axis: Int, boxes: Int) {
         crossings.add(id[index], axis, boxes)
     }
 
-    /** Keeps the spheres whose index [keep] accepts, drops the others, keeps ids. Allocates; for boundaries that remove. */
+    /**
+     * Keeps the spheres whose index [keep] accepts, drops the others, keeps ids. Allocates; for boundaries that remove.
+     */
     public fun retain(keep: IndexPredicate) {
         val kept = IntArray(size)
         var n = 0

@@ -29,10 +29,14 @@ import kotlin.math.sqrt
  *
  * @param flow the mean flow that the boundary drives, or null
  * @param omega angular speed of Hill's frame, or null
- * @param leastBody spheres with ids from this on are bodies, such as moonlets: they count for mass, momentum and
+ * @param firstBody spheres with ids from this on are bodies, such as moonlets: they count for mass, momentum and
  *   energy, and for nothing else; [Int.MAX_VALUE] for none
  */
-public class PopulationSums(flow: MeanFlow?, private val omega: Double? = null, private val leastBody: Int = Int.MAX_VALUE) {
+public class PopulationSums(
+    flow: MeanFlow?,
+    private val omega: Double? = null,
+    private val firstBody: Int = Int.MAX_VALUE,
+) {
     private val table = IdRows()
     private val chunks = ChunkSums(table, flow)
     private val fit = FlowFit(flow?.flowAxis ?: -1)
@@ -92,7 +96,7 @@ public class PopulationSums(flow: MeanFlow?, private val omega: Double? = null, 
     public fun take(population: Population, loop: RangeLoop = InlineLoop) {
         count = population.size
         table.gather(population, normalAxis, loop)
-        chunks.prepare(table.from(leastBody), count)
+        chunks.prepare(table.from(firstBody), count)
         loop.run(chunks.count, 1, sumChunks)
         sums.fill(0.0)
         for (chunk in 0 until chunks.count) for (e in 0 until SUMS) sums[e] += chunks.sums[chunk * SUMS + e]

@@ -48,7 +48,12 @@ public class VelocityMoments private constructor(
          * @param omega angular speed of Hill's frame, or null
          * @param leastId spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none
          */
-        public fun of(population: Population, flow: MeanFlow?, omega: Double? = null, leastId: Int = Int.MAX_VALUE): VelocityMoments {
+        public fun of(
+            population: Population,
+            flow: MeanFlow?,
+            omega: Double? = null,
+            leastId: Int = Int.MAX_VALUE,
+        ): VelocityMoments {
             val sums = PopulationSums(flow, omega, leastId)
             sums.take(population)
             return VelocityMoments(sums.moments, sums.kinetic, sums.mean, sums.centreZ, sums.scaleHeight, sums.guidingX)

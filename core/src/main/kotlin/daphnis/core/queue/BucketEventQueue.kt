@@ -1,9 +1,9 @@
 package daphnis.core.queue
 
 /**
- * The fast [EventQueue]. All events of a step lie in [0, duration], so a calendar needs no overflow list: the step is cut into
- * buckets of equal width, about two events each; a bucket is an unsorted linked list until its time comes, then it is
- * drained into a small binary heap that holds the exact order.
+ * The fast [EventQueue]. All events of a step lie in [0, duration], so a calendar needs no overflow list: the step is
+ * cut into buckets of equal width, about two events each; a bucket is an unsorted linked list until its time comes,
+ * then it is drained into a small binary heap that holds the exact order.
  *
  * ```
  *   time 0 ─────────────────────────────────────────▶ duration
@@ -11,10 +11,10 @@ package daphnis.core.queue
  *                    ▲ current: in the heap    later ones: linked lists, newest first
  * ```
  *
- * Removal is lazy. Events are numbered in the order of their insertion; `validFrom[slot]` is the number of the first event that
- * came after the last [removeAllOf] of this slot, so an event is dead when its number is below that of either of its spheres.
- * When the store is full, the dead are squeezed out before it grows. Adding and popping cost O(1) on average; nothing is
- * allocated once the store has its size.
+ * Removal is lazy. Events are numbered in the order of their insertion; `validFrom[slot]` is the number of the first
+ * event that came after the last [removeAllOf] of this slot, so an event is dead when its number is below that of
+ * either of its spheres. When the store is full, the dead are squeezed out before it grows. Adding and popping cost
+ * O(1) on average; nothing is allocated once the store has its size.
  */
 public class BucketEventQueue : EventQueue {
     override var time: Double = 0.0
@@ -160,7 +160,16 @@ public class BucketEventQueue : EventQueue {
         if (s != t) return s < t
         val p = store[a * WIDTH + 1]
         val q = store[b * WIDTH + 1]
-        return compareTied(ids, high(p), low(p), high(store[a * WIDTH + 2]), high(q), low(q), high(store[b * WIDTH + 2])) < 0
+        return compareTied(
+            ids,
+            high(p),
+            low(p),
+            high(store[a * WIDTH + 2]),
+            high(q),
+            low(q),
+            high(store[b * WIDTH + 2]),
+        ) <
+            0
     }
 
     private fun pack(high: Int, low: Int): Long = (high.toLong() shl 32) or (low.toLong() and 0xffffffffL)

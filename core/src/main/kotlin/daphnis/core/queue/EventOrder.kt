@@ -3,12 +3,20 @@ package daphnis.core.queue
 import daphnis.core.boundary.Images
 
 /**
- * The order of events beyond time: by lower id, then higher id, then image as seen from the lower id. Reached only when two
- * times are equal to the last bit, as in symmetric lattices.
+ * The order of events beyond time: by lower id, then higher id, then image as seen from the lower id. Reached only when
+ * two times are equal to the last bit, as in symmetric lattices.
  *
  * @return negative, zero or positive like a comparator
  */
-internal fun compareTied(ids: IntArray, first: Int, second: Int, image: Int, otherFirst: Int, otherSecond: Int, otherImage: Int): Int {
+internal fun compareTied(
+    ids: IntArray,
+    first: Int,
+    second: Int,
+    image: Int,
+    otherFirst: Int,
+    otherSecond: Int,
+    otherImage: Int,
+): Int {
     val a = idOf(ids, first)
     val b = idOf(ids, second)
     val c = idOf(ids, otherFirst)

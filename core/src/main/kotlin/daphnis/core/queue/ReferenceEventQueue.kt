@@ -2,7 +2,10 @@ package daphnis.core.queue
 
 import java.util.TreeSet
 
-/** The contract of [EventQueue] in its plainest form, a sorted set from which events are removed at once. Slow; the oracle of the tests. */
+/**
+ * The contract of [EventQueue] in its plainest form, a sorted set from which events are removed at once. Slow; the
+ * oracle of the tests.
+ */
 public class ReferenceEventQueue : EventQueue {
     private class Event(val time: Double, val first: Int, val second: Int, val image: Int)
 

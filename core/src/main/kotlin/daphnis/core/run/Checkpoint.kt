@@ -92,7 +92,13 @@ internal class Checkpoint(val head: Head, val population: Population) {
             )
             records.doubles("LAST").copyInto(population.lastCollision)
             for ((axis, name) in IMAGES.withIndex()) {
-                records.integers(name).forEachIndexed { k, boxes -> if (boxes != 0) population.addCrossing(k, axis, boxes) }
+                records.integers(name).forEachIndexed { k, boxes ->
+                    if (boxes !=
+                        0
+                    ) {
+                        population.addCrossing(k, axis, boxes)
+                    }
+                }
             }
             return population
         }

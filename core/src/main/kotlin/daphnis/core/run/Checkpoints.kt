@@ -11,7 +11,11 @@ import java.nio.file.Path
  * @property beginnings of the files that it appends to, by name
  * @property losses what was lost of them and accepted, now or earlier, a line each
  */
-internal class GoodCheckpoint(val checkpoint: Checkpoint, val beginnings: Map<String, Beginning>, accepted: List<String> = emptyList()) {
+internal class GoodCheckpoint(
+    val checkpoint: Checkpoint,
+    val beginnings: Map<String, Beginning>,
+    accepted: List<String> = emptyList(),
+) {
     val losses: List<String> = checkpoint.meta.losses + accepted
 }
 
@@ -46,7 +50,9 @@ internal class Checkpoints(private val directory: RunDirectory) {
             return null
         }
         // Nothing could take its place.
-        found.find { !Files.isRegularFile(it) }?.let { throw InputException("$it", null, "is no file; take it away, and resume again") }
+        found.find {
+            !Files.isRegularFile(it)
+        }?.let { throw InputException("$it", null, "is no file; take it away, and resume again") }
         val problems = ArrayList<String>()
         val whole = ArrayList<Pair<Path, Checkpoint>>()
         for (file in found) {
@@ -79,11 +85,22 @@ internal class Checkpoints(private val directory: RunDirectory) {
     private fun requireUnbegun(acceptLoss: Boolean, notices: MutableList<String>) {
         if (!Files.exists(directory.summary) && directory.snapshotSteps().none { it > 0 }) return
         val missing = "${directory.checkpoint}: is missing, and so is ${directory.previousCheckpoint.fileName}, though the run has gone on"
-        if (!acceptLoss) throw InputException("", null, "$missing; bring one back, or run it again from its start: resume --accept-loss")
+        if (!acceptLoss) {
+            throw InputException(
+                "",
+                null,
+                "$missing; bring one back, or run it again from its start: resume --accept-loss",
+            )
+        }
         notices += "$missing; it begins anew"
     }
 
-    private fun taken(file: Path, good: GoodCheckpoint, problems: List<String>, notices: MutableList<String>): GoodCheckpoint {
+    private fun taken(
+        file: Path,
+        good: GoodCheckpoint,
+        problems: List<String>,
+        notices: MutableList<String>,
+    ): GoodCheckpoint {
         notices += problems + good.losses.map { "${directory.path}/$it" }
         if (notices.isNotEmpty()) notices += "going on from $file, step ${good.checkpoint.meta.step}"
         if (good.checkpoint.scenario == null) {

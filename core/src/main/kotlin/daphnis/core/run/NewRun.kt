@@ -91,13 +91,19 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
             if (Files.isDirectory(file, NOFOLLOW_LINKS)) refuse("$file is a directory")
         }
         for (part in parts()) {
-            if (Files.isSymbolicLink(part)) refuse("$part is a link; what it leads to is not touched, take the link away")
+            if (Files.isSymbolicLink(
+                    part,
+                )
+            ) {
+                refuse("$part is a link; what it leads to is not touched, take the link away")
+            }
             if (part.exists() && !part.isDirectory()) refuse("$part is no directory")
             if (part.exists() && !Files.isWritable(part)) refuse("$part is not writable")
         }
     }
 
-    private fun isEmptySnapshots(file: Path): Boolean = file == directory.snapshots && file.isDirectory() && file.listDirectoryEntries().isEmpty()
+    private fun isEmptySnapshots(file: Path): Boolean =
+        file == directory.snapshots && file.isDirectory() && file.listDirectoryEntries().isEmpty()
 
     private fun parts() = listOf(directory.snapshots, directory.plots, directory.tables)
 
@@ -128,7 +134,8 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         return resolved
     }
 
-    private fun Scenario.placedFrom(name: String) = copy(placement = (placement as PlacementSpec.File).copy(path = name))
+    private fun Scenario.placedFrom(name: String) =
+        copy(placement = (placement as PlacementSpec.File).copy(path = name))
 
     private fun takeBack(copy: Path?) {
         files.deleteQuietly(pending)
@@ -136,7 +143,9 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         unmake()
     }
 
-    /** Takes a directory away that was made in vain; one in which somebody has begun meanwhile is not empty and stays. */
+    /**
+     * Takes a directory away that was made in vain; one in which somebody has begun meanwhile is not empty and stays.
+     */
     private fun unmake() {
         if (!isMade) return
         files.deleteQuietly(path.resolve(RunLock.FILE))
@@ -144,7 +153,8 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     }
 
     private fun removeRun() {
-        // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks whole.
+        // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks
+        // whole.
         files.delete(directory.scenario)
         for (file in directory.ownFiles()) files.delete(file)
         for (part in parts()) {

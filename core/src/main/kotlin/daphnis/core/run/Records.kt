@@ -17,9 +17,13 @@ internal class Records private constructor(val version: Int, private val bytes: 
 
     fun text(name: String): String = String(get(name), Charsets.UTF_8)
 
-    fun integers(name: String): IntArray = ByteBuffer.wrap(get(name)).asIntBuffer().let { b -> IntArray(b.remaining()).also { b.get(it) } }
+    fun integers(name: String): IntArray = ByteBuffer.wrap(get(name)).asIntBuffer().let { b ->
+        IntArray(b.remaining()).also { b.get(it) }
+    }
 
-    fun doubles(name: String): DoubleArray = ByteBuffer.wrap(get(name)).asDoubleBuffer().let { b -> DoubleArray(b.remaining()).also { b.get(it) } }
+    fun doubles(name: String): DoubleArray = ByteBuffer.wrap(get(name)).asDoubleBuffer().let { b ->
+        DoubleArray(b.remaining()).also { b.get(it) }
+    }
 
     companion object {
         const val VERSION = 3

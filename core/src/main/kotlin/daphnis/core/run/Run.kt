@@ -1,9 +1,9 @@
 package daphnis.core.run
 
+import daphnis.core.Engines
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.EngineFactory
-import daphnis.core.engine.named.Engines
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.warnings
@@ -15,7 +15,8 @@ import java.nio.file.Path
  * A scenario being carried out in a run directory: made by [start] or [resume], done by [execute]. One thread.
  *
  * @property resumedFrom the step it goes on from; 0 at a start
- * @property notices what a user should know, a line each, such as [warnings] or a damaged checkpoint that was passed over
+ * @property notices what a user should know, a line each, such as [warnings] or a damaged checkpoint that was passed
+ *   over
  */
 public class Run internal constructor(
     public val directory: RunDirectory,
@@ -40,14 +41,25 @@ public class Run internal constructor(
     /**
      * Advances to the end.
      *
-     * @param cancelled asked before every step; when true the run ends with a checkpoint and a summary that says unfinished
+     * @param cancelled asked before every step; when true the run ends with a checkpoint and a summary that says
+     *   unfinished
      * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stands
      */
-    public fun execute(observer: RunObserver = RunObserver { _, _, _ -> }, cancelled: () -> Boolean = { false }): Summary {
+    public fun execute(
+        observer: RunObserver = RunObserver { _, _, _ -> },
+        cancelled: () -> Boolean = { false },
+    ): Summary {
         val begin = System.nanoTime()
         fun seconds() = (System.nanoTime() - begin) * 1e-9
         try {
-            RunOutputs(directory, scenario.output, parts.sums, parts.transport, parts.statistics, from?.beginnings).use { outputs ->
+            RunOutputs(
+                directory,
+                scenario.output,
+                parts.sums,
+                parts.transport,
+                parts.statistics,
+                from?.beginnings,
+            ).use { outputs ->
                 if (from == null) {
                     outputs.write(simulation)
                     checkpoint(outputs, 0.0)
@@ -59,7 +71,12 @@ public class Run internal constructor(
                     observer.afterStep(simulation, until, seconds())
                     finished = isDone()
                     val every = scenario.output.checkpointEvery
-                    if (!finished && every > 0 && simulation.step % every == 0L) checkpoint(outputs, secondsBefore + seconds())
+                    if (!finished &&
+                        every > 0 &&
+                        simulation.step % every == 0L
+                    ) {
+                        checkpoint(outputs, secondsBefore + seconds())
+                    }
                 }
                 if (finished && outputs.lastSnapshot != simulation.step) outputs.writeSnapshot(simulation)
                 val summary = Summary.of(scenario, parts, finished, secondsBefore + seconds())
@@ -133,19 +150,29 @@ public class Run internal constructor(
          * @throws InputException for wrong input; what was in the directory is as it was
          * @throws RunException when the directory cannot be written
          */
-        public fun start(scenario: Scenario, source: String, path: Path, force: Boolean = false, engines: EngineFactory = Engines): Run =
-            startRun(scenario, source, RunDirectory(path), force, engines)
+        public fun start(
+            scenario: Scenario,
+            source: String,
+            path: Path,
+            force: Boolean = false,
+            engines: EngineFactory = Engines,
+        ): Run = startRun(scenario, source, RunDirectory(path), force, engines)
 
         /**
-         * Goes on with the run in [path] from its last good checkpoint, or from the start when it was killed before the first.
+         * Goes on with the run in [path] from its last good checkpoint, or from the start when it was killed before the
+         * first.
          *
          * @param until a new end, or null for the scenario's
          * @param acceptLoss whether tables that are damaged are gone on with as they are; [notices] say what is lost
-         * @throws InputException when there is no run, no checkpoint can be used, a table is damaged, or the scenario was
-         *   changed in what makes the run
+         * @throws InputException when there is no run, no checkpoint can be used, a table is damaged, or the scenario
+         *   was changed in what makes the run
          * @throws RunException when the directory cannot be written
          */
-        public fun resume(path: Path, until: Double? = null, engines: EngineFactory = Engines, acceptLoss: Boolean = false): Run =
-            resumeRun(RunDirectory(path), until, engines, acceptLoss)
+        public fun resume(
+            path: Path,
+            until: Double? = null,
+            engines: EngineFactory = Engines,
+            acceptLoss: Boolean = false,
+        ): Run = resumeRun(RunDirectory(path), until, engines, acceptLoss)
     }
 }

@@ -1,8 +1,8 @@
 package daphnis.core.run
 
 import daphnis.core.format.FormatException
-import daphnis.core.format.Frame
 import daphnis.core.format.H5md
+import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.scenario.InputException
 import java.io.IOException
@@ -32,14 +32,17 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     public val report: Path get() = path.resolve("report.html")
 
     /** Copy of the particle file a scenario started from, if it did. */
-    internal fun initial(original: Path): Path = path.resolve("initial." + SnapshotFormat.of(original).extensions.first())
+    internal fun initial(original: Path): Path = path.resolve(
+        "initial." + SnapshotFormat.of(original).extensions.first(),
+    )
 
     internal val checkpoint: Path get() = path.resolve("checkpoint")
     internal val previousCheckpoint: Path get() = path.resolve("checkpoint.previous")
     internal val newCheckpoint: Path get() = path.resolve("checkpoint.new")
 
     /** What a run writes beside its scenario and what stands in directories. */
-    internal fun ownFiles(): List<Path> = listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, series, transport, impacts, collisions, report)
+    internal fun ownFiles(): List<Path> =
+        listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, series, transport, impacts, collisions, report)
 
     /** The file for the snapshot after [step]. */
     public fun snapshot(step: Long): Path = snapshots.resolve("%010d.h5".format(java.util.Locale.ROOT, step))
@@ -61,14 +64,18 @@ public class RunDirectory internal constructor(public val path: Path, internal v
      *
      * @throws FormatException when it cannot be read, is damaged or is of another step
      */
-    public fun frame(step: Long): Frame {
+    public fun frame(step: Long): Snapshot {
         val file = snapshot(step)
         val frame = try {
             H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
         } catch (e: FormatException) {
             throw FormatException("${e.message}; take the file away to go on without this snapshot")
         }
-        if (frame.step != step) throw FormatException("$file: holds the state after step ${frame.step}; its name says $step")
+        if (frame.step !=
+            step
+        ) {
+            throw FormatException("$file: holds the state after step ${frame.step}; its name says $step")
+        }
         return frame
     }
 

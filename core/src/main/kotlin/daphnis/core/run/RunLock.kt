@@ -17,7 +17,8 @@ import java.util.concurrent.ConcurrentHashMap
  * another on the next of that name. The list is asked first, because on POSIX systems a process gives up its lock on a
  * file when it closes *any* channel to it.
  */
-internal class RunLock private constructor(private val directory: Path, private val channel: FileChannel) : AutoCloseable {
+internal class RunLock private constructor(private val directory: Path, private val channel: FileChannel) :
+    AutoCloseable {
     override fun close() {
         try {
             channel.close()
@@ -46,7 +47,12 @@ internal class RunLock private constructor(private val directory: Path, private 
 
         private fun lockedChannel(directory: Path): FileChannel {
             val channel =
-                FileChannel.open(directory.resolve(FILE), StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)
+                FileChannel.open(
+                    directory.resolve(FILE),
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.READ,
+                    StandardOpenOption.WRITE,
+                )
             val isFree = try {
                 channel.tryLock() != null
             } catch (e: OverlappingFileLockException) {

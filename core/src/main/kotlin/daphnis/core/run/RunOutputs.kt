@@ -1,9 +1,8 @@
 package daphnis.core.run
 
 import daphnis.core.Simulation
-import daphnis.core.format.Frame
 import daphnis.core.format.H5md
-import daphnis.core.output.CollisionStatistics
+import daphnis.core.format.Snapshot
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.OutputSpec
@@ -32,10 +31,17 @@ internal class RunOutputs(
     private val beginnings = beginnings.orEmpty()
     private val files = directory.files
     private val series = appended(directory.series, SERIES_HEADER, clock)
-    private val transportFile = if (transport != null) appended(directory.transport, TransportRows.HEADER, clock) else null
+    private val transportFile = if (transport !=
+        null
+    ) {
+        appended(directory.transport, TransportRows.HEADER, clock)
+    } else {
+        null
+    }
     private val log = if (spec.collisionLog) appended(directory.collisions, LOG_HEADER, clock) else null
 
-    private fun appended(path: Path, header: String, clock: () -> Long) = AppendedFile(path, header, beginnings[path.name], files, clock)
+    private fun appended(path: Path, header: String, clock: () -> Long) =
+        AppendedFile(path, header, beginnings[path.name], files, clock)
 
     /** The step after which a snapshot was written last; -1 when none was. */
     var lastSnapshot: Long = -1
@@ -60,7 +66,7 @@ internal class RunOutputs(
     }
 
     fun writeSnapshot(simulation: Simulation) {
-        val frame = Frame.of(simulation.population, simulation.boundary, simulation.step, simulation.time)
+        val frame = Snapshot.of(simulation.population, simulation.boundary, simulation.step, simulation.time)
         files.writeAtomically(directory.snapshot(simulation.step)) { H5md.write(listOf(frame), it, Version.text) }
         lastSnapshot = simulation.step
     }
@@ -72,7 +78,9 @@ internal class RunOutputs(
         if (log != null) put(RunDirectory.COLLISIONS, log.force())
     }
 
-    /** The distribution of impact speeds so far: small, and written anew each time. @return null when it is not wanted */
+    /**
+     * The distribution of impact speeds so far: small, and written anew each time. @return null when it is not wanted
+     */
     fun writeImpacts(): FileMark? {
         if (transport == null) return null
         val lines = StringBuilder("speed_from,speed_to,collisions\n")
@@ -106,7 +114,11 @@ internal class RunOutputs(
         for (k in 0 until record.size) {
             log.line().append(simulation.step).append(',').append(record.time[k])
             log.line().append(',').append(record.lower[k]).append(',').append(record.higher[k])
-            log.line().append(',').append(record.impactSpeed(k)).append(',').append(record.coefficient(k)).append(',').append(record.impulse(k))
+            log.line().append(
+                ',',
+            ).append(
+                record.impactSpeed(k),
+            ).append(',').append(record.coefficient(k)).append(',').append(record.impulse(k))
             for (axis in 0..2) log.line().append(',').append(record.separation(k, axis))
             log.endLine()
         }

@@ -4,7 +4,6 @@ import daphnis.core.Simulation
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.force.SelfGravity
-import daphnis.core.output.CollisionStatistics
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.ScenarioSetup
 
@@ -17,15 +16,30 @@ import daphnis.core.scenario.ScenarioSetup
 internal class RunParts(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory) {
     val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, setup.scenario.firstBody ?: Int.MAX_VALUE)
     val transport: TransportRows? =
-        if (setup.scenario.output.transportEvery == 0) null else TransportRows(setup.forces.filterIsInstance<SelfGravity>().firstOrNull())
+        if (setup.scenario.output.transportEvery ==
+            0
+        ) {
+            null
+        } else {
+            TransportRows(setup.forces.filterIsInstance<SelfGravity>().firstOrNull())
+        }
     val statistics = CollisionStatistics()
     val simulation: Simulation = simulation(setup, meta, source, engines)
 
     init {
-        if (meta != null && meta.collisionSums.isNotEmpty()) statistics.restore(meta.collisionSums, meta.impactSpeeds.toLongArray())
+        if (meta != null &&
+            meta.collisionSums.isNotEmpty()
+        ) {
+            statistics.restore(meta.collisionSums, meta.impactSpeeds.toLongArray())
+        }
     }
 
-    private fun simulation(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory): Simulation {
+    private fun simulation(
+        setup: ScenarioSetup,
+        meta: CheckpointMeta?,
+        source: String,
+        engines: EngineFactory,
+    ): Simulation {
         val engine = engineOf(setup.scenario, source, engines)
         val output = setup.scenario.output
         val records = output.collisionLog || output.transportEvery > 0

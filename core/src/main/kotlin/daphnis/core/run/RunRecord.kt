@@ -8,7 +8,11 @@ import java.nio.file.Path
  * What the checkpoint of a run says of the run's other files, for readers to hold these against it: files that were
  * damaged or edited since are found by it. Nothing is known of a run without a readable checkpoint, or one of format 2.
  */
-public class RunRecord private constructor(private val directory: RunDirectory, private val head: Checkpoint.Head?, private val isLast: Boolean) {
+public class RunRecord private constructor(
+    private val directory: RunDirectory,
+    private val head: Checkpoint.Head?,
+    private val isLast: Boolean,
+) {
     /**
      * What is wrong with [files] of the directory, missing ones among them, a line each with the file's name; rows that
      * were written after the checkpoint are not looked at. Summary and impacts are known once the run has ended.
@@ -16,7 +20,14 @@ public class RunRecord private constructor(private val directory: RunDirectory, 
     public fun problems(vararg files: Path): List<String> {
         val meta = head?.meta ?: return emptyList()
         // While a run goes on, impacts are written before the checkpoint that knows them.
-        val whole = if (isLast && RunDirectory.SUMMARY in meta.whole && Files.exists(directory.summary)) meta.whole else emptyMap()
+        val whole = if (isLast &&
+            RunDirectory.SUMMARY in meta.whole &&
+            Files.exists(directory.summary)
+        ) {
+            meta.whole
+        } else {
+            emptyMap()
+        }
         return files.mapNotNull { file ->
             val name = file.fileName.toString()
             val problem = meta.appended[name]?.problem(file) ?: whole[name]?.problem(file, whole = true)
@@ -28,10 +39,12 @@ public class RunRecord private constructor(private val directory: RunDirectory, 
     public val losses: List<String> get() = head?.meta?.losses.orEmpty().map { "${directory.path}/$it" }
 
     /** Where [scenario], read from the directory, would make another run than the one that is there; a line each. */
-    public fun changes(scenario: Scenario): List<String> = compare(scenario).essential.map { "${directory.scenario}: $it" }
+    public fun changes(scenario: Scenario): List<String> =
+        compare(scenario).essential.map { "${directory.scenario}: $it" }
 
     /** The other differences of [scenario] from the one the run was made with, a line each. */
-    public fun harmlessChanges(scenario: Scenario): List<String> = compare(scenario).harmless.map { "${directory.scenario}: $it" }
+    public fun harmlessChanges(scenario: Scenario): List<String> =
+        compare(scenario).harmless.map { "${directory.scenario}: $it" }
 
     private fun compare(scenario: Scenario) = ScenarioChanges.between(head?.scenario, scenario)
 
@@ -40,7 +53,13 @@ public class RunRecord private constructor(private val directory: RunDirectory, 
         public fun of(directory: RunDirectory): RunRecord {
             for (file in listOf(directory.checkpoint, directory.previousCheckpoint)) {
                 try {
-                    if (Files.exists(file)) return RunRecord(directory, Checkpoint.readHead(file), file == directory.checkpoint)
+                    if (Files.exists(file)) {
+                        return RunRecord(
+                            directory,
+                            Checkpoint.readHead(file),
+                            file == directory.checkpoint,
+                        )
+                    }
                 } catch (e: CheckpointException) {
                     // What a reader wants does not hang on it; resume says what is wrong with it.
                 }

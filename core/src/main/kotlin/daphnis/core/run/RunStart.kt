@@ -11,7 +11,13 @@ import java.io.IOException
 import java.nio.file.Files
 
 /** Makes the initial state and the engine, then the directory: input that is refused leaves everything as it was. */
-internal fun startRun(scenario: Scenario, source: String, directory: RunDirectory, force: Boolean, engines: EngineFactory): Run {
+internal fun startRun(
+    scenario: Scenario,
+    source: String,
+    directory: RunDirectory,
+    force: Boolean,
+    engines: EngineFactory,
+): Run {
     val setup = ScenarioSetup.of(scenario, source)
     val parts = RunParts(setup, null, source, engines)
     var lock: AutoCloseable? = null
@@ -20,7 +26,16 @@ internal fun startRun(scenario: Scenario, source: String, directory: RunDirector
         lock = place.claim()
         val resolved = place.begin(setup.scenario)
         val notices = setup.notices + warnings(setup)
-        return Run(directory, resolved, ScenarioJson.write(resolved), parts, Checkpoints(directory), null, lock, notices)
+        return Run(
+            directory,
+            resolved,
+            ScenarioJson.write(resolved),
+            parts,
+            Checkpoints(directory),
+            null,
+            lock,
+            notices,
+        )
     } catch (e: IOException) {
         parts.simulation.use { lock?.close() }
         throw cannotWrite(directory, e)
@@ -47,7 +62,13 @@ internal fun resumeRun(directory: RunDirectory, until: Double?, engines: EngineF
     }
 }
 
-private fun resumed(directory: RunDirectory, until: Double?, engines: EngineFactory, acceptLoss: Boolean, lock: AutoCloseable): Run {
+private fun resumed(
+    directory: RunDirectory,
+    until: Double?,
+    engines: EngineFactory,
+    acceptLoss: Boolean,
+    lock: AutoCloseable,
+): Run {
     val read = ScenarioJson.read(directory.scenario)
     val scenario = read.atHome(directory.path).let { it.copy(until = until ?: it.until) }
     if (until != null && !(until > read.startTime && until.isFinite())) {
@@ -79,7 +100,12 @@ private fun resumed(directory: RunDirectory, until: Double?, engines: EngineFact
 }
 
 /** Another scenario would go on from the checkpoint to a run that never was. */
-private fun checkSame(directory: RunDirectory, checkpoint: Checkpoint?, scenario: Scenario, notices: MutableList<String>): ScenarioChanges {
+private fun checkSame(
+    directory: RunDirectory,
+    checkpoint: Checkpoint?,
+    scenario: Scenario,
+    notices: MutableList<String>,
+): ScenarioChanges {
     val changes = ScenarioChanges.between(checkpoint?.scenario, scenario)
     changes.essential.firstOrNull()?.let {
         val mend = "take the change back, or run the changed scenario into another directory"
@@ -96,8 +122,10 @@ private fun checkLater(source: String, until: Double, now: Double, scenario: Sce
 }
 
 /** A whole number of fixed steps can fall short of the end by round-off; so much is no other step. */
-internal fun endSlack(scenario: Scenario): Double = (scenario.timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
+internal fun endSlack(scenario: Scenario): Double =
+    (scenario.timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
 
-internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException = RunException("cannot write to ${directory.path}: ${reasonOf(e)}")
+internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException =
+    RunException("cannot write to ${directory.path}: ${reasonOf(e)}")
 
 private const val END_SLACK = 1e-6

@@ -15,14 +15,21 @@ import kotlinx.serialization.json.JsonObject
  *   state, which are name and description, the end, engine and search, and how often outputs are written
  * @property harmless the other changes, a line each
  */
-internal class ScenarioChanges private constructor(val essential: MutableList<String>, val harmless: MutableList<String>) {
+internal class ScenarioChanges private constructor(
+    val essential: MutableList<String>,
+    val harmless: MutableList<String>,
+) {
     companion object {
         private val FREE = setOf("name", "description", "until", "untilOrbits", "engine", "search")
-        private val CADENCES = setOf("output.seriesEvery", "output.snapshotEvery", "output.checkpointEvery", "output.transportEvery")
+        private val CADENCES =
+            setOf("output.seriesEvery", "output.snapshotEvery", "output.checkpointEvery", "output.transportEvery")
         private const val LONGEST = 60
         private val json = Json
 
-        /** @param then text of the scenario that the run was made with; null when it is not known, and nothing can be said */
+        /**
+         * @param then text of the scenario that the run was made with; null when it is not known, and nothing can be
+         *   said
+         */
         fun between(then: String?, now: Scenario): ScenarioChanges {
             if (then == null) return ScenarioChanges(ArrayList(), ArrayList())
             val before = try {
@@ -57,5 +64,6 @@ internal class ScenarioChanges private constructor(val essential: MutableList<St
         return path != "output.transportEvery" || then.toString() != "0" && now.toString() != "0"
     }
 
-    private fun words(value: JsonElement?) = value?.toString()?.let { if (it.length > LONGEST) it.take(LONGEST) + "…" else it } ?: "none"
+    private fun words(value: JsonElement?) =
+        value?.toString()?.let { if (it.length > LONGEST) it.take(LONGEST) + "…" else it } ?: "none"
 }

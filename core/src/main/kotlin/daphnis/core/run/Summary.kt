@@ -92,7 +92,12 @@ public class Summary(
                 threads = engine?.threads ?: 1,
                 wallSeconds = seconds,
                 stepsPerSecond = if (seconds > 0) simulation.step / seconds else 0.0,
-                maxOverlap = Overlap.deepest(population, simulation.boundary, simulation.time, engine?.threads ?: 1).depth,
+                maxOverlap = Overlap.deepest(
+                    population,
+                    simulation.boundary,
+                    simulation.time,
+                    engine?.threads ?: 1,
+                ).depth,
                 guardActivations = c.guardActivations,
                 redoneSteps = c.redoneSteps,
                 causalityReplays = c.causalityReplays,

@@ -2,7 +2,6 @@ package daphnis.core.run
 
 import daphnis.core.Simulation
 import daphnis.core.force.SelfGravity
-import daphnis.core.output.CollisionStatistics
 import daphnis.core.population.PopulationSums
 
 /**

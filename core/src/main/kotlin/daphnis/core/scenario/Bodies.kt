@@ -1,7 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.initial.Obstacle
 import daphnis.core.population.MeanFlow
-import daphnis.core.setup.Obstacle
 
 /** The large spheres of a scenario as columns, checked. */
 internal class Bodies(private val specs: List<BodySpec>, private val particleDensity: Double, check: ValueCheck) {
@@ -11,7 +11,9 @@ internal class Bodies(private val specs: List<BodySpec>, private val particleDen
             check.extent("$key.radius", body.radius)
             check.that("$key.position", body.position, body.position.size == 3) { "must be three numbers" }
             body.velocity?.let { check.that("$key.velocity", it, it.size == 3) { "must be three numbers" } }
-            check.must(key, body.mass == null || body.density == null) { "has a mass and a density; one of the two is enough" }
+            check.must(key, body.mass == null || body.density == null) {
+                "has a mass and a density; one of the two is enough"
+            }
             body.mass?.let { check.positive("$key.mass", it) }
             body.density?.let { check.positive("$key.density", it) }
         }
@@ -19,15 +21,21 @@ internal class Bodies(private val specs: List<BodySpec>, private val particleDen
 
     val radius: DoubleArray get() = DoubleArray(specs.size) { specs[it].radius }
 
-    val mass: DoubleArray get() = DoubleArray(specs.size) { specs[it].mass ?: ((specs[it].density ?: particleDensity) * 4.0 / 3.0 * Math.PI * cube(specs[it].radius)) }
+    val mass: DoubleArray get() = DoubleArray(specs.size) {
+        specs[it].mass
+            ?: ((specs[it].density ?: particleDensity) * 4.0 / 3.0 * Math.PI * cube(specs[it].radius))
+    }
 
-    val obstacles: List<Obstacle> get() = specs.map { Obstacle(it.position[0], it.position[1], it.position[2], it.radius) }
+    val obstacles: List<Obstacle> get() = specs.map {
+        Obstacle(it.position[0], it.position[1], it.position[2], it.radius)
+    }
 
     fun position(axis: Int): DoubleArray = DoubleArray(specs.size) { specs[it].position[axis] }
 
     /** Given ones, else those of the mean flow. */
     fun velocity(axis: Int, flow: MeanFlow?): DoubleArray = DoubleArray(specs.size) {
-        specs[it].velocity?.get(axis) ?: if (flow != null && flow.flowAxis == axis) flow.rate * specs[it].position[flow.normalAxis] else 0.0
+        specs[it].velocity?.get(axis)
+            ?: if (flow != null && flow.flowAxis == axis) flow.rate * specs[it].position[flow.normalAxis] else 0.0
     }
 
     private fun cube(r: Double) = r * r * r

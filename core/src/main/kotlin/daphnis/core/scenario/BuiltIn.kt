@@ -12,13 +12,20 @@ public object BuiltIn {
     /** The text of the scenario [name], comments and all; null when there is none. */
     public fun text(name: String): String? {
         if (name !in names) return null
-        val stream = BuiltIn::class.java.getResourceAsStream("/daphnis/scenarios/$name.json") ?: error("scenario $name is missing from the jar")
+        val stream =
+            BuiltIn::class.java.getResourceAsStream("/daphnis/scenarios/$name.json")
+                ?: error("scenario $name is missing from the jar")
         return stream.use { String(it.readAllBytes(), Charsets.UTF_8) }
     }
 
     /** The scenario [name], with `path=value` [settings] applied. */
     public fun scenario(name: String, settings: List<String> = emptyList()): Scenario = ScenarioJson.parse(
-        text(name) ?: throw InputException(name, null, "no built-in scenario; ${Nearest.question(name, names)}known: ${names.joinToString()}"),
+        text(name)
+            ?: throw InputException(
+                name,
+                null,
+                "no built-in scenario; ${Nearest.question(name, names)}known: ${names.joinToString()}",
+            ),
         name,
         settings,
     )

@@ -1,21 +1,26 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.Box
-import daphnis.core.format.FrameCheck
-import daphnis.core.setup.EqualSizes
-import daphnis.core.setup.ListedSizes
-import daphnis.core.setup.LogNormalSizes
-import daphnis.core.setup.PowerLawSizes
-import daphnis.core.setup.SeededRandom
-import daphnis.core.setup.SizeDistribution
-import daphnis.core.setup.fillingFactor
+import daphnis.core.format.SnapshotCheck
+import daphnis.core.initial.EqualSizes
+import daphnis.core.initial.ListedSizes
+import daphnis.core.initial.LogNormalSizes
+import daphnis.core.initial.PowerLawSizes
+import daphnis.core.initial.SeededRandom
+import daphnis.core.initial.SizeDistribution
+import daphnis.core.initial.fillingFactor
 import java.util.Locale
 
 /**
  * The radii of a scenario: as many as it says, or as bring the box to what it says. Spheres that fit into no box are
  * refused before there is any talk of memory, so that the answer is the same on every machine.
  */
-internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box, private val check: ValueCheck, private val stream: () -> SeededRandom) {
+internal class DrawnRadii(
+    private val spec: ParticlesSpec,
+    private val box: Box,
+    private val check: ValueCheck,
+    private val stream: () -> SeededRandom,
+) {
     private val sizes = sizes(spec.sizes)
     private val least: Double
     private val most: Double
@@ -28,8 +33,8 @@ internal class DrawnRadii(private val spec: ParticlesSpec, private val box: Box,
             is SizesSpec.Listed -> s.radii.min() to s.radii.max()
         }
         for (r in listOf(least, most)) {
-            check.must("particles.sizes", r in FrameCheck.LEAST..FrameCheck.MOST) {
-                "a radius is $r; it must be > 0, ${FrameCheck.LEAST} to ${FrameCheck.MOST}"
+            check.must("particles.sizes", r in SnapshotCheck.LEAST..SnapshotCheck.MOST) {
+                "a radius is $r; it must be > 0, ${SnapshotCheck.LEAST} to ${SnapshotCheck.MOST}"
             }
         }
         this.least = least

@@ -2,13 +2,13 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.BodyGravity
-import daphnis.core.force.Epicycle
 import daphnis.core.force.Force
-import daphnis.core.force.HillFrame
-import daphnis.core.force.Satellite
-import daphnis.core.force.SatelliteSurface
 import daphnis.core.force.SelfGravity
 import daphnis.core.force.UniformAcceleration
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.Satellite
+import daphnis.core.hill.SatelliteSurface
 
 /** Makes the forces of a scenario; a satellite with a radius also adds to the boundary conditions. */
 internal class ForceSetup(private val scenario: Scenario, private val omega: Double?, private val check: ValueCheck) {
@@ -16,15 +16,15 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
     lateinit var boundary: BoundaryConditions
         private set
 
-    /** @param particles number of spheres besides the bodies, whose ids come first */
-    fun forces(boundary: BoundaryConditions, particles: Int): List<Force> {
+    /** @param firstBody id of the first of the bodies */
+    fun forces(boundary: BoundaryConditions, firstBody: Int): List<Force> {
         this.boundary = boundary
-        val forces = scenario.forces.mapIndexed { k, spec -> force(spec, "forces[$k]", particles) }
+        val forces = scenario.forces.mapIndexed { k, spec -> force(spec, "forces[$k]", firstBody) }
         val frame = scenario.frame as? FrameSpec.Hill ?: return forces
         return forces + HillFrame(omega!!, frame.verticalFactor)
     }
 
-    private fun force(spec: ForceSpec, key: String, particles: Int): Force = when (spec) {
+    private fun force(spec: ForceSpec, key: String, firstBody: Int): Force = when (spec) {
         is ForceSpec.UniformAcceleration -> {
             val a = spec.acceleration
             check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
@@ -32,15 +32,26 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
         }
         is ForceSpec.Satellite -> satellite(spec, key)
         is ForceSpec.SelfGravity -> {
-            check.that("$key.openingAngle", spec.openingAngle, spec.openingAngle >= 0 && spec.openingAngle <= 1) { "must be in [0, 1]" }
+            check.that("$key.openingAngle", spec.openingAngle, spec.openingAngle >= 0 && spec.openingAngle <= 1) {
+                "must be in [0, 1]"
+            }
             check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
-            check.that("$key.images", spec.images, spec.images in 0..SelfGravity.MOST_IMAGES) { "must be in 0..${SelfGravity.MOST_IMAGES}" }
+            check.that("$key.images", spec.images, spec.images in 0..SelfGravity.MOST_IMAGES) {
+                "must be in 0..${SelfGravity.MOST_IMAGES}"
+            }
             SelfGravity(boundary, constant(spec.constant, key), spec.openingAngle, spec.softening, spec.images)
         }
         is ForceSpec.BodyGravity -> {
             check.must(key, scenario.bodies.isNotEmpty()) { "is body-gravity; it needs bodies" }
             check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
-            BodyGravity(IntArray(scenario.bodies.size) { particles + it }, boundary, constant(spec.constant, key), spec.softening)
+            BodyGravity(
+                IntArray(scenario.bodies.size) {
+                    firstBody + it
+                },
+                boundary,
+                constant(spec.constant, key),
+                spec.softening,
+            )
         }
     }
 

@@ -11,14 +11,18 @@ public object FrameSetup {
     public fun angularSpeed(scenario: Scenario, source: String): Double? {
         val check = ValueCheck(source)
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
-        check.must("frame", (frame.angularSpeed == null) != (frame.distanceInKm == null)) { "needs exactly one of angularSpeed and distanceInKm" }
+        check.must("frame", (frame.angularSpeed == null) != (frame.distanceInKm == null)) {
+            "needs exactly one of angularSpeed and distanceInKm"
+        }
         check.that("frame.verticalFactor", frame.verticalFactor, frame.verticalFactor >= 0) { "must be >= 0" }
         frame.angularSpeed?.let { return it.also { speed -> check.positive("frame.angularSpeed", speed) } }
         val distance = frame.distanceInKm!!
         check.positive("frame.distanceInKm", distance)
         scenario.units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
         check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
-        val second = scenario.units.timeInSeconds ?: check.fail("units.lengthInMetres", "is missing; frame.distanceInKm needs it")
+        val second =
+            scenario.units.timeInSeconds
+                ?: check.fail("units.lengthInMetres", "is missing; frame.distanceInKm needs it")
         val speed = frame.planet.angularSpeed(distance) * second
         check.that("frame.distanceInKm", distance, speed > 0 && speed.isFinite()) {
             "gives an angular speed of $speed in the scenario's units; it must be > 0 and finite"
@@ -27,8 +31,9 @@ public object FrameSetup {
     }
 
     /**
-     * Radially Hill's frame has no two places alike: what leaves at one side comes in at the other only with the sheet's shear, so images along x must slide
-     * (or there be none); along z the pull towards the midplane turns round at periodic faces.
+     * Radially Hill's frame has no two places alike: what leaves at one side comes in at the other only with the
+     * sheet's shear, so images along x must slide (or there be none); along z the pull towards the midplane turns round
+     * at periodic faces.
      */
     internal fun checkFaces(scenario: Scenario, check: ValueCheck) {
         val frame = scenario.frame as? FrameSpec.Hill ?: return
@@ -58,7 +63,9 @@ public object FrameSetup {
         val orbit = if (omega == null) null else 2 * Math.PI / omega
         scenario.untilOrbits?.let { orbits ->
             check.positive("untilOrbits", orbits)
-            check.that("untilOrbits", orbits, orbit != null) { "it needs a frame of type hill; give until, a time, instead" }
+            check.that("untilOrbits", orbits, orbit != null) {
+                "it needs a frame of type hill; give until, a time, instead"
+            }
         }
         val until = scenario.until ?: scenario.untilOrbits?.let { it * orbit!! }
         val end = until ?: check.fail("until", "is missing; it must be a finite number (or give untilOrbits)")

@@ -4,22 +4,31 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.initial.Lattice
+import daphnis.core.initial.LatticePlacement
+import daphnis.core.initial.PlacementException
+import daphnis.core.initial.RandomPlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.setup.Lattice
-import daphnis.core.setup.LatticePlacement
-import daphnis.core.setup.PlacementException
-import daphnis.core.setup.RandomPlacement
-import daphnis.core.setup.SeededRandom
 
-/** Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so that changing one leaves the others. */
-internal class InitialState(private val scenario: Scenario, private val box: Box, private val boundary: BoundaryConditions, private val check: ValueCheck) {
+/**
+ * Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so
+ * that changing one leaves the others.
+ */
+internal class InitialState(
+    private val scenario: Scenario,
+    private val box: Box,
+    private val boundary: BoundaryConditions,
+    private val check: ValueCheck,
+) {
     /** What a user should know about the state made, a line each. */
     val notices = ArrayList<String>()
 
     fun population(): Population {
         val placement = scenario.placement
         if (placement is PlacementSpec.File) return FileState(scenario, placement, check).population(notices)
-        val spec = scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
+        val spec =
+            scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val radii = DrawnRadii(spec, box, check) { stream(SIZES) }.draw()
         val bodies = Bodies(scenario.bodies, spec.density, check)
         val positions = try {
@@ -27,7 +36,10 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 LatticePlacement(lattice(placement)).place(radii, box, walled(), stream(PLACES))
             } else {
-                RandomPlacement(obstacles = bodies.obstacles, threads = scenario.engine.threadsAtStart).place(radii, box, walled(), stream(PLACES))
+                RandomPlacement(
+                    obstacles = bodies.obstacles,
+                    threads = scenario.engine.threadsAtStart,
+                ).place(radii, box, walled(), stream(PLACES))
             }
         } catch (e: PlacementException) {
             val (key, value) = spec.amount()
@@ -57,10 +69,22 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
 
     private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
 
-    private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice == LatticeName.CUBIC) Lattice.SIMPLE_CUBIC else Lattice.FACE_CENTRED_CUBIC
+    private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice ==
+        LatticeName.CUBIC
+    ) {
+        Lattice.SIMPLE_CUBIC
+    } else {
+        Lattice.FACE_CENTRED_CUBIC
+    }
 
-    /** Where there are no images a sphere is put wholly inside. The paper's sheared box has images to wrap to, though none to touch. */
-    private fun walled(): BooleanArray = BooleanArray(3) { boundary !is ShearedPeriodic && boundary.contactFaces(it) != ContactFaces.PERIODIC }
+    /**
+     * Where there are no images a sphere is put wholly inside. The paper's sheared box has images to wrap to, though
+     * none to touch.
+     */
+    private fun walled(): BooleanArray = BooleanArray(3) {
+        boundary !is ShearedPeriodic &&
+            boundary.contactFaces(it) != ContactFaces.PERIODIC
+    }
 
     private fun masses(spec: ParticlesSpec, radii: DoubleArray): DoubleArray {
         check.positive("particles.density", spec.density)
@@ -70,7 +94,9 @@ internal class InitialState(private val scenario: Scenario, private val box: Box
         }
         for (r in radii) {
             val mass = spec.density * volume(r)
-            check.that("particles.density", spec.density, mass > 0 && mass.isFinite()) { "gives a sphere of radius $r the mass $mass" }
+            check.that("particles.density", spec.density, mass > 0 && mass.isFinite()) {
+                "gives a sphere of radius $r the mass $mass"
+            }
         }
         return DoubleArray(radii.size) { spec.density * volume(radii[it]) }
     }

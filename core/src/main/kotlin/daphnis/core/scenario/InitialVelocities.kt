@@ -1,17 +1,22 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.setup.GaussianVelocities
-import daphnis.core.setup.Positions
-import daphnis.core.setup.SeededRandom
-import daphnis.core.setup.UniformVelocities
+import daphnis.core.initial.GaussianVelocities
+import daphnis.core.initial.Positions
+import daphnis.core.initial.SeededRandom
+import daphnis.core.initial.UniformVelocities
 import kotlin.math.sqrt
 
 /** Draws the velocities that a scenario asks for, by sphere in the order of ids. */
-internal class InitialVelocities(private val scenario: Scenario, private val boundary: BoundaryConditions, private val check: ValueCheck) {
+internal class InitialVelocities(
+    private val scenario: Scenario,
+    private val boundary: BoundaryConditions,
+    private val check: ValueCheck,
+) {
     /** `v[axis][k]` of spheres of [masses] at [positions]. */
     fun draw(masses: DoubleArray, positions: Positions, random: SeededRandom): Array<DoubleArray> {
-        val spec = scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
+        val spec =
+            scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
         val v = Array(3) { DoubleArray(masses.size) }
         when (spec) {
             is VelocitiesSpec.Rest -> Unit
@@ -25,12 +30,24 @@ internal class InitialVelocities(private val scenario: Scenario, private val bou
         if (spec.zeroMomentum && masses.size >= 2) for (component in v) subtractMean(component, masses)
         if (spec is VelocitiesSpec.Gaussian && spec.exact) makeExact(spec, masses, v)
         if (spec.shearProfile) addMeanFlow(v, positions)
-        check.must("velocities", v.all { column -> column.all { it.isFinite() } }) { "give speeds beyond what a double holds" }
+        check.must(
+            "velocities",
+            v.all { column ->
+                column.all { it.isFinite() }
+            },
+        ) { "give speeds beyond what a double holds" }
         return v
     }
 
-    private fun gaussian(spec: VelocitiesSpec.Gaussian, masses: DoubleArray, random: SeededRandom, v: Array<DoubleArray>) {
-        check.must("velocities", (spec.sigma == null) != (spec.temperature == null)) { "needs exactly one of sigma and temperature" }
+    private fun gaussian(
+        spec: VelocitiesSpec.Gaussian,
+        masses: DoubleArray,
+        random: SeededRandom,
+        v: Array<DoubleArray>,
+    ) {
+        check.must("velocities", (spec.sigma == null) != (spec.temperature == null)) {
+            "needs exactly one of sigma and temperature"
+        }
         spec.sigma?.let { check.that("velocities.sigma", it, it >= 0) { "must be >= 0" } }
         spec.temperature?.let { check.that("velocities.temperature", it, it >= 0) { "must be >= 0" } }
         val field = GaussianVelocities(1.0)
@@ -66,17 +83,27 @@ internal class InitialVelocities(private val scenario: Scenario, private val bou
     private fun makeExact(spec: VelocitiesSpec.Gaussian, masses: DoubleArray, v: Array<DoubleArray>) {
         val wanted = spec.sigma?.let { it * it * masses.sum() } ?: ((spec.temperature ?: 0.0) * masses.size)
         if (wanted == 0.0) return
-        check.that("velocities.exact", true, masses.size >= 2) { "needs two particles at least, for one alone has no velocity against the centre of mass" }
+        check.that("velocities.exact", true, masses.size >= 2) {
+            "needs two particles at least, for one alone has no velocity against the centre of mass"
+        }
         val means = DoubleArray(3) { if (spec.zeroMomentum) 0.0 else mean(v[it], masses) }
         var square = 0.0
-        for (axis in 0..2) for (k in masses.indices) square += masses[k] * (v[axis][k] - means[axis]) * (v[axis][k] - means[axis])
+        for (axis in 0..2) {
+            for (k in masses.indices) {
+                square +=
+                    masses[k] * (v[axis][k] - means[axis]) * (v[axis][k] - means[axis])
+            }
+        }
         val factor = sqrt(3 * wanted / square)
         for (axis in 0..2) for (k in masses.indices) v[axis][k] = means[axis] + factor * (v[axis][k] - means[axis])
     }
 
     private fun addMeanFlow(v: Array<DoubleArray>, positions: Positions) {
         val flow = boundary.meanFlow
-            ?: check.fail("velocities.shearProfile", "is true; it needs a sheared boundary (lees-edwards, sheared-periodic or hill-sheet)")
+            ?: check.fail(
+                "velocities.shearProfile",
+                "is true; it needs a sheared boundary (lees-edwards, sheared-periodic or hill-sheet)",
+            )
         val across = arrayOf(positions.x, positions.y, positions.z)[flow.normalAxis]
         val along = v[flow.flowAxis]
         for (k in along.indices) along[k] += flow.rate * across[k]

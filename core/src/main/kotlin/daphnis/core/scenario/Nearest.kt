@@ -2,7 +2,10 @@ package daphnis.core.scenario
 
 /** The known word that a mistyped one most likely means. */
 public object Nearest {
-    /** The one of [known] nearest to [word], ignoring case; null when even that is far, more than two changes and half its length. */
+    /**
+     * The one of [known] nearest to [word], ignoring case; null when even that is far, more than two changes and half
+     * its length.
+     */
     public fun to(word: String, known: List<String>): String? {
         val given = word.take(LONGEST)
         val nearest = known.minByOrNull { distance(given, it) } ?: return null
@@ -10,9 +13,13 @@ public object Nearest {
     }
 
     /** The beginning of a message about [word]: "did you mean 'run'? ", or nothing. */
-    public fun question(word: String, known: List<String>): String = to(word, known)?.let { "did you mean '$it'? " }.orEmpty()
+    public fun question(word: String, known: List<String>): String =
+        to(word, known)?.let { "did you mean '$it'? " }.orEmpty()
 
-    /** Edit distance (Levenshtein, and two neighbours that changed places count as one change: optimal string alignment), ignoring case. */
+    /**
+     * Edit distance (Levenshtein, and two neighbours that changed places count as one change: optimal string
+     * alignment), ignoring case.
+     */
     internal fun distance(a: String, b: String): Int {
         fun same(i: Int, j: Int) = a[i].equals(b[j], ignoreCase = true)
         val rows = Array(a.length + 1) { IntArray(b.length + 1) }
@@ -22,7 +29,13 @@ public object Nearest {
             for (j in 1..b.length) {
                 val change = if (same(i - 1, j - 1)) 0 else 1
                 var least = minOf(rows[i - 1][j - 1] + change, rows[i - 1][j] + 1, rows[i][j - 1] + 1)
-                if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) least = minOf(least, rows[i - 2][j - 2] + 1)
+                if (i > 1 &&
+                    j > 1 &&
+                    same(i - 1, j - 2) &&
+                    same(i - 2, j - 1)
+                ) {
+                    least = minOf(least, rows[i - 2][j - 2] + 1)
+                }
                 rows[i][j] = least
             }
         }

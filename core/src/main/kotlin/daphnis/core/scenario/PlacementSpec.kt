@@ -15,15 +15,22 @@ public sealed interface PlacementSpec {
     public class Lattice(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
 
     /**
-     * Positions, velocities, radii, masses and ids from a file of any [daphnis.core.format.SnapshotFormat]; [path] is relative to the scenario.
+     * Positions, velocities, radii, masses and ids from a file of any [daphnis.core.format.SnapshotFormat]; [path] is
+     * relative to the scenario.
      *
-     * @property time at which the state is, so that images that slide and satellites are where they are then; null for 0
+     * @property time at which the state is, so that images that slide and satellites are where they are then; null for
+     *   0
      * @property step of the state to take from a file that holds several; the last when left out
      * @property density mass per volume, for a file that has no masses
      */
     @Serializable
     @SerialName("file")
-    public data class File(public val path: String, public val time: Double? = null, public val step: Long? = null, public val density: Double? = null) : PlacementSpec
+    public data class File(
+        public val path: String,
+        public val time: Double? = null,
+        public val step: Long? = null,
+        public val density: Double? = null,
+    ) : PlacementSpec
 }
 
 @Serializable

@@ -7,13 +7,15 @@ import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
 /**
- * A simulation as a user writes it: a JSON file with comments and trailing commas allowed. `docs/scenario.md` explains every key.
+ * A simulation as a user writes it: a JSON file with comments and trailing commas allowed. `docs/scenario.md` explains
+ * every key.
  *
- * Lengths, times and masses are in whatever units the author chose; [units] says how many cm/s one unit of speed is, for
- * restitution laws that were measured in cm/s.
+ * Lengths, times and masses are in whatever units the author chose; [units] says how many cm/s one unit of speed is,
+ * for restitution laws that were measured in cm/s.
  *
  * @property firstBody id of the first of [bodies]; written into the resolved scenario, not for authors
- * @property until time at which the run ends; when it is given, [untilOrbits] is not looked at. One of the two is needed
+ * @property until time at which the run ends; when it is given, [untilOrbits] is not looked at. One of the two is
+ *   needed
  */
 @Serializable
 public data class Scenario(
@@ -51,7 +53,10 @@ public data class Scenario(
 
 @Serializable
 public sealed interface FrameSpec {
-    /** Hill's frame: exactly one of [angularSpeed], in radians per unit of time, and [distanceInKm] from the centre of [planet]. */
+    /**
+     * Hill's frame: exactly one of [angularSpeed], in radians per unit of time, and [distanceInKm] from the centre of
+     * [planet].
+     */
     @Serializable
     @SerialName("hill")
     public class Hill(
@@ -98,7 +103,8 @@ public sealed interface BoundarySpec {
 }
 
 /**
- * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² an area of the x-y plane) and [surfaceDensity] (mass an area); masses from [density] unless [mass] gives every sphere the same.
+ * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² an area of the x-y plane) and [surfaceDensity] (mass
+ * an area); masses from [density] unless [mass] gives every sphere the same.
  */
 @Serializable
 public class ParticlesSpec(
@@ -112,8 +118,8 @@ public class ParticlesSpec(
 )
 
 /**
- * One large sphere, such as a moonlet, at [position]; others are placed around it. Its mass is [mass], or follows from [density]. It moves with the mean flow
- * unless [velocity] is given.
+ * One large sphere, such as a moonlet, at [position]; others are placed around it. Its mass is [mass], or follows from
+ * [density]. It moves with the mean flow unless [velocity] is given.
  */
 @Serializable
 public class BodySpec(
@@ -132,11 +138,17 @@ public sealed interface SizesSpec {
 
     @Serializable
     @SerialName("power-law")
-    public class PowerLaw(public val minimum: Double, public val maximum: Double, public val exponent: Double) : SizesSpec
+    public class PowerLaw(public val minimum: Double, public val maximum: Double, public val exponent: Double) :
+        SizesSpec
 
     @Serializable
     @SerialName("log-normal")
-    public class LogNormal(public val median: Double, public val sigma: Double, public val minimum: Double, public val maximum: Double) : SizesSpec
+    public class LogNormal(
+        public val median: Double,
+        public val sigma: Double,
+        public val minimum: Double,
+        public val maximum: Double,
+    ) : SizesSpec
 
     @Serializable
     @SerialName("list")
@@ -165,7 +177,9 @@ public sealed interface GuardSpec {
     @SerialName("none")
     public class None : GuardSpec
 
-    /** ε = 1 below an impact speed: exactly one of [speed], in units of speed, and [relative], in initial rms speeds. */
+    /**
+     * ε = 1 below an impact speed: exactly one of [speed], in units of speed, and [relative], in initial rms speeds.
+     */
     @Serializable
     @SerialName("floor-speed")
     public class FloorSpeed(public val speed: Double? = null, public val relative: Double? = null) : GuardSpec
@@ -183,7 +197,8 @@ public sealed interface ForceSpec {
     public class UniformAcceleration(public val acceleration: List<Double>) : ForceSpec
 
     /**
-     * A moon on a given epicyclic orbit in Hill's frame, of which the ring feels the gravity and the moon feels nothing.
+     * A moon on a given epicyclic orbit in Hill's frame, of which the ring feels the gravity and the moon feels
+     * nothing.
      *
      * @property massRatio mass over that of the planet; exactly one of it and [mass]
      * @property x radial position of its guiding centre
@@ -223,7 +238,10 @@ public sealed interface ForceSpec {
         public val constant: Double? = null,
     ) : ForceSpec
 
-    /** Gravity of [Scenario.bodies] on all others and, as reaction, of these on them; not among the others. Nearest images. */
+    /**
+     * Gravity of [Scenario.bodies] on all others and, as reaction, of these on them; not among the others. Nearest
+     * images.
+     */
     @Serializable
     @SerialName("body-gravity")
     public class BodyGravity(public val softening: Double = 0.0, public val constant: Double? = null) : ForceSpec
@@ -240,22 +258,36 @@ public sealed interface TimeStepSpec {
     @SerialName("orbit-fraction")
     public class OrbitFraction(public val steps: Double) : TimeStepSpec
 
-    /** The fastest sphere crosses at most [fraction] of [cell] (default: mean distance between spheres); never longer than [longest]. */
+    /**
+     * The fastest sphere crosses at most [fraction] of [cell] (default: mean distance between spheres); never longer
+     * than [longest].
+     */
     @Serializable
     @SerialName("cell-crossing")
-    public class CellCrossing(public val fraction: Double = 0.5, public val cell: Double? = null, public val longest: Double) : TimeStepSpec
+    public class CellCrossing(
+        public val fraction: Double = 0.5,
+        public val cell: Double? = null,
+        public val longest: Double,
+    ) : TimeStepSpec
 }
 
 @Serializable
 public class EngineSpec(public val name: String = "islands", public val threads: Int = 0) {
     /** Threads to make and check the initial state on: those of the engine, of which the serial one has one. */
-    internal val threadsAtStart: Int get() = if (name == "serial") 1 else minOf(EngineFactory.threadsOrAll(threads), ThreadHandler.MOST)
+    internal val threadsAtStart: Int get() = if (name ==
+        "serial"
+    ) {
+        1
+    } else {
+        minOf(EngineFactory.threadsOrAll(threads), ThreadHandler.MOST)
+    }
 }
 
 /**
  * How often to write, in steps; 0 means never (checkpoints: only at the end).
  *
- * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and what collisions carried
+ * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and what collisions
+ *   carried
  */
 @Serializable
 public class OutputSpec(

@@ -5,7 +5,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
@@ -20,6 +19,7 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
+import daphnis.core.hill.HillSheet
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -27,8 +27,8 @@ import kotlin.math.sqrt
 /**
  * What a [Scenario] means: the objects of a simulation, made and checked.
  *
- * Everything here is a pure function of the scenario (and of the particle file it may name), so a scenario gives the same initial state
- * on every machine.
+ * Everything here is a pure function of the scenario (and of the particle file it may name), so a scenario gives the
+ * same initial state on every machine.
  *
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
  * @property notices what a user should know about the initial state, a line each
@@ -46,7 +46,10 @@ public class ScenarioSetup private constructor(
     public val notices: List<String>,
 ) {
     public companion object {
-        /** Memory a sphere needs with population, packed rows, grid and queue: the most measured (docs/performance.md) and some room. */
+        /**
+         * Memory a sphere needs with population, packed rows, grid and queue: the most measured (docs/performance.md)
+         * and some room.
+         */
         public const val BYTES_PER_SPHERE: Double = 340.0
 
         /**
@@ -76,9 +79,21 @@ public class ScenarioSetup private constructor(
             val timeStep = timeStep(timeStepSpec, check)
             checkSteps(scenario, timeStepSpec, check)
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
-            val firstBody = if (scenario.bodies.isEmpty()) null else scenario.firstBody ?: (population.size - scenario.bodies.size)
+            val firstBody = if (scenario.bodies.isEmpty()) {
+                null
+            } else {
+                scenario.firstBody
+                    ?: (population.size - scenario.bodies.size)
+            }
             val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec, firstBody = firstBody)
-            return ScenarioSetup(resolved, population, boundary, restitution, guard(guardSpec, check), forces, timeStep, omega, initial.notices)
+            return ScenarioSetup(
+                resolved, population, boundary, restitution,
+                guard(
+                    guardSpec,
+                    check,
+                ),
+                forces, timeStep, omega, initial.notices,
+            )
         }
 
         private fun checkUnits(units: UnitsSpec, check: ValueCheck) {
@@ -96,34 +111,54 @@ public class ScenarioSetup private constructor(
                 "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
             }
             val output = scenario.output
-            check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) { "must be >= 0 (0 for never)" }
-            check.that("output.snapshotEvery", output.snapshotEvery, output.snapshotEvery >= 0) { "must be >= 0 (0 for never)" }
-            check.that("output.transportEvery", output.transportEvery, output.transportEvery >= 0) { "must be >= 0 (0 for never)" }
-            check.that("output.checkpointEvery", output.checkpointEvery, output.checkpointEvery >= 0) { "must be >= 0 (0 for the end only)" }
+            check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) {
+                "must be >= 0 (0 for never)"
+            }
+            check.that("output.snapshotEvery", output.snapshotEvery, output.snapshotEvery >= 0) {
+                "must be >= 0 (0 for never)"
+            }
+            check.that("output.transportEvery", output.transportEvery, output.transportEvery >= 0) {
+                "must be >= 0 (0 for never)"
+            }
+            check.that("output.checkpointEvery", output.checkpointEvery, output.checkpointEvery >= 0) {
+                "must be >= 0 (0 for the end only)"
+            }
         }
 
         private fun box(scenario: Scenario, check: ValueCheck): Box {
             val lengths = scenario.box.lengths
-            check.that("box.lengths", lengths, lengths.size == 3) { "must be three numbers, the edges along x, y and z" }
+            check.that("box.lengths", lengths, lengths.size == 3) {
+                "must be three numbers, the edges along x, y and z"
+            }
             lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
             val box = Box.centred(lengths[0], lengths[1], lengths[2])
-            check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) { "give a volume of ${box.volume}; it must be positive and finite" }
+            check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) {
+                "give a volume of ${box.volume}; it must be positive and finite"
+            }
             return box
         }
 
-        private fun boundary(scenario: Scenario, box: Box, omega: Double?, check: ValueCheck): BoundaryConditions = when (val spec = scenario.boundary) {
-            is BoundarySpec.Open -> Open
-            is BoundarySpec.Periodic -> Periodic(box)
-            is BoundarySpec.Walls -> {
-                val known = spec.axes.isNotEmpty() && spec.axes.all { it in "xyz" } && spec.axes.toSet().size == spec.axes.length
-                check.that("boundary.axes", spec.axes, known) { "must name axes, such as xyz or z" }
-                check.fraction("boundary.restitution", spec.restitution)
-                Walls(box, spec.restitution, BooleanArray(3) { "xyz"[it] in spec.axes })
+        private fun boundary(scenario: Scenario, box: Box, omega: Double?, check: ValueCheck): BoundaryConditions =
+            when (val spec = scenario.boundary) {
+                is BoundarySpec.Open -> Open
+                is BoundarySpec.Periodic -> Periodic(box)
+                is BoundarySpec.Walls -> {
+                    val known =
+                        spec.axes.isNotEmpty() &&
+                            spec.axes.all { it in "xyz" } &&
+                            spec.axes.toSet().size == spec.axes.length
+                    check.that("boundary.axes", spec.axes, known) { "must name axes, such as xyz or z" }
+                    check.fraction("boundary.restitution", spec.restitution)
+                    Walls(box, spec.restitution, BooleanArray(3) { "xyz"[it] in spec.axes })
+                }
+                is BoundarySpec.ShearedPeriodic -> ShearedPeriodic(box, spec.velocityJump)
+                is BoundarySpec.LeesEdwards -> LeesEdwards(box, spec.shearRate)
+                is BoundarySpec.HillSheet -> HillSheet(
+                    box,
+                    omega ?: check.fail("boundary", "is a hill-sheet; it needs a frame of type hill"),
+                    spec.radiallyOpen,
+                )
             }
-            is BoundarySpec.ShearedPeriodic -> ShearedPeriodic(box, spec.velocityJump)
-            is BoundarySpec.LeesEdwards -> LeesEdwards(box, spec.shearRate)
-            is BoundarySpec.HillSheet -> HillSheet(box, omega ?: check.fail("boundary", "is a hill-sheet; it needs a frame of type hill"), spec.radiallyOpen)
-        }
 
         private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
             val unit = scenario.units.speedInCmPerSecond
@@ -144,14 +179,25 @@ public class ScenarioSetup private constructor(
             }
         }
 
-        /** A constant ε < 1 can collapse, so it gets a guard far below any speed that matters; the other laws are elastic at low speed. */
+        /**
+         * A constant ε < 1 can collapse, so it gets a guard far below any speed that matters; the other laws are
+         * elastic at low speed.
+         */
         private fun defaultGuard(restitution: RestitutionSpec): GuardSpec =
-            if (restitution is RestitutionSpec.Constant && restitution.coefficient < 1) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
+            if (restitution is RestitutionSpec.Constant &&
+                restitution.coefficient < 1
+            ) {
+                GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR)
+            } else {
+                GuardSpec.None()
+            }
 
         /** A floor speed given in initial rms speeds becomes one in units of speed. */
         private fun resolve(spec: GuardSpec, population: Population, check: ValueCheck): GuardSpec {
             if (spec !is GuardSpec.FloorSpeed) return spec
-            check.must("guard", (spec.speed == null) != (spec.relative == null)) { "needs exactly one of speed and relative" }
+            check.must("guard", (spec.speed == null) != (spec.relative == null)) {
+                "needs exactly one of speed and relative"
+            }
             val relative = spec.relative ?: return spec
             check.that("guard.relative", relative, relative >= 0) { "must be >= 0" }
             return GuardSpec.FloorSpeed(speed = relative * rmsSpeed(population))
@@ -171,13 +217,14 @@ public class ScenarioSetup private constructor(
         }
 
         /** A cell that was left out becomes the mean distance between spheres. */
-        private fun resolve(spec: TimeStepSpec, box: Box, population: Population): TimeStepSpec = if (spec !is TimeStepSpec.CellCrossing ||
-            spec.cell != null
-        ) {
-            spec
-        } else {
-            TimeStepSpec.CellCrossing(spec.fraction, StrictMath.cbrt(box.volume / population.size), spec.longest)
-        }
+        private fun resolve(spec: TimeStepSpec, box: Box, population: Population): TimeStepSpec =
+            if (spec !is TimeStepSpec.CellCrossing ||
+                spec.cell != null
+            ) {
+                spec
+            } else {
+                TimeStepSpec.CellCrossing(spec.fraction, StrictMath.cbrt(box.volume / population.size), spec.longest)
+            }
 
         private fun timeStep(spec: TimeStepSpec, check: ValueCheck): TimeStep = when (spec) {
             is TimeStepSpec.OrbitFraction -> error("times are written out before")
@@ -216,7 +263,9 @@ public class ScenarioSetup private constructor(
             for (place in 0 until population.places) {
                 val k = population.indexAt(place)
                 if (k < 0) continue
-                sum += population.vx[k] * population.vx[k] + population.vy[k] * population.vy[k] + population.vz[k] * population.vz[k]
+                sum +=
+                    population.vx[k] * population.vx[k] + population.vy[k] * population.vy[k] +
+                    population.vz[k] * population.vz[k]
             }
             return if (population.size == 0) 0.0 else sqrt(sum / population.size)
         }

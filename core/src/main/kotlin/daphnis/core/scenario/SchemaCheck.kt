@@ -13,8 +13,8 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Compares a JSON tree with what a serializer expects and names the first thing that is wrong by its path: an unknown key with the
- * nearest known one, a missing key, a value of the wrong kind, a number that is not finite.
+ * Compares a JSON tree with what a serializer expects and names the first thing that is wrong by its path: an unknown
+ * key with the nearest known one, a missing key, a value of the wrong kind, a number that is not finite.
  */
 @OptIn(ExperimentalSerializationApi::class)
 internal class SchemaCheck(private val source: String) {
@@ -36,17 +36,30 @@ internal class SchemaCheck(private val source: String) {
             PolymorphicKind.SEALED -> checkSealed(element, descriptor, path)
             SerialKind.ENUM -> {
                 val name = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
-                if (name !in descriptor.names()) fail(path, "is ${shown(element)}; ${choices(name.orEmpty(), descriptor.names())}")
+                if (name !in
+                    descriptor.names()
+                ) {
+                    fail(path, "is ${shown(element)}; ${choices(name.orEmpty(), descriptor.names())}")
+                }
             }
             else -> checkPrimitive(element, descriptor, path)
         }
     }
 
-    private fun checkObject(element: JsonElement, descriptor: SerialDescriptor, path: String, alsoAllowed: Set<String>) {
+    private fun checkObject(
+        element: JsonElement,
+        descriptor: SerialDescriptor,
+        path: String,
+        alsoAllowed: Set<String>,
+    ) {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val known = descriptor.names()
         for (key in element.keys) {
-            if (key !in known && key !in alsoAllowed) fail(join(path, brief(key)), "unknown key; ${choices(key, known)}")
+            if (key !in known &&
+                key !in alsoAllowed
+            ) {
+                fail(join(path, brief(key)), "unknown key; ${choices(key, known)}")
+            }
         }
         for (k in 0 until descriptor.elementsCount) {
             val name = descriptor.getElementName(k)
@@ -62,9 +75,14 @@ internal class SchemaCheck(private val source: String) {
     private fun checkSealed(element: JsonElement, descriptor: SerialDescriptor, path: String) {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val types = descriptor.getElementDescriptor(1)
-        val type = element["type"] ?: fail(join(path, "type"), "is missing; it must be one of ${types.names().joinToString()}")
+        val type =
+            element["type"] ?: fail(join(path, "type"), "is missing; it must be one of ${types.names().joinToString()}")
         val name = (type as? JsonPrimitive)?.takeIf { it.isString }?.content
-        if (name == null || name !in types.names()) fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
+        if (name == null ||
+            name !in types.names()
+        ) {
+            fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
+        }
         checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, setOf("type"))
     }
 
@@ -72,10 +90,15 @@ internal class SchemaCheck(private val source: String) {
         val primitive = element as? JsonPrimitive ?: fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val ok = when (descriptor.kind) {
             PrimitiveKind.STRING -> primitive.isString
-            PrimitiveKind.BOOLEAN -> !primitive.isString && (primitive.content == "true" || primitive.content == "false")
+            PrimitiveKind.BOOLEAN ->
+                !primitive.isString &&
+                    (primitive.content == "true" || primitive.content == "false")
             PrimitiveKind.INT -> !primitive.isString && primitive.content.toIntOrNull() != null
             PrimitiveKind.LONG -> !primitive.isString && primitive.content.toLongOrNull() != null
-            else -> !primitive.isString && JSON_NUMBER.matches(primitive.content) && primitive.content.toDouble().isFinite()
+            else ->
+                !primitive.isString &&
+                    JSON_NUMBER.matches(primitive.content) &&
+                    primitive.content.toDouble().isFinite()
         }
         if (!ok) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
     }
@@ -87,7 +110,9 @@ internal class SchemaCheck(private val source: String) {
         PrimitiveKind.LONG -> "a whole number of at most 64 bits"
         PrimitiveKind.DOUBLE -> "a finite number"
         StructureKind.LIST -> "a list"
-        PolymorphicKind.SEALED -> "an object whose type is one of ${descriptor.getElementDescriptor(1).names().joinToString()}"
+        PolymorphicKind.SEALED -> "an object whose type is one of ${descriptor.getElementDescriptor(
+            1,
+        ).names().joinToString()}"
         SerialKind.ENUM -> "one of ${descriptor.names().joinToString()}"
         else -> "an object with ${descriptor.names().joinToString()}"
     }
@@ -99,13 +124,20 @@ internal class SchemaCheck(private val source: String) {
 
     private fun SerialDescriptor.names(): List<String> = (0 until elementsCount).map { getElementName(it) }
 
-    private fun shown(element: JsonElement): String = brief(element.toString().take(MOST_LOOKED_AT).replace(Regex("\\s+"), " "))
+    private fun shown(element: JsonElement): String =
+        brief(element.toString().take(MOST_LOOKED_AT).replace(Regex("\\s+"), " "))
 
     private fun brief(text: String): String = if (text.length > MOST_SHOWN) text.take(MOST_SHOWN) + "…" else text
 
     private fun join(path: String, key: String) = if (path.isEmpty()) key else "$path.$key"
 
-    private fun fail(path: String, problem: String): Nothing = throw InputException(source, path.ifEmpty { null }, problem)
+    private fun fail(path: String, problem: String): Nothing = throw InputException(
+        source,
+        path.ifEmpty {
+            null
+        },
+        problem,
+    )
 
     private companion object {
         const val MOST_SHOWN = 40

@@ -8,17 +8,23 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Replaces keys of a scenario's tree by `path=value` settings, as given on the command line. A path is what messages call a key: names with dots between, and
- * `[k]` behind the name of a list, from 0: `timeStep.dt`, `forces[0].massRatio`, `box.lengths[2]`. A value is JSON, or else a string.
+ * Replaces keys of a scenario's tree by `path=value` settings, as given on the command line. A path is what messages
+ * call a key: names with dots between, and `[k]` behind the name of a list, from 0: `timeStep.dt`,
+ * `forces[0].massRatio`, `box.lengths[2]`. A value is JSON, or else a string.
  */
 internal object Settings {
     fun apply(tree: JsonElement, settings: List<String>): JsonElement {
         var changed = tree
         val keys = settings.map { it.substringBefore('=') }
-        if (UNTIL in keys && ORBITS in keys) throw InputException("--set", ORBITS, "is given together with $UNTIL; one of the two is enough")
+        if (UNTIL in keys &&
+            ORBITS in keys
+        ) {
+            throw InputException("--set", ORBITS, "is given together with $UNTIL; one of the two is enough")
+        }
         for (setting in settings) {
             changed = set(changed, setting)
-            // Who says how long in orbits does not mean the time that the scenario had before; `until` goes before `untilOrbits` anyway.
+            // Who says how long in orbits does not mean the time that the scenario had before; `until` goes before
+            // `untilOrbits` anyway.
             if (setting.substringBefore('=') == ORBITS) changed = JsonObject((changed as JsonObject) - UNTIL)
         }
         return changed
@@ -26,39 +32,85 @@ internal object Settings {
 
     private fun set(tree: JsonElement, setting: String): JsonElement {
         val path = setting.substringBefore('=')
-        if ('=' !in setting || path.isBlank()) throw InputException("--set", setting, "must have the form path=value, such as timeStep.dt=0.05")
+        if ('=' !in setting ||
+            path.isBlank()
+        ) {
+            throw InputException("--set", setting, "must have the form path=value, such as timeStep.dt=0.05")
+        }
         return put(tree, steps(path, setting), 0, value(path, setting.substringAfter('=')), setting)
     }
 
     private fun value(path: String, text: String): JsonElement = try {
-        Json.parseToJsonElement(text).let { if (it is JsonPrimitive && !it.isString && !isLiteral(it.content)) JsonPrimitive(text) else it }
+        Json.parseToJsonElement(text).let {
+            if (it is JsonPrimitive &&
+                !it.isString &&
+                !isLiteral(it.content)
+            ) {
+                JsonPrimitive(text)
+            } else {
+                it
+            }
+        }
     } catch (e: SerializationException) {
         JsonPrimitive(text)
     } catch (e: StackOverflowError) {
         throw InputException("--set", path, "is nested too deeply")
     }
 
-    private fun isLiteral(text: String) = text == "true" || text == "false" || text == "null" || text.toDoubleOrNull() != null
+    private fun isLiteral(text: String) =
+        text == "true" || text == "false" || text == "null" || text.toDoubleOrNull() != null
 
     /** The way down the tree: `forces[0].x` is forces, [0], x. */
     private fun steps(path: String, setting: String): List<String> = path.split('.').flatMap { part ->
         val found = PART.matchEntire(part)
-            ?: throw InputException("--set", setting, "'$part' is no key; write forces[0].x for x of the first of a list, and quote it for the shell")
+            ?: throw InputException(
+                "--set",
+                setting,
+                "'$part' is no key; write forces[0].x for x of the first of a list, and quote it for the shell",
+            )
         listOf(found.groupValues[1]) + INDEX.findAll(found.groupValues[2]).map { it.value }
     }
 
-    private fun put(tree: JsonElement?, steps: List<String>, at: Int, value: JsonElement, setting: String): JsonElement {
+    private fun put(
+        tree: JsonElement?,
+        steps: List<String>,
+        at: Int,
+        value: JsonElement,
+        setting: String,
+    ): JsonElement {
         if (at == steps.size) return value
         val step = steps[at]
         val here = steps.take(at).joinToString(".").replace(".[", "[")
         if (step.startsWith('[')) {
-            val list = tree as? JsonArray ?: throw InputException("--set", setting, "$here is no list in this scenario, so it has no $step")
+            val list =
+                tree as? JsonArray
+                    ?: throw InputException("--set", setting, "$here is no list in this scenario, so it has no $step")
             val k = step.trim('[', ']').toIntOrNull()?.takeIf { it in list.indices }
                 ?: throw InputException("--set", setting, "$here has ${entries(list.size)}, so it has no $step")
-            return JsonArray(list.mapIndexed { i, entry -> if (i == k) put(entry, steps, at + 1, value, setting) else entry })
+            return JsonArray(
+                list.mapIndexed { i, entry ->
+                    if (i ==
+                        k
+                    ) {
+                        put(entry, steps, at + 1, value, setting)
+                    } else {
+                        entry
+                    }
+                },
+            )
         }
-        if (tree is JsonArray) throw InputException("--set", setting, "$here is a list; write $here[0] for its first entry")
-        if (tree != null && tree !is JsonObject) throw InputException("--set", setting, "'$step' is looked for inside something that is no object")
+        if (tree is JsonArray) {
+            throw InputException(
+                "--set",
+                setting,
+                "$here is a list; write $here[0] for its first entry",
+            )
+        }
+        if (tree != null &&
+            tree !is JsonObject
+        ) {
+            throw InputException("--set", setting, "'$step' is looked for inside something that is no object")
+        }
         val fields = tree ?: JsonObject(emptyMap())
         return JsonObject(fields + (step to put(fields[step], steps, at + 1, value, setting)))
     }

@@ -9,7 +9,12 @@ import daphnis.core.search.Reach
 import kotlin.math.abs
 
 /** Whether a population can start in its box: inside, wide enough for its images, nobody in anybody's place. */
-internal class StartCheck(private val scenario: Scenario, private val population: Population, private val boundary: BoundaryConditions, private val check: ValueCheck) {
+internal class StartCheck(
+    private val scenario: Scenario,
+    private val population: Population,
+    private val boundary: BoundaryConditions,
+    private val check: ValueCheck,
+) {
     fun check(timeStep: TimeStep) {
         val box = boundary.box
         val largest = population.radius.max()
@@ -18,21 +23,32 @@ internal class StartCheck(private val scenario: Scenario, private val population
             val key = "box.lengths[$axis]"
             when (boundary.contactFaces(axis)) {
                 ContactFaces.PERIODIC -> {
-                    check.that(key, length, length > 2 * largest) { "must exceed the diameter of the largest sphere, ${2 * largest}, or it would touch its own image" }
+                    check.that(key, length, length > 2 * largest) {
+                        "must exceed the diameter of the largest sphere, ${2 * largest}, or it would touch its own image"
+                    }
                     checkCrossings(axis, largest, timeStep)
                 }
-                ContactFaces.WALL -> check.that(key, length, length > 2 * largest) { "must exceed the diameter of the largest sphere, ${2 * largest}" }
+                ContactFaces.WALL -> check.that(key, length, length > 2 * largest) {
+                    "must exceed the diameter of the largest sphere, ${2 * largest}"
+                }
                 // Moonlets may stick out of the slab that particles are put into.
                 ContactFaces.OPEN -> check.must(key, scenario.bodies.isNotEmpty() || length > 2 * largest) {
                     "is $length; it is thinner than the largest sphere, ${2 * largest}"
                 }
             }
-            if (boundary.contactFaces(axis) != ContactFaces.OPEN || scenario.boundary !is BoundarySpec.HillSheet) checkInside(axis)
+            if (boundary.contactFaces(axis) != ContactFaces.OPEN ||
+                scenario.boundary !is BoundarySpec.HillSheet
+            ) {
+                checkInside(axis)
+            }
         }
         checkSlide(timeStep)
         checkSatellites(timeStep)
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
-        val overlap = computable("box") { Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart) }
+        val overlap =
+            computable("box") {
+                Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
+            }
         val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
         check.must(key, overlap.depth <= TOLERANCE) {
             "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; nobody may overlap at the start"
@@ -61,7 +77,9 @@ internal class StartCheck(private val scenario: Scenario, private val population
             val inside = p[k] - margin >= box.lower(axis) && p[k] + margin <= box.upper(axis)
             val name = "xyz"[axis]
             check.must("placement", inside) {
-                "particle ${population.id[k]} at $name = ${p[k]} is outside the box, $name from ${box.lower(axis)} to ${box.upper(axis)}"
+                "particle ${population.id[k]} at $name = ${p[k]} is outside the box, $name from ${box.lower(
+                    axis,
+                )} to ${box.upper(axis)}"
             }
         }
     }
@@ -87,7 +105,8 @@ internal class StartCheck(private val scenario: Scenario, private val population
         val rate = abs(boundary.meanFlow?.rate ?: return)
         for ((k, force) in scenario.forces.withIndex()) {
             if (force !is ForceSpec.Satellite || force.radius == 0.0) continue
-            val farthest = maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
+            val farthest =
+                maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
             val way = rate * farthest * timeStep.next(population)
             check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
                 "is small against the $way that particles drift past it in a step; take a smaller dt, or 0 for a point"
@@ -108,7 +127,10 @@ internal class StartCheck(private val scenario: Scenario, private val population
         const val TOLERANCE = 1e-9
         const val MOST_SLIDE = 4
 
-        /** Bound on two spheres' ways in a step, in boxes; more would be right still, but every image in between would be searched. */
+        /**
+         * Bound on two spheres' ways in a step, in boxes; more would be right still, but every image in between would
+         * be searched.
+         */
         const val MOST_BOXES = 3
     }
 }

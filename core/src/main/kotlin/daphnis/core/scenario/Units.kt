@@ -9,11 +9,16 @@ import kotlin.math.sqrt
  * What the numbers of a scenario are in SI units.
  *
  * @property speedInCmPerSecond how many cm/s one unit of speed is; restitution laws are measured in cm/s
- * @property lengthInMetres how many metres one unit of length is; needed for planets and gravity, whose constants are known in SI units
+ * @property lengthInMetres how many metres one unit of length is; needed for planets and gravity, whose constants are
+ *   known in SI units
  * @property massInKg how many kilograms one unit of mass is
  */
 @Serializable
-public class UnitsSpec(public val speedInCmPerSecond: Double = 1.0, public val lengthInMetres: Double? = null, public val massInKg: Double = 1.0) {
+public class UnitsSpec(
+    public val speedInCmPerSecond: Double = 1.0,
+    public val lengthInMetres: Double? = null,
+    public val massInKg: Double = 1.0,
+) {
     /** How many seconds one unit of time is; null when the length is not known. */
     public val timeInSeconds: Double? get() = lengthInMetres?.let { it * CM_PER_METRE / speedInCmPerSecond }
 
@@ -63,7 +68,10 @@ public enum class Planet(public val gravitationalParameter: Double) {
 
     ;
 
-    /** Angular speed in rad/s of a circular orbit [distanceInKm] from the centre; the planet's oblateness is left out (1 % at Saturn's rings). */
+    /**
+     * Angular speed in rad/s of a circular orbit [distanceInKm] from the centre; the planet's oblateness is left out (1
+     * % at Saturn's rings).
+     */
     public fun angularSpeed(distanceInKm: Double): Double {
         val metres = distanceInKm * METRES_PER_KM
         return sqrt(gravitationalParameter / (metres * metres * metres))

@@ -1,6 +1,6 @@
 package daphnis.core.scenario
 
-import daphnis.core.format.FrameCheck
+import daphnis.core.format.SnapshotCheck
 
 /** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
 internal class ValueCheck(val source: String) {
@@ -19,7 +19,7 @@ internal class ValueCheck(val source: String) {
 
     /** A length or a radius. */
     fun extent(key: String, value: Double) {
-        val range = FrameCheck.LEAST..FrameCheck.MOST
+        val range = SnapshotCheck.LEAST..SnapshotCheck.MOST
         that(key, value, value in range) { "must be > 0, ${range.start} to ${range.endInclusive}" }
     }
 

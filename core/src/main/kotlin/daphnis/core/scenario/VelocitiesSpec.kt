@@ -3,7 +3,10 @@ package daphnis.core.scenario
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
-/** [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] takes out the velocity of the centre of mass that the drawing left. */
+/**
+ * [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] takes out the velocity of the centre of
+ * mass that the drawing left.
+ */
 @Serializable
 public sealed interface VelocitiesSpec {
     public val shearProfile: Boolean
@@ -11,16 +14,21 @@ public sealed interface VelocitiesSpec {
 
     @Serializable
     @SerialName("rest")
-    public class Rest(override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) : VelocitiesSpec
+    public class Rest(override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) :
+        VelocitiesSpec
 
     /** Every component uniform in ±[halfWidth]. */
     @Serializable
     @SerialName("uniform")
-    public class Uniform(public val halfWidth: Double, override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) : VelocitiesSpec
+    public class Uniform(
+        public val halfWidth: Double,
+        override val shearProfile: Boolean = false,
+        override val zeroMomentum: Boolean = true,
+    ) : VelocitiesSpec
 
     /**
-     * Every component normal, with exactly one of the standard deviation [sigma], the same for all, and the kinetic [temperature] T, with
-     * √(T/m) for a sphere of mass m.
+     * Every component normal, with exactly one of the standard deviation [sigma], the same for all, and the kinetic
+     * [temperature] T, with √(T/m) for a sphere of mass m.
      *
      * @property exact scales what was drawn, against the centre of mass, so that ⟨c²⟩/3 by mass is σ², or ⟨m c²⟩/3 is T
      */

@@ -7,8 +7,9 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * What is allowed and yet may not give what is wanted, a line each that names the key and the mend; empty when there is nothing to say. Of the
- * state that [setup] begins with and its first step. The figures behind the bounds are in docs/physics.md.
+ * What is allowed and yet may not give what is wanted, a line each that names the key and the mend; empty when there is
+ * nothing to say. Of the state that [setup] begins with and its first step. The figures behind the bounds are in
+ * docs/physics.md.
  */
 public fun warnings(setup: ScenarioSetup): List<String> {
     if (setup.population.size == 0) return emptyList()
@@ -18,10 +19,18 @@ public fun warnings(setup: ScenarioSetup): List<String> {
 
 /** Below walls paths are straight within a step, while they should be parabolas: elastic bounces then gain energy. */
 private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
-    val axis = (0..2).filter { setup.boundary.contactFaces(it) == ContactFaces.WALL }.maxByOrNull { fall(setup, it) } ?: return null
+    val axis =
+        (0..2).filter { setup.boundary.contactFaces(it) == ContactFaces.WALL }.maxByOrNull { fall(setup, it) }
+            ?: return null
     val fall = fall(setup, axis)
     if (fall == 0.0) return null
-    val thermal = sqrt(granularTemperature(setup.population, setup.boundary.meanFlow, setup.scenario.firstBody ?: Int.MAX_VALUE))
+    val thermal = sqrt(
+        granularTemperature(
+            setup.population,
+            setup.boundary.meanFlow,
+            setup.scenario.firstBody ?: Int.MAX_VALUE,
+        ),
+    )
     // Grains at rest get the speed of a fall through the box.
     val speed = if (thermal > 0) thermal else sqrt(fall * setup.boundary.box.length(axis))
     val ratio = fall * dt / speed
@@ -39,7 +48,8 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
 }
 
 /** Uniform acceleration along [axis]. */
-private fun fall(setup: ScenarioSetup, axis: Int): Double = abs(setup.scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>().sumOf { it.acceleration[axis] })
+private fun fall(setup: ScenarioSetup, axis: Int): Double =
+    abs(setup.scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>().sumOf { it.acceleration[axis] })
 
 /** Collisions are found on chords, which are off the epicycles by a share of the step squared. */
 private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
@@ -57,7 +67,10 @@ private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
 
 private fun line(format: String, vararg values: Any): String = String.format(Locale.ROOT, format, *values)
 
-/** Change of speed within a step, against the thermal speed: at this one 1 % of the energy is gained in about 100 bounces. */
+/**
+ * Change of speed within a step, against the thermal speed: at this one 1 % of the energy is gained in about 100
+ * bounces.
+ */
 private const val MOST_FALL = 0.02
 
 /** Energy gained by an elastic bounce over its energy and the square of that ratio, as measured. */

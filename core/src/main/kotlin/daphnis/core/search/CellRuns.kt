@@ -5,7 +5,8 @@ import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
- * The runs of slots of a [Grid] that a sphere has to look through. Holds the runs of one query at a time, so each thread has its own.
+ * The runs of slots of a [Grid] that a sphere has to look through. Holds the runs of one query at a time, so each
+ * thread has its own.
  *
  * @param closer closer bounds on the others than the reach that the grid was built for; null to do without
  */
@@ -35,7 +36,8 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private val least = IntArray(3)
     private val most = IntArray(3)
 
-    // For closer bounds: where the sphere is and where it will be at the end of the step, along these axes, its radius, and the time now.
+    // For closer bounds: where the sphere is and where it will be at the end of the step, along these axes, its radius,
+    // and the time now.
     private val here = DoubleArray(3)
     private val there = DoubleArray(3)
     private var radius = 0.0
@@ -48,12 +50,22 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private var closeTo = 0
 
     /**
-     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its way in this step, from its
-     * place ([x], [y], [z]) at the start by ([wayX], [wayY], [wayZ]). Only at the start, when nobody has collided.
+     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its way in
+     * this step, from its place ([x], [y], [z]) at the start by ([wayX], [wayY], [wayZ]). Only at the start, when
+     * nobody has collided.
      *
      * @return number of runs
      */
-    public fun ahead(slot: Int, x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double): Int {
+    public fun ahead(
+        slot: Int,
+        x: Double,
+        y: Double,
+        z: Double,
+        wayX: Double,
+        wayY: Double,
+        wayZ: Double,
+        radius: Double,
+    ): Int {
         count = 0
         time = 0.0
         starts = grid.cellStart
@@ -71,11 +83,17 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private fun addAhead(slot: Int, x: Double, y: Double, z: Double) {
         val c1 = layout.cellAt(layout.pick(1, x, y, z), 1)
         val c2 = layout.cellAt(layout.pick(2, x, y, z), 2)
-        // Rest of the own row: later slots, then cells ahead; then the rows ahead, those of the own layer and those of the layers above.
+        // Rest of the own row: later slots, then cells ahead; then the rows ahead, those of the own layer and those of
+        // the layers above.
         val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
         var last = most[0]
         val bounds = bounds
-        if (bounds != null) last = if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
+        if (bounds !=
+            null
+        ) {
+            last =
+                if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
+        }
         if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)
         if (periodic[0]) addCells(rowStart, cells[0], last, 0, 0)
         for (row in c1 + 1..most[1]) addRow(row, c2)
@@ -85,12 +103,22 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     /**
-     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its way, from its place ([x], [y], [z]) now by
-     * ([wayX], [wayY], [wayZ]); they hold the sphere itself too. [time] is now, from the start of the step; needed for closer bounds.
+     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its way, from its place
+     * ([x], [y], [z]) now by ([wayX], [wayY], [wayZ]); they hold the sphere itself too. [time] is now, from the start
+     * of the step; needed for closer bounds.
      *
      * @return number of runs
      */
-    public fun around(x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double, time: Double = 0.0): Int {
+    public fun around(
+        x: Double,
+        y: Double,
+        z: Double,
+        wayX: Double,
+        wayY: Double,
+        wayZ: Double,
+        radius: Double,
+        time: Double = 0.0,
+    ): Int {
         count = 0
         this.time = time
         starts = grid.cellStart
@@ -107,7 +135,16 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         }
     }
 
-    private fun cover(level: Int, x: Double, y: Double, z: Double, wayX: Double, wayY: Double, wayZ: Double, radius: Double) {
+    private fun cover(
+        level: Int,
+        x: Double,
+        y: Double,
+        z: Double,
+        wayX: Double,
+        wayY: Double,
+        wayZ: Double,
+        radius: Double,
+    ) {
         layout = levels[level]
         cells = layout.cells
         periodic = layout.periodic
@@ -161,15 +198,26 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
             to -= floor(minOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
         }
         if (from >= 0 && to < cells[0]) {
-            addRun(starts[rowStart + from], starts[rowStart + to + 1], if (image1 or image2 == 0) 0 else code(0, image1, image2))
+            addRun(
+                starts[rowStart + from],
+                starts[rowStart + to + 1],
+                if (image1 or image2 ==
+                    0
+                ) {
+                    0
+                } else {
+                    code(0, image1, image2)
+                },
+            )
         } else {
             addCells(rowStart, from, to, image1, image2)
         }
     }
 
     /**
-     * How far along the row at hand as ([r1], [r2]) the sphere, on its way, can touch one that started there, if it does not move along the row; −1 when it
-     * cannot. Others may have come nearer by their reach along the other two axes.
+     * How far along the row at hand as ([r1], [r2]) the sphere, on its way, can touch one that started there, if it
+     * does not move along the row; −1 when it cannot. Others may have come nearer by their reach along the other two
+     * axes.
      */
     private fun halfChord(r1: Int, r2: Int): Double {
         val s = radius + Math.max(layout.ownMargin[0], Math.max(layout.ownMargin[1], layout.ownMargin[2]))
@@ -190,9 +238,10 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     /**
-     * Whether a sphere that started in [row], at hand as the one numbered ([r1], [r2]), can be met, and in which of its cells: [closeFrom] to
-     * [closeTo]. A sphere there, at s at the start, is somewhere in s + [least, greatest velocity] · t at time t; the one that searches goes straight
-     * from [here] to [there]; so that where they can meet is bounded by what holds now and at the end.
+     * Whether a sphere that started in [row], at hand as the one numbered ([r1], [r2]), can be met, and in which of its
+     * cells: [closeFrom] to [closeTo]. A sphere there, at s at the start, is somewhere in s + [least, greatest
+     * velocity] · t at time t; the one that searches goes straight from [here] to [there]; so that where they can meet
+     * is bounded by what holds now and at the end.
      */
     private fun isWithin(bounds: RowBounds, row: Int, r1: Int, r2: Int, image2: Int, slack: Double): Boolean {
         val v = bounds.values
@@ -259,7 +308,8 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     private fun code(image0: Int, image1: Int, image2: Int): Int =
-        ((image0 and 0xff) shl (8 * layout.axes[0])) or ((image1 and 0xff) shl (8 * layout.axes[1])) or ((image2 and 0xff) shl (8 * layout.axes[2]))
+        ((image0 and 0xff) shl (8 * layout.axes[0])) or ((image1 and 0xff) shl (8 * layout.axes[1])) or
+            ((image2 and 0xff) shl (8 * layout.axes[2]))
 
     private companion object {
         const val INITIAL = 64

@@ -4,9 +4,9 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
- * Counting sort by cell. In parallel, each worker counts one part of the population; since a population is nearly in cell order from the step
- * before, a part covers only a stretch of the cells, and counting and adding up cost little more than on one thread. A population in
- * wild order (the first step) is sorted on one.
+ * Counting sort by cell. In parallel, each worker counts one part of the population; since a population is nearly in
+ * cell order from the step before, a part covers only a stretch of the cells, and counting and adding up cost little
+ * more than on one thread. A population in wild order (the first step) is sorted on one.
  */
 internal class CountingSort : CellSort {
     // By part: its counts, for cells low..high.
@@ -31,7 +31,9 @@ internal class CountingSort : CellSort {
             counts = Array(parts) { IntArray(0) }
             blockStart = IntArray(parts + 1)
         }
-        loop.run(parts, 1) { _, from, to -> for (part in from until to) findPart(population, levels, into, part, parts) }
+        loop.run(parts, 1) { _, from, to ->
+            for (part in from until to) findPart(population, levels, into, part, parts)
+        }
         var stretches = 0L
         for (part in 0 until parts) stretches += high[part] - low[part] + 1
         if (stretches > 2L * total + n) {
@@ -39,7 +41,12 @@ internal class CountingSort : CellSort {
             return
         }
         loop.run(parts, 1) { _, from, to -> for (part in from until to) count(n, into, part, parts) }
-        loop.run(parts, 1) { _, from, to -> for (block in from until to) blockStart[block + 1] = spheresIn(total, block, parts) }
+        loop.run(parts, 1) { _, from, to ->
+            for (block in from until to) {
+                blockStart[block + 1] =
+                    spheresIn(total, block, parts)
+            }
+        }
         for (block in 0 until parts) blockStart[block + 1] += blockStart[block]
         loop.run(parts, 1) { _, from, to -> for (block in from until to) addUp(total, into, block, parts) }
         into.start[total] = n
@@ -61,7 +68,13 @@ internal class CountingSort : CellSort {
 
     private fun count(n: Int, into: CellOrder, part: Int, parts: Int) {
         val length = high[part] - low[part] + 1
-        if (counts[part].size < length) counts[part] = IntArray(length + length / 4) else counts[part].fill(0, 0, length)
+        if (counts[part].size <
+            length
+        ) {
+            counts[part] = IntArray(length + length / 4)
+        } else {
+            counts[part].fill(0, 0, length)
+        }
         val counts = counts[part]
         val first = low[part]
         for (k in share(n, part, parts) until share(n, part + 1, parts)) counts[into.cellOf[k] - first]++
@@ -71,7 +84,12 @@ internal class CountingSort : CellSort {
         var sum = 0
         for (part in 0 until parts) {
             val counts = counts[part]
-            for (cell in maxOf(low[part], share(total, block, parts))..minOf(high[part], share(total, block + 1, parts) - 1)) sum += counts[cell - low[part]]
+            for (cell in maxOf(
+                low[part],
+                share(total, block, parts),
+            )..minOf(high[part], share(total, block + 1, parts) - 1)) {
+                sum += counts[cell - low[part]]
+            }
         }
         return sum
     }

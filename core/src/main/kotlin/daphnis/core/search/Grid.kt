@@ -7,13 +7,13 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
- * A regular grid that puts spheres in cell order; [CellRuns] then names, for each, the runs of slots in which every sphere lies that it
- * can touch within the step.
+ * A regular grid that puts spheres in cell order; [CellRuns] then names, for each, the runs of slots in which every
+ * sphere lies that it can touch within the step.
  *
- * Where a sphere itself goes until the end of the step, if nothing happens to it, is known: a straight way. Where others may be is known
- * only up to the [Reach]. So it can touch only spheres that were, at the start of the step, no farther from its way along each axis than its
- * radius, the largest radius and the reach together. Cells are numbered along a row first, so cells side by side in a row are one run of
- * memory:
+ * Where a sphere itself goes until the end of the step, if nothing happens to it, is known: a straight way. Where
+ * others may be is known only up to the [Reach]. So it can touch only spheres that were, at the start of the step, no
+ * farther from its way along each axis than its radius, the largest radius and the reach together. Cells are numbered
+ * along a row first, so cells side by side in a row are one run of memory:
  *
  * ```
  *   slow axis ▲   ┌─┬─┬─┬─┬─┬─┬─┬─┐
@@ -26,12 +26,13 @@ import daphnis.core.population.Population
  *             └────────────────────▶ row axis (memory)
  * ```
  *
- * Rows run along x unless images slide along another axis; then along that one, since the slide changes only where in a row to
- * look. Faces that are periodic continue with images, as many boxes away as the way demands, so a box thinner than that is
- * searched right as well.
+ * Rows run along x unless images slide along another axis; then along that one, since the slide changes only where in a
+ * row to look. Faces that are periodic continue with images, as many boxes away as the way demands, so a box thinner
+ * than that is searched right as well.
  *
- * Spheres of very different sizes are told apart: each class of sizes ([SizeClasses]) has cells of its own, one class after the other in memory, and a
- * sphere looks through those of every class no farther than that class demands. One class is the paper's grid.
+ * Spheres of very different sizes are told apart: each class of sizes ([SizeClasses]) has cells of its own, one class
+ * after the other in memory, and a sphere looks through those of every class no farther than that class demands. One
+ * class is the paper's grid.
  *
  * All memory is kept from step to step. Once [build] has returned, any number of threads may read, each through
  * its own [CellRuns].
@@ -64,8 +65,8 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
     public fun cellWidth(axis: Int, of: Int = 0): Double = levels[of].widths[levels[of].axes.indexOf(axis)]
 
     /**
-     * How far apart along [axis] two spheres, both at the start of the step, can be at most if one looks through the cell of the other at any
-     * moment of the step.
+     * How far apart along [axis] two spheres, both at the start of the step, can be at most if one looks through the
+     * cell of the other at any moment of the step.
      */
     public fun sight(axis: Int): Double {
         val top = levels.count - 1
@@ -83,7 +84,8 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
 
     private fun sight(axis: Int, looking: Int, lookedAt: Int): Double {
         val k = levels[0].axes.indexOf(axis)
-        // Out to the end of the way, the radii, and back from where the other may have gone to; and a cell on top, of which a part may be seen.
+        // Out to the end of the way, the radii, and back from where the other may have gone to; and a cell on top, of
+        // which a part may be seen.
         return levels[looking].margin[k] + levels[lookedAt].margin[k] + levels[lookedAt].widths[k]
     }
 

@@ -7,8 +7,9 @@ import daphnis.core.population.Population
 import kotlin.math.floor
 
 /**
- * How a [Grid] divides space for one class of sizes: for the axis of rows (0), the middle axis (1) and the slow axis (2), the number of cells, their width, and
- * how far beside its way a sphere has to look for one of this class. Arrays are indexed by these three; [axes] says which of x, y, z each is.
+ * How a [Grid] divides space for one class of sizes: for the axis of rows (0), the middle axis (1) and the slow axis
+ * (2), the number of cells, their width, and how far beside its way a sphere has to look for one of this class. Arrays
+ * are indexed by these three; [axes] says which of x, y, z each is.
  */
 internal class GridLayout {
     /** Radii of this class are no larger. */
@@ -23,19 +24,27 @@ internal class GridLayout {
     val cellCount: Int get() = cells[0] * cells[1] * cells[2]
     val rowCount: Int get() = cells[1] * cells[2]
 
-    /** x, y or z as the row axis, the middle axis, the slow axis. Rows lie along the axis along which images slide, else along x. */
+    /**
+     * x, y or z as the row axis, the middle axis, the slow axis. Rows lie along the axis along which images slide, else
+     * along x.
+     */
     val axes = intArrayOf(0, 2, 1)
     val cells = IntArray(3)
     val periodic = BooleanArray(3)
 
-    /** Largest radius and reach of others together, with room for rounding: what has to be added to a sphere's way and radius. */
+    /**
+     * Largest radius and reach of others together, with room for rounding: what has to be added to a sphere's way and
+     * radius.
+     */
     val margin = DoubleArray(3)
 
     /** Whether images across the slow axis slide along the rows. */
     var slides = false
         private set
 
-    /** Least and most cells along a row by which the image row one box up the slow axis is displaced during the step. */
+    /**
+     * Least and most cells along a row by which the image row one box up the slow axis is displaced during the step.
+     */
     var slideLow = 0.0
         private set
     var slideHigh = 0.0
@@ -52,8 +61,20 @@ internal class GridLayout {
     val widths = DoubleArray(3)
     private var spheres = 0
 
-    /** For [count] spheres with radii up to [largest], in the extent of all spheres [from] to [from] + [size] along x, y, z. */
-    fun prepare(count: Int, largest: Double, boundary: BoundaryConditions, images: Images, duration: Double, reach: DoubleArray, from: DoubleArray, size: DoubleArray) {
+    /**
+     * For [count] spheres with radii up to [largest], in the extent of all spheres [from] to [from] + [size] along x,
+     * y, z.
+     */
+    fun prepare(
+        count: Int,
+        largest: Double,
+        boundary: BoundaryConditions,
+        images: Images,
+        duration: Double,
+        reach: DoubleArray,
+        from: DoubleArray,
+        size: DoubleArray,
+    ) {
         spheres = count
         this.largest = largest
         val shear = boundary.shear
@@ -93,7 +114,10 @@ internal class GridLayout {
         cells[k] = if (range > 0) (extent[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt() else 1
     }
 
-    /** Far-flung spheres in an open box must not cost memory: never more than a few cells a sphere. Wider cells are always right. */
+    /**
+     * Far-flung spheres in an open box must not cost memory: never more than a few cells a sphere. Wider cells are
+     * always right.
+     */
     private fun limitCells() {
         val most = maxOf(MOST_CELLS_A_SPHERE * spheres.toDouble(), LEAST_CELLS)
         while (true) {
@@ -136,7 +160,10 @@ internal class GridLayout {
         }
     }
 
-    /** The cell toward which [position] lies: beyond the faces of a periodic axis it is counted on, elsewhere it ends at the edge. */
+    /**
+     * The cell toward which [position] lies: beyond the faces of a periodic axis it is counted on, elsewhere it ends at
+     * the edge.
+     */
     fun cellToward(position: Double, k: Int): Int {
         val c = floor((position - low[k]) * perLength[k])
         if (periodic[k]) return c.toInt()
@@ -157,7 +184,10 @@ internal class GridLayout {
     }
 
     companion object {
-        /** Cells in the length that a pair can bridge; finer rows fit the way more closely, more rows cost more than they save. */
+        /**
+         * Cells in the length that a pair can bridge; finer rows fit the way more closely, more rows cost more than
+         * they save.
+         */
         private const val ROW_CELLS_A_RANGE = 4.0
         private const val CELLS_A_RANGE = 1.0
         private const val MOST_CELLS_ALONG = 1e6

@@ -7,7 +7,10 @@ import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
-/** The layouts of a [Grid], one for each class of sizes, smallest first; their cells and rows are numbered one after the other. */
+/**
+ * The layouts of a [Grid], one for each class of sizes, smallest first; their cells and rows are numbered one after the
+ * other.
+ */
 internal class GridLevels {
     private val classes = SizeClasses()
     private val layouts = ArrayList<GridLayout>()
@@ -37,7 +40,7 @@ internal class GridLevels {
         loop: RangeLoop,
     ) {
         for (axis in 0..2) measure(axis, population, boundary, loop)
-        extremes.of(population.radius, population.size, loop)
+        extremes.measure(population.radius, population.size, loop)
         val largest = extremes.magnitude
         for (axis in 0..2) Scales.requireLengths(axis, from[axis], from[axis] + size[axis], largest)
         classes.divide(population, extremes.least, largest, structure, reach, size)
@@ -46,7 +49,16 @@ internal class GridLevels {
         for (level in 0 until count) {
             if (level == layouts.size) layouts += GridLayout()
             val layout = layouts[level]
-            layout.prepare(classes.spheres[level], classes.largest[level], boundary, images, duration, reach, from, size)
+            layout.prepare(
+                classes.spheres[level],
+                classes.largest[level],
+                boundary,
+                images,
+                duration,
+                reach,
+                from,
+                size,
+            )
             layout.firstCell = cellCount
             layout.firstRow = rowCount
             cellCount += layout.cellCount
@@ -67,7 +79,7 @@ internal class GridLevels {
         } else {
             population.z
         }
-        extremes.of(a, population.size, loop)
+        extremes.measure(a, population.size, loop)
         from[axis] = if (population.size == 0) 0.0 else extremes.least
         size[axis] = if (population.size == 0) 0.0 else extremes.greatest - extremes.least
     }

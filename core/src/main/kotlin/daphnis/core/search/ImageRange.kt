@@ -47,5 +47,6 @@ internal object ImageRange {
         return (margin - rounding(box.lower(axis), box.upper(axis))) * (1 - 2 * SLACK) - largest
     }
 
-    fun refusal(axis: Int): String = "the fastest spheres meet images $MOST_BOXES boxes away along ${"xyz"[axis]} within a step; take a smaller dt"
+    fun refusal(axis: Int): String =
+        "the fastest spheres meet images $MOST_BOXES boxes away along ${"xyz"[axis]} within a step; take a smaller dt"
 }

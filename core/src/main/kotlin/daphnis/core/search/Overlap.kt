@@ -18,17 +18,27 @@ import kotlin.math.sqrt
 public class Overlap private constructor(public val first: Int, public val second: Int, public val depth: Double) {
     public companion object {
         /**
-         * Looks at every pair of neighbours, through the faces too where contacts are found through them. Allocates a grid. Of pairs equally deep it
-         * names the first in the order of the grid, for any number of [threads], which end before it returns.
+         * Looks at every pair of neighbours, through the faces too where contacts are found through them. Allocates a
+         * grid. Of pairs equally deep it names the first in the order of the grid, for any number of [threads], which
+         * end before it returns.
          */
-        public fun deepest(population: Population, boundary: BoundaryConditions, time: Double, threads: Int = 1): Overlap =
-            if (threads == 1 || population.size < LEAST_FOR_THREADS) {
-                deepest(population, boundary, time, InlineLoop)
-            } else {
-                FixedPool(threads).use { deepest(population, boundary, time, ParallelLoop(it, LoopStrategy.DYNAMIC)) }
-            }
+        public fun deepest(
+            population: Population,
+            boundary: BoundaryConditions,
+            time: Double,
+            threads: Int = 1,
+        ): Overlap = if (threads == 1 || population.size < LEAST_FOR_THREADS) {
+            deepest(population, boundary, time, InlineLoop)
+        } else {
+            FixedPool(threads).use { deepest(population, boundary, time, ParallelLoop(it, LoopStrategy.DYNAMIC)) }
+        }
 
-        internal fun deepest(population: Population, boundary: BoundaryConditions, time: Double, loop: RangeLoop): Overlap {
+        internal fun deepest(
+            population: Population,
+            boundary: BoundaryConditions,
+            time: Double,
+            loop: RangeLoop,
+        ): Overlap {
             val grid = Grid()
             grid.build(population, boundary, time, 0.0, DoubleArray(3), loop)
             val searches = Array(loop.workers) { CellRuns(grid) }
@@ -53,7 +63,16 @@ public class Overlap private constructor(public val first: Int, public val secon
             var depth = 0.0
             for (slot in from until to) {
                 val k = grid.order[slot]
-                val runs = near.ahead(slot, population.x[k], population.y[k], population.z[k], 0.0, 0.0, 0.0, population.radius[k])
+                val runs = near.ahead(
+                    slot,
+                    population.x[k],
+                    population.y[k],
+                    population.z[k],
+                    0.0,
+                    0.0,
+                    0.0,
+                    population.radius[k],
+                )
                 for (r in 0 until runs) {
                     for (other in near.from[r] until near.to[r]) {
                         if (other == slot) continue

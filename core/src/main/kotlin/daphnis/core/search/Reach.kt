@@ -9,9 +9,10 @@ import daphnis.core.population.Population
 import kotlin.math.abs
 
 /**
- * How far a sphere may go along each axis within a step: a bound that the search relies on, not a guess. It is the largest speed
- * along the axis times the duration, with some headroom for what collisions may add. An engine checks every velocity a
- * collision creates against it; when one exceeds it, the step is restored, [enlarge] is called and the step is redone.
+ * How far a sphere may go along each axis within a step: a bound that the search relies on, not a guess. It is the
+ * largest speed along the axis times the duration, with some headroom for what collisions may add. An engine checks
+ * every velocity a collision creates against it; when one exceeds it, the step is restored, [enlarge] is called and the
+ * step is redone.
  *
  * Along a periodic axis the bound ends where images too far away would matter. Headroom gives way there, so that a step
  * is refused only when a sphere itself goes so far: at its start, or by a collision. That depends on the state at the
@@ -35,12 +36,17 @@ public class Reach {
      * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are looked for,
      *   or when sizes, speeds and duration are beyond what can be computed
      */
-    public fun measure(population: Population, boundary: BoundaryConditions, duration: Double, loop: RangeLoop = InlineLoop) {
+    public fun measure(
+        population: Population,
+        boundary: BoundaryConditions,
+        duration: Double,
+        loop: RangeLoop = InlineLoop,
+    ) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
-        fastest[0] = extremes.of(population.vx, population.size, loop).magnitude
-        fastest[1] = extremes.of(population.vy, population.size, loop).magnitude
-        fastest[2] = extremes.of(population.vz, population.size, loop).magnitude
-        extremes.of(population.radius, population.size, loop)
+        fastest[0] = extremes.measure(population.vx, population.size, loop).magnitude
+        fastest[1] = extremes.measure(population.vy, population.size, loop).magnitude
+        fastest[2] = extremes.measure(population.vz, population.size, loop).magnitude
+        extremes.measure(population.radius, population.size, loop)
         if (population.size > 0) {
             Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)
         }
@@ -53,8 +59,8 @@ public class Reach {
     }
 
     /**
-     * Whether sphere [slot] of [rows], if nothing more happens to it, ends the step of [duration] farther from where it started in
-     * [population] than the bound. Its path so far has been asked about before.
+     * Whether sphere [slot] of [rows], if nothing more happens to it, ends the step of [duration] farther from where it
+     * started in [population] than the bound. Its path so far has been asked about before.
      */
     public fun isOutrun(rows: StepRows, slot: Int, population: Population, duration: Double): Boolean {
         val v = slot * StepRows.STRIDE + StepRows.VX
@@ -106,7 +112,8 @@ public class Reach {
     }
 
     private fun apply(duration: Double) {
-        // A flow without motion along an axis can gain some from the others, so no axis gets less than a little of the fastest.
+        // A flow without motion along an axis can gain some from the others, so no axis gets less than a little of the
+        // fastest.
         val floor = maxOf(fastest[0], fastest[1], fastest[2]) * LEAST_SHARE
         for (axis in 0 until AXES) {
             speed[axis] = minOf(maxOf(fastest[axis], floor) * (1 + headroom), most[axis])

@@ -8,19 +8,27 @@ import java.lang.invoke.MethodHandles
 import java.lang.invoke.VarHandle
 
 /**
- * For each row of a [Grid] the least and greatest velocity, along each axis, that any sphere which started there has had in this step: a closer bound
- * on where others may be than the [Reach], which is one for all. In a shear flow it moves with the flow.
+ * For each row of a [Grid] the least and greatest velocity, along each axis, that any sphere which started there has
+ * had in this step: a closer bound on where others may be than the [Reach], which is one for all. In a shear flow it
+ * moves with the flow.
  *
- * **Why nothing is missed though the bounds grow within the step.** When a collision gives a sphere k a velocity beyond the bounds of its row, they are
- * widened, and only then k searches. Who searches later sees the wider bounds and finds k. Who searched before and did not look where k now goes, has
- * not moved since, or k would be found again from its side; and where it was, k's own search finds it.
+ * **Why nothing is missed though the bounds grow within the step.** When a collision gives a sphere k a velocity beyond
+ * the bounds of its row, they are widened, and only then k searches. Who searches later sees the wider bounds and finds
+ * k. Who searched before and did not look where k now goes, has not moved since, or k would be found again from its
+ * side; and where it was, k's own search finds it.
  */
 public class RowBounds {
-    /** Six numbers a row: least and greatest velocity along the row axis, the middle and the slow axis. Least above greatest where nobody started. */
+    /**
+     * Six numbers a row: least and greatest velocity along the row axis, the middle and the slow axis. Least above
+     * greatest where nobody started.
+     */
     internal var values = DoubleArray(0)
         private set
 
-    /** Whether closer bounds are worth their cost in this step: where a search has few candidates it costs more to look up rows than to look at spheres. */
+    /**
+     * Whether closer bounds are worth their cost in this step: where a search has few candidates it costs more to look
+     * up rows than to look at spheres.
+     */
     public var isInUse: Boolean = false
         private set
 
@@ -36,7 +44,13 @@ public class RowBounds {
      *
      * @param fewest candidates of a search from which on the bounds are used
      */
-    public fun measure(grid: Grid, rows: StepRows, duration: Double, loop: RangeLoop, fewest: Double = WORTH_CANDIDATES) {
+    public fun measure(
+        grid: Grid,
+        rows: StepRows,
+        duration: Double,
+        loop: RangeLoop,
+        fewest: Double = WORTH_CANDIDATES,
+    ) {
         isInUse = grid.levels.candidates() >= fewest
         if (!isInUse) return
         this.duration = duration
@@ -70,7 +84,10 @@ public class RowBounds {
         }
     }
 
-    /** Takes in the velocity in row [place] of [rows], a sphere whose slot is [slot]. Before it searches; any number of threads at once. */
+    /**
+     * Takes in the velocity in row [place] of [rows], a sphere whose slot is [slot]. Before it searches; any number of
+     * threads at once.
+     */
     public fun include(slot: Int, rows: StepRows, place: Int) {
         if (!isInUse) return
         val p = rowOf[slot] * WIDTH

@@ -4,8 +4,9 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
- * The paper's parallel grid: cells are linked lists, every worker takes spheres and hangs each into the list of its cell while it holds the
- * lock of that row. The lists are then written out in order of cells, sorted by index, so that the result does not depend on who came first.
+ * The paper's parallel grid: cells are linked lists, every worker takes spheres and hangs each into the list of its
+ * cell while it holds the lock of that row. The lists are then written out in order of cells, sorted by index, so that
+ * the result does not depend on who came first.
  */
 internal class RowLockedSort : CellSort {
     private var head = IntArray(0)

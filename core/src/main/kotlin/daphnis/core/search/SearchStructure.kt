@@ -12,7 +12,7 @@ public enum class SearchStructure {
 
     /** By size: a hierarchy of grids, a finer one for each class of smaller spheres. */
     @SerialName("tree")
-    TREE,
+    LEVELS,
 
     /** That of the two, and that number of classes, which promises fewer pairs to look at, chosen for each step. */
     @SerialName("auto")

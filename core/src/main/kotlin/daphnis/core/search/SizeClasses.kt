@@ -3,11 +3,13 @@ package daphnis.core.search
 import daphnis.core.population.Population
 
 /**
- * Divides the spheres of a population into classes of size, so that a search among small ones need not reach as far as the largest. The paper proposes a tree
- * that knows the largest radius below each node; this is that tree flattened: a level a class, each a regular grid of its own.
+ * Divides the spheres of a population into classes of size, so that a search among small ones need not reach as far as
+ * the largest. The paper proposes a tree that knows the largest radius below each node; this is that tree flattened: a
+ * level a class, each a regular grid of its own.
  *
- * Classes are made of octaves of radius, side by side ones put together as long as that leaves fewer pairs to look at: a sphere looks among its own class
- * and those of larger ones, and each class costs some looking even where it is empty.
+ * Classes are made of octaves of radius, side by side ones put together as long as that leaves fewer pairs to look at:
+ * a sphere looks among its own class and those of larger ones, and each class costs some looking even where it is
+ * empty.
  */
 internal class SizeClasses {
     /** Number of classes. */
@@ -27,13 +29,25 @@ internal class SizeClasses {
      * @param reach how far spheres may go along x, y, z
      * @param size extent of all spheres along x, y, z
      */
-    fun divide(population: Population, smallestRadius: Double, largestRadius: Double, structure: SearchStructure, reach: DoubleArray, size: DoubleArray) {
+    fun divide(
+        population: Population,
+        smallestRadius: Double,
+        largestRadius: Double,
+        structure: SearchStructure,
+        reach: DoubleArray,
+        size: DoubleArray,
+    ) {
         count = 1
         largest[0] = largestRadius
         spheres[0] = population.size
-        if (structure == SearchStructure.GRID || population.size == 0 || Math.getExponent(largestRadius) == Math.getExponent(smallestRadius)) return
+        if (structure == SearchStructure.GRID ||
+            population.size == 0 ||
+            Math.getExponent(largestRadius) == Math.getExponent(smallestRadius)
+        ) {
+            return
+        }
         countOctaves(population, Math.getExponent(largestRadius))
-        putTogether(if (structure == SearchStructure.TREE) 2 else 1, reach, size)
+        putTogether(if (structure == SearchStructure.LEVELS) 2 else 1, reach, size)
     }
 
     /** The class of a sphere of [radius]. */

@@ -1,7 +1,8 @@
 package daphnis.core.boundary
 
 import daphnis.core.Sphere
-import daphnis.core.format.Frame
+import daphnis.core.format.Snapshot
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -30,7 +31,12 @@ class BoundariesTest {
 
     @Test
     fun `the paper's box changes the x velocity at the y faces, against the flow, without an offset`() {
-        val p = populationOf(Sphere(x = 1.0, y = 4.5, vx = 0.3), Sphere(x = 1.0, y = -4.5, vx = 0.3), Sphere(x = 5.5, vx = 0.3))
+        val p =
+            populationOf(
+                Sphere(x = 1.0, y = 4.5, vx = 0.3),
+                Sphere(x = 1.0, y = -4.5, vx = 0.3),
+                Sphere(x = 5.5, vx = 0.3),
+            )
         ShearedPeriodic(box, 0.1).endStep(p, 7.0)
         assertEquals(listOf(-3.5, 3.5, 0.0), p.y.toList())
         assertEquals(listOf(1.0, 1.0, -4.5), p.x.toList())
@@ -90,7 +96,12 @@ class BoundariesTest {
     fun `position and boxes crossed give the straight path back, also where images slide`() {
         val sheets = listOf(HillSheet(box, 0.31), HillSheet(box, 0.31, radiallyOpen = true))
         for (boundary in listOf(Periodic(box), LeesEdwards(box, 0.5), LeesEdwards(box, -1.3)) + sheets) {
-            val p = populationOf(Sphere(1.0, 2.0, 0.0, 0.9, -1.1, 0.7), Sphere(-2.0, 0.0, 1.0, -1.7, 2.3, 0.1), Sphere(vx = 0.3, vy = 0.01))
+            val p =
+                populationOf(
+                    Sphere(1.0, 2.0, 0.0, 0.9, -1.1, 0.7),
+                    Sphere(-2.0, 0.0, 1.0, -1.7, 2.3, 0.1),
+                    Sphere(vx = 0.3, vy = 0.01),
+                )
             val start = p.copy()
             for (step in 1..400) {
                 for (k in 0 until p.size) {
@@ -100,14 +111,16 @@ class BoundariesTest {
                 }
                 boundary.endStep(p, step * 0.25)
             }
-            val frame = Frame.of(p, boundary, 400, 100.0)
+            val frame = Snapshot.of(p, boundary, 400, 100.0)
             val edges = frame.edges()
             for (k in 0 until p.size) {
                 val v = doubleArrayOf(start.vx[k], start.vy[k], start.vz[k])
                 val from = doubleArrayOf(start.x[k], start.y[k], start.z[k])
                 for (axis in 0..2) {
                     val whole = frame.position[axis][k] + (0..2).sumOf { frame.image!![it][k] * edges[it][axis] }
-                    assertEquals(from[axis] + 100 * v[axis], whole, 1e-9) { "${boundary.javaClass.simpleName}, sphere $k along ${"xyz"[axis]}" }
+                    assertEquals(from[axis] + 100 * v[axis], whole, 1e-9) {
+                        "${boundary.javaClass.simpleName}, sphere $k along ${"xyz"[axis]}"
+                    }
                 }
             }
         }

@@ -6,8 +6,8 @@ import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.initial.SeededRandom
 import daphnis.core.populationOf
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -84,7 +84,8 @@ class ContactTest {
 
     @Test
     fun `a sliding image is met where it has slid to`() {
-        // L_y = 10, shear rate 0.5: the image of the second stands at y = −4 + 10, slides with 5 along x, and has slid by 1 at t = 0.2.
+        // L_y = 10, shear rate 0.5: the image of the second stands at y = −4 + 10, slides with 5 along x, and has slid
+        // by 1 at t = 0.2.
         val box = Box.centred(100.0, 10.0, 10.0)
         val sliding = Images().apply { prepare(LeesEdwards(box, 0.5), 0.2) }
         val rows = rows(Sphere(y = 4.0, r = 0.5), Sphere(x = -5.0, y = -5.5, r = 0.5, vx = 0.0))

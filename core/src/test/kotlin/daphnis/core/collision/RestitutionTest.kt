@@ -37,13 +37,28 @@ class RestitutionTest {
 
     @Test
     fun `speeds are turned into cm per second`() {
-        assertEquals(BridgesRestitution().coefficient(2.5), BridgesRestitution(cmPerSecond = 100.0).coefficient(0.025), 1e-15)
-        assertEquals(BorderiesRestitution(0.01).coefficient(0.05), BorderiesRestitution(0.01, cmPerSecond = 10.0).coefficient(0.005), 1e-15)
+        assertEquals(
+            BridgesRestitution().coefficient(2.5),
+            BridgesRestitution(cmPerSecond = 100.0).coefficient(0.025),
+            1e-15,
+        )
+        assertEquals(
+            BorderiesRestitution(0.01).coefficient(0.05),
+            BorderiesRestitution(0.01, cmPerSecond = 10.0).coefficient(0.005),
+            1e-15,
+        )
     }
 
     @Test
     fun `every law stays in 0 to 1 over thirty decades and at both ends`() {
-        val laws = listOf(BridgesRestitution(), BridgesRestitution(0.32), BridgesRestitution(1.5), BorderiesRestitution(0.01), ConstantRestitution(0.5))
+        val laws =
+            listOf(
+                BridgesRestitution(),
+                BridgesRestitution(0.32),
+                BridgesRestitution(1.5),
+                BorderiesRestitution(0.01),
+                ConstantRestitution(0.5),
+            )
         for (law in laws) {
             for (power in -20..10) assertTrue(law.coefficient(Math.pow(10.0, power.toDouble())) in 0.0..1.0)
             assertTrue(law.coefficient(0.0) in 0.0..1.0)

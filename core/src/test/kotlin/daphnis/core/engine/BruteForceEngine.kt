@@ -10,8 +10,8 @@ import kotlin.math.abs
 import kotlin.math.ceil
 
 /**
- * The slow oracle: the serial engine without grid, bound or fast queue. Every pair and every image that could possibly matter is asked
- * after every collision, so nothing can be missed.
+ * The slow oracle: the serial engine without grid, bound or fast queue. Every pair and every image that could possibly
+ * matter is asked after every collision, so nothing can be missed.
  */
 class BruteForceEngine : CollisionEngine {
     override val name get() = "brute-force"
@@ -82,7 +82,13 @@ class BruteForceEngine : CollisionEngine {
         val shear = step.boundary.shear
         val far = IntArray(3) { axis ->
             if (step.boundary.contactFaces(axis) != ContactFaces.PERIODIC) return@IntArray 0
-            val slide = if (shear != null && shear.slideAxis == axis) 2 + abs(shear.velocity) * step.duration * 4 / step.boundary.box.length(axis) else 0.0
+            val slide = if (shear != null &&
+                shear.slideAxis == axis
+            ) {
+                2 + abs(shear.velocity) * step.duration * 4 / step.boundary.box.length(axis)
+            } else {
+                0.0
+            }
             1 + ceil(range / step.boundary.box.length(axis) + slide).toInt()
         }
         return buildList {

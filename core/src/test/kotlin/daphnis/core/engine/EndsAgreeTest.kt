@@ -33,7 +33,13 @@ class EndsAgreeTest {
      * What one step of [start] comes to: a digest and counts, or what was thrown, in which case the population has to
      * be as before.
      */
-    private fun end(start: Population, boundary: BoundaryConditions, dt: Double, restitution: Restitution, engine: CollisionEngine): String {
+    private fun end(
+        start: Population,
+        boundary: BoundaryConditions,
+        dt: Double,
+        restitution: Restitution,
+        engine: CollisionEngine,
+    ): String {
         val p = start.copy()
         val before = stateDigest(p)
         simulationOf(p, boundary, dt, restitution, engine = engine).use { simulation ->
@@ -54,17 +60,38 @@ class EndsAgreeTest {
     private fun islands(threads: Int) = IslandsEngine(FixedPool(threads), fewest = 0)
 
     /** The end that all engines agree on. */
-    private fun common(start: Population, boundary: BoundaryConditions, dt: Double, restitution: Restitution = elastic): String {
+    private fun common(
+        start: Population,
+        boundary: BoundaryConditions,
+        dt: Double,
+        restitution: Restitution = elastic,
+    ): String {
         val expected = end(start, boundary, dt, restitution, SerialEngine())
-        for (seed in 1L..3L) assertEquals(expected, end(start.permuted(seed), boundary, dt, restitution, SerialEngine())) { "serial, order $seed" }
+        for (seed in 1L..3L) {
+            assertEquals(
+                expected,
+                end(start.permuted(seed), boundary, dt, restitution, SerialEngine()),
+            ) {
+                "serial, order $seed"
+            }
+        }
         for (threads in 1..4) {
             assertEquals(expected, end(start, boundary, dt, restitution, islands(threads))) { "islands on $threads" }
-            assertEquals(expected, end(start.permuted(4), boundary, dt, restitution, ThreadPoolEngine(threads))) { "thread-pool on $threads" }
+            assertEquals(expected, end(start.permuted(4), boundary, dt, restitution, ThreadPoolEngine(threads))) {
+                "thread-pool on $threads"
+            }
         }
         return expected
     }
 
-    private fun line(count: Int, y: Double = 0.0) = Array(count) { Sphere(x = 2.2 * it, y = y, vx = -1.0 * (it - (count - 1) / 2.0)) }
+    private fun line(count: Int, y: Double = 0.0) = Array(count) {
+        Sphere(
+            x = 2.2 * it,
+            y = y,
+            vx =
+            -1.0 * (it - (count - 1) / 2.0),
+        )
+    }
 
     @Test
     fun `an island that collapses on a false path is put before the serial engine`() {
@@ -98,13 +125,24 @@ class EndsAgreeTest {
         )
         assertTrue(light.endsWith(" 118869 0")) { light }
         val walls = Walls(Box(-2.0, -3e6, -2.0, 2.0, 3e6, 2.0))
-        val wall = common(populationOf(Sphere(vx = 3e5), Sphere(y = 2e6, vx = 1.5), Sphere(y = -2e6, vx = 1.0)), walls, 1.0)
+        val wall =
+            common(populationOf(Sphere(vx = 3e5), Sphere(y = 2e6, vx = 1.5), Sphere(y = -2e6, vx = 1.0)), walls, 1.0)
         assertTrue(wall.endsWith(" 0 150002")) { wall }
     }
 
     @Test
     fun `sixty heaps that come to rest at one moment are no collapse`() {
-        val end = common(populationOf(*Array(60) { line(4, y = 8.0 * it) }.flatten().toTypedArray()), Open, 4.0, ConstantRestitution(0.0))
+        val end =
+            common(
+                populationOf(
+                    *Array(60) {
+                        line(4, y = 8.0 * it)
+                    }.flatten().toTypedArray(),
+                ),
+                Open,
+                4.0,
+                ConstantRestitution(0.0),
+            )
         assertTrue(end.endsWith(" 178740 0")) { end }
     }
 
@@ -162,6 +200,11 @@ class EndsAgreeTest {
         assertEquals(expected, end(pairs, Open, 1.0, picky, islands(1)))
         assertEquals(1L, replays) { "no island was wrong: the case does not test what it should" }
         val broken = Restitution { throw ArithmeticException("on purpose") }
-        for (engine in listOf(islands(2), ThreadPoolEngine(2))) assertEquals("ArithmeticException: on purpose", end(pairs, Open, 1.0, broken, engine))
+        for (engine in listOf(
+            islands(2),
+            ThreadPoolEngine(2),
+        )) {
+            assertEquals("ArithmeticException: on purpose", end(pairs, Open, 1.0, broken, engine))
+        }
     }
 }

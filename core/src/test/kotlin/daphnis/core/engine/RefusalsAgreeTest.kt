@@ -42,12 +42,23 @@ class RefusalsAgreeTest {
     fun `spheres may go eight boxes less their radius, whatever engines remember of earlier steps`() {
         // A bound of 16 boxes for the pair: 8 - 0.1 for one sphere.
         for ((speed, isRefused) in listOf(7.6 to false, 7.89 to false, 7.91 to true, -7.91 to true)) {
-            val start = populationOf(Sphere(vx = speed, r = 0.1), Sphere(y = 1.0, vy = 1.0, r = 0.1), Sphere(x = 0.4, y = 3.0, r = 0.1))
+            val start =
+                populationOf(
+                    Sphere(vx = speed, r = 0.1),
+                    Sphere(y = 1.0, vy = 1.0, r = 0.1),
+                    Sphere(x = 0.4, y = 3.0, r = 0.1),
+                )
             val ends = engines().flatMap { engine ->
                 engine.use {
                     val fresh = end(start.copy(), box, engine)
                     // A heavy sphere that hits a light one, which outruns the bound: headroom grows and is kept.
-                    val before = simulationOf(populationOf(Sphere(vx = 1.0, m = 1000.0, r = 0.5), Sphere(x = 2.0, m = 0.001, r = 0.5)), Open, 20.0, engine = engine)
+                    val before =
+                        simulationOf(
+                            populationOf(Sphere(vx = 1.0, m = 1000.0, r = 0.5), Sphere(x = 2.0, m = 0.001, r = 0.5)),
+                            Open,
+                            20.0,
+                            engine = engine,
+                        )
                     repeat(3) {
                         before.advance()
                         before.population.vx.fill(0.0)
@@ -75,7 +86,9 @@ class RefusalsAgreeTest {
                 Sphere(x = 0.3, y = 20.0, vx = 1.0, r = 0.1),
                 Sphere(x = -0.3, y = 20.0, vx = 2.0, r = 0.1),
             )
-            val ends = engines().flatMap { engine -> engine.use { listOf(end(start.copy(), box, engine), end(start.permuted(3), box, engine)) } }
+            val ends = engines().flatMap { engine ->
+                engine.use { listOf(end(start.copy(), box, engine), end(start.permuted(3), box, engine)) }
+            }
             assertEquals(1, ends.toSet().size) { "speed $speed: $ends" }
             assertEquals(isRefused, "16 boxes away along x" in ends[0]) { "speed $speed: ${ends[0]}" }
         }
@@ -96,7 +109,9 @@ class RefusalsAgreeTest {
         assertTrue("boxes" !in ends[0]) { ends[0] }
         val simulation = simulationOf(start.copy(), box, 1.0, engine = IslandsEngine(FixedPool(1), fewest = 0))
         simulation.use { it.advance() }
-        assertEquals(1L, simulation.collisions!!.counters.causalityReplays) { "no guess went too far: the case does not test what it should" }
+        assertEquals(1L, simulation.collisions!!.counters.causalityReplays) {
+            "no guess went too far: the case does not test what it should"
+        }
     }
 
     @Test
@@ -126,8 +141,12 @@ class RefusalsAgreeTest {
                 val p = scaled(Math.scalb(1.0, length), Math.scalb(1.0, speed))
                 end(p, Open, SerialEngine(), Math.scalb(10.0, length - speed))
                 for (k in 0 until p.size) {
-                    assertEquals(expected.x[expected.indexOf(p.id[k])], Math.scalb(p.x[k], -length)) { "2^$length, 2^$speed" }
-                    assertEquals(expected.vy[expected.indexOf(p.id[k])], Math.scalb(p.vy[k], -speed)) { "2^$length, 2^$speed" }
+                    assertEquals(expected.x[expected.indexOf(p.id[k])], Math.scalb(p.x[k], -length)) {
+                        "2^$length, 2^$speed"
+                    }
+                    assertEquals(expected.vy[expected.indexOf(p.id[k])], Math.scalb(p.vy[k], -speed)) {
+                        "2^$length, 2^$speed"
+                    }
                 }
             }
         }
@@ -135,7 +154,12 @@ class RefusalsAgreeTest {
 
     @Test
     fun `scales whose squares underflow or overflow are refused, with the number and the reason`() {
-        for ((length, speed, dt) in listOf(Triple(1e-100, 1e-100, 1.0), Triple(1.0, 1e150, 1e-149), Triple(1e100, 1.0, 1e101), Triple(1e-60, 1e-70, 1e12))) {
+        for ((length, speed, dt) in listOf(
+            Triple(1e-100, 1e-100, 1.0),
+            Triple(1.0, 1e150, 1e-149),
+            Triple(1e100, 1.0, 1e101),
+            Triple(1e-60, 1e-70, 1e12),
+        )) {
             for (engine in engines()) {
                 val message = end(scaled(length, speed), Open, engine, dt)
                 assertTrue("choose other units" in message) { "$length, $speed, ${engine.name}: $message" }

@@ -4,7 +4,6 @@ import daphnis.core.Sphere
 import daphnis.core.assertInvariants
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
@@ -15,15 +14,16 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.Lattice
+import daphnis.core.initial.LatticePlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.permuted
 import daphnis.core.population.Conserved
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.randomSpheres
-import daphnis.core.setup.Lattice
-import daphnis.core.setup.LatticePlacement
-import daphnis.core.setup.SeededRandom
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -108,7 +108,9 @@ class SerialEngineTest {
                 val p = populationOf(Sphere(x = 0.0, vx = 1.0), Sphere(x = 3.0), Sphere(x = 6.5, vx = -1.0))
                 val simulation = simulationOf(p, Open, 100.0, ConstantRestitution(e), guard)
                 simulation.advance()
-                assertEquals(collapses, simulation.collisions!!.counters.guardActivations > 0) { "e = $e, ${guard.javaClass.simpleName}" }
+                assertEquals(collapses, simulation.collisions!!.counters.guardActivations > 0) {
+                    "e = $e, ${guard.javaClass.simpleName}"
+                }
                 assertInvariants(simulation)
             }
         }
@@ -129,7 +131,13 @@ class SerialEngineTest {
             assertEquals(2.0, p.x[b] - p.x[a], 1e-13)
         }
         // With a coefficient above 7 − 4√3 they part after a few.
-        val parting = simulationOf(populationOf(Sphere(x = 0.0, vx = 1.0), Sphere(x = 3.0), Sphere(x = 6.5, vx = -1.0)), Open, 100.0, ConstantRestitution(0.08))
+        val parting =
+            simulationOf(
+                populationOf(Sphere(x = 0.0, vx = 1.0), Sphere(x = 3.0), Sphere(x = 6.5, vx = -1.0)),
+                Open,
+                100.0,
+                ConstantRestitution(0.08),
+            )
         parting.advance()
         assertTrue(parting.collisions!!.record!!.let { it.impactSpeed(it.size - 1) } > 1e-12)
     }
@@ -148,7 +156,12 @@ class SerialEngineTest {
     @Test
     fun `a sphere that outruns the bound makes the step be redone, and no contact is missed`() {
         // A heavy one hits a light one, which leaves with nearly twice the speed and reaches a third within the step.
-        val p = populationOf(Sphere(x = 0.0, vx = 1.0, m = 1000.0, r = 0.5), Sphere(x = 2.0, m = 0.001, r = 0.5), Sphere(x = 30.0, r = 0.5))
+        val p =
+            populationOf(
+                Sphere(x = 0.0, vx = 1.0, m = 1000.0, r = 0.5),
+                Sphere(x = 2.0, m = 0.001, r = 0.5),
+                Sphere(x = 30.0, r = 0.5),
+            )
         val q = p.copy()
         val simulation = simulationOf(p, Open, 20.0)
         simulation.advance()
@@ -183,7 +196,11 @@ class SerialEngineTest {
         val smallest = if (random.nextInt(2) == 0) 0.1 else 0.5
         val p = randomSpheres(1 + random.nextInt(25), boundary, seed, 1.0) { it.nextDouble(smallest, 1.0) * 0.8 }
         val dt = Math.pow(10.0, random.nextDouble(-2.0, 0.2))
-        val restitution = listOf(ConstantRestitution(1.0), ConstantRestitution(0.7), BridgesRestitution())[random.nextInt(3)]
+        val restitution = listOf(
+            ConstantRestitution(1.0),
+            ConstantRestitution(0.7),
+            BridgesRestitution(),
+        )[random.nextInt(3)]
         val guard = listOf(NoGuard, FloorSpeedGuard(1e-3), ContactDurationGuard(1e-2))[random.nextInt(3)]
         val slow = simulationOf(p.permuted(seed), boundary, dt, restitution, guard, BruteForceEngine())
         val fast = simulationOf(p, boundary, dt, restitution, guard)
@@ -196,7 +213,12 @@ class SerialEngineTest {
             assertEquals(stateDigest(slow.population), stateDigest(fast.population)) { "$story, step $k" }
             val a = slow.collisions!!.counters
             val b = fast.collisions!!.counters
-            assertEquals(listOf(a.collisions, a.wallCollisions, a.guardActivations), listOf(b.collisions, b.wallCollisions, b.guardActivations)) { story }
+            assertEquals(
+                listOf(a.collisions, a.wallCollisions, a.guardActivations),
+                listOf(b.collisions, b.wallCollisions, b.guardActivations),
+            ) {
+                story
+            }
             if (boundary !is ShearedPeriodic) assertInvariants(fast)
         }
     }
@@ -209,14 +231,29 @@ class SerialEngineTest {
         val spheres = Array(64) { k ->
             // Neighbours along x close in on each other with the same speed: very many events at the same time.
             val odd = (Math.rint(places.x[k] - 1).toInt() / 2 + Math.rint(places.y[k] - 1).toInt() / 2) and 1
-            Sphere(places.x[k], places.y[k], places.z[k], vx = if (odd == 1) 1.0 else -1.0, vy = if (odd == 1) 0.5 else -0.5, r = 0.4)
+            Sphere(
+                places.x[k],
+                places.y[k],
+                places.z[k],
+                vx = if (odd ==
+                    1
+                ) {
+                    1.0
+                } else {
+                    -1.0
+                },
+                vy = if (odd == 1) 0.5 else -0.5,
+                r = 0.4,
+            )
         }
         val digests = (0L..5L).map { seed ->
             val p = populationOf(*spheres).permuted(seed)
             val queue = if (seed % 2 == 0L) daphnis.core.queue.BucketEventQueue() else ReferenceEventQueue()
             val simulation = simulationOf(p, Periodic(box), 0.7, ConstantRestitution(0.9), engine = SerialEngine(queue))
             repeat(10) { simulation.advance() }
-            assertTrue(simulation.collisions!!.counters.collisions >= 64) { "only ${simulation.collisions.counters.collisions} collisions" }
+            assertTrue(simulation.collisions!!.counters.collisions >= 64) {
+                "only ${simulation.collisions.counters.collisions} collisions"
+            }
             stateDigest(p)
         }
         assertEquals(1, digests.toSet().size)

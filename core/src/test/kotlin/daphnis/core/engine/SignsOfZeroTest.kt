@@ -6,11 +6,11 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.permuted
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import daphnis.core.setup.SeededRandom
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
@@ -36,7 +36,14 @@ class SignsOfZeroTest {
         for (seed in 1L..30L) {
             val start = layer(seed)
             val boundary = listOf(Open, Periodic(box), Walls(box, 0.0))[(seed % 3).toInt()]
-            val engines = listOf(SerialEngine(), SerialEngine(), IslandsEngine(FixedPool(3), fewest = 0), ThreadPoolEngine(3), BruteForceEngine())
+            val engines =
+                listOf(
+                    SerialEngine(),
+                    SerialEngine(),
+                    IslandsEngine(FixedPool(3), fewest = 0),
+                    ThreadPoolEngine(3),
+                    BruteForceEngine(),
+                )
             val ends = engines.mapIndexed { k, engine ->
                 val p = if (k == 0) start.copy() else start.permuted(seed + k)
                 simulationOf(p, boundary, 0.5, engine = engine).use { simulation ->

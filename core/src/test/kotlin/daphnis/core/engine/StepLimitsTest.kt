@@ -14,7 +14,9 @@ import org.junit.jupiter.api.Test
 
 class StepLimitsTest {
     private val walls = WallContact().apply { prepare(Walls(Box.centred(9.0, 9.0, 9.0))) }
-    private val rows = StepRows().apply { load(populationOf(Sphere(), Sphere(x = 3.0)), IntArray(2) { it }, 2.0, false) }
+    private val rows = StepRows().apply {
+        load(populationOf(Sphere(), Sphere(x = 3.0)), IntArray(2) { it }, 2.0, false)
+    }
     private val limits = StepLimits().apply { start(2, 5.0) }
 
     private fun hit(slot: Int, time: Double) {

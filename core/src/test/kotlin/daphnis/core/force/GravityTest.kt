@@ -5,9 +5,14 @@ import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
+import daphnis.core.hill.Satellite
+import daphnis.core.hill.SatelliteSurface
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -18,7 +23,6 @@ import daphnis.core.populationOf
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -47,8 +51,17 @@ class GravityTest {
         return p
     }
 
-    /** Each with each and every image, plainly, faded by the distance in the plane as `docs/physics.md` says; nothing is cut when nothing repeats. */
-    private fun direct(p: Population, boundary: BoundaryConditions, time: Double, images: Int, softening: Double): Array<DoubleArray> {
+    /**
+     * Each with each and every image, plainly, faded by the distance in the plane as `docs/physics.md` says; nothing is
+     * cut when nothing repeats.
+     */
+    private fun direct(
+        p: Population,
+        boundary: BoundaryConditions,
+        time: Double,
+        images: Int,
+        softening: Double,
+    ): Array<DoubleArray> {
         val shifts = Images().also { it.prepare(boundary, time) }
         val a = Array(3) { DoubleArray(p.size) }
         val isCut = boundary !== Open
@@ -170,12 +183,35 @@ class GravityTest {
 
     @Test
     fun `a sphere alone in its leaf does not pull itself, wherever roundings put the centre of its mass`() {
-        // Far apart, in pairs of one and a crowd, so that many leaves hold a single sphere; masses whose product and quotient round.
+        // Far apart, in pairs of one and a crowd, so that many leaves hold a single sphere; masses whose product and
+        // quotient round.
         val random = SeededRandom(12)
         val n = 600
-        fun place() = DoubleArray(n) { if (it % 2 == 0) random.nextDouble(-400.0, 400.0) else 390 + random.nextDouble() }
+        fun place() = DoubleArray(n) {
+            if (it % 2 ==
+                0
+            ) {
+                random.nextDouble(-400.0, 400.0)
+            } else {
+                390 + random.nextDouble()
+            }
+        }
         val p =
-            Population(place(), place(), place(), DoubleArray(n), DoubleArray(n), DoubleArray(n), DoubleArray(n) { 0.1 }, DoubleArray(n) { 0.1 + random.nextDouble() })
+            Population(
+                place(),
+                place(),
+                place(),
+                DoubleArray(n),
+                DoubleArray(n),
+                DoubleArray(n),
+                DoubleArray(n) {
+                    0.1
+                },
+                DoubleArray(n) {
+                    0.1 +
+                        random.nextDouble()
+                },
+            )
         val expected = direct(p, Open, 0.0, 0, 0.0)
         assertTrue(rmsError(SelfGravity(Open, 1.0, 0.7).accelerations(p, 0.0), expected) < 2e-2)
     }
@@ -198,15 +234,26 @@ class GravityTest {
     @Test
     fun `a uniform sheet pulls no particle along itself, in the centre, at edges and in corners, however its images have slid`() {
         val lattice = uniformSheet()
-        // Smeared over twice their distance, points stand for a sheet: a lattice broken by the slide pulls with some 1e-5 of G times the density.
+        // Smeared over twice their distance, points stand for a sheet: a lattice broken by the slide pulls with some
+        // 1e-5 of G times the density.
         val softening = 2.5
         val surfaceDensity = 1 / (1.25 * 1.25)
-        for ((images, theta, bound) in listOf(Triple(1, 0.0, 1e-4), Triple(0, 0.5, 0.1), Triple(1, 0.5, 0.07), Triple(2, 0.5, 0.07))) {
+        for ((images, theta, bound) in listOf(
+            Triple(1, 0.0, 1e-4),
+            Triple(0, 0.5, 0.1),
+            Triple(1, 0.5, 0.07),
+            Triple(2, 0.5, 0.07),
+        )) {
             for (time in if (theta == 0.0) listOf(0.123) else listOf(0.0, 0.123, 0.4, 0.6)) {
                 val a = SelfGravity(sheet, 1.0, theta, softening, images).accelerations(lattice, time)
-                val most = (0 until lattice.size).maxOf { sqrt(a[0][it] * a[0][it] + a[1][it] * a[1][it]) } / surfaceDensity
-                assertTrue(most < bound) { "opening angle $theta, $images images, time $time: $most G times the surface density" }
-                assertTrue(inwardAtEdges(lattice, a[0]) < bound / 2 * surfaceDensity) { "opening angle $theta, $images images, time $time" }
+                val most =
+                    (0 until lattice.size).maxOf { sqrt(a[0][it] * a[0][it] + a[1][it] * a[1][it]) } / surfaceDensity
+                assertTrue(most < bound) {
+                    "opening angle $theta, $images images, time $time: $most G times the surface density"
+                }
+                assertTrue(inwardAtEdges(lattice, a[0]) < bound / 2 * surfaceDensity) {
+                    "opening angle $theta, $images images, time $time"
+                }
             }
         }
     }
@@ -238,7 +285,11 @@ class GravityTest {
         assertEquals(15.0, gravity.range)
         // The pair itself and its two nearest images, which are 10 away along the orbit and weighed by that alone.
         val next = sqrt(300.0 * 300.0 + 100.0)
-        assertEquals(1 / 9e4 + 2 * faded(10.0, 15.0) * 300 / (next * next * next), gravity.accelerations(p, 0.0)[0][0], 1e-16)
+        assertEquals(
+            1 / 9e4 + 2 * faded(10.0, 15.0) * 300 / (next * next * next),
+            gravity.accelerations(p, 0.0)[0][0],
+            1e-16,
+        )
         assertEquals(Double.POSITIVE_INFINITY, SelfGravity(Open, 1.0).range)
     }
 
@@ -249,10 +300,15 @@ class GravityTest {
         val expected = direct(pair, sheet, 0.79, most, 0.0)
         assertTrue(rmsError(SelfGravity(sheet, 1.0, 0.0, 0.0, most).accelerations(pair, 0.79), expected) < 1e-9)
         assertThrows(IllegalArgumentException::class.java) { SelfGravity(sheet, 1.0, images = most + 1) }
-        fun scenario(images: Int) = BuiltIn.scenario("self-gravity-wakes", listOf("box.lengths=[20,20,16]", "forces=[{\"type\":\"self-gravity\",\"images\":$images}]"))
+        fun scenario(images: Int) = BuiltIn.scenario(
+            "self-gravity-wakes",
+            listOf("box.lengths=[20,20,16]", "forces=[{\"type\":\"self-gravity\",\"images\":$images}]"),
+        )
         ScenarioSetup.of(scenario(most), "wakes")
         val refused = assertThrows(InputException::class.java) { ScenarioSetup.of(scenario(most + 1), "wakes") }
-        assertTrue("forces[0].images" in refused.message.orEmpty() && "0..$most" in refused.message.orEmpty()) { refused.message }
+        assertTrue("forces[0].images" in refused.message.orEmpty() && "0..$most" in refused.message.orEmpty()) {
+            refused.message
+        }
     }
 
     @Test
@@ -264,7 +320,9 @@ class GravityTest {
             val a = gravity.accelerations(lattice, time)
             // Of the order of what a pair of neighbours carries, by mass and distance.
             val scale = n / 1.25
-            assertTrue(Math.abs(gravity.stressXY(lattice, time)) < 0.2 * scale) { "time $time: ${gravity.stressXY(lattice, time)}" }
+            assertTrue(Math.abs(gravity.stressXY(lattice, time)) < 0.2 * scale) {
+                "time $time: ${gravity.stressXY(lattice, time)}"
+            }
             assertTrue(a[2].all { it == 0.0 })
         }
     }

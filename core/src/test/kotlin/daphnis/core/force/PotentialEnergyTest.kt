@@ -4,7 +4,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
@@ -13,12 +12,16 @@ import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
+import daphnis.core.hill.Satellite
+import daphnis.core.initial.SeededRandom
 import daphnis.core.permuted
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -145,7 +148,9 @@ class PotentialEnergyTest {
         fun gravity() = SelfGravity(sheet, 0.7, 0.0, 0.5, images = 0)
         for (x in listOf(-15.0, 2.0, 5.0, 15.0, 24.0)) {
             val h = 1e-3
-            val slope = (gravity().potentialEnergy(at(x + h), sheet, 0.0) - gravity().potentialEnergy(at(x - h), sheet, 0.0)) / (2 * h)
+            val slope =
+                (gravity().potentialEnergy(at(x + h), sheet, 0.0) - gravity().potentialEnergy(at(x - h), sheet, 0.0)) /
+                    (2 * h)
             val force = 5.0 * gravity().accelerations(at(x), 0.0)[0][1]
             assertEquals(-slope, force, 1e-6 * abs(force)) { "at $x" }
             assertTrue(force < 0)

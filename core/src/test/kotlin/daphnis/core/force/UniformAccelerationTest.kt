@@ -18,10 +18,17 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 
-/** What a uniform acceleration does to collisions: nothing to those of pairs, and at walls what docs/physics.md says. */
+/**
+ * What a uniform acceleration does to collisions: nothing to those of pairs, and at walls what docs/physics.md says.
+ */
 class UniformAccelerationTest {
-    private fun fall(p: Population, boundary: BoundaryConditions, g: Double, dt: Double) =
-        Simulation(p, boundary, CollisionForcing(ConstantRestitution(1.0), recordCollisions = true), FixedTimeStep(dt), listOf(UniformAcceleration(0.0, 0.0, -g)))
+    private fun fall(p: Population, boundary: BoundaryConditions, g: Double, dt: Double) = Simulation(
+        p,
+        boundary,
+        CollisionForcing(ConstantRestitution(1.0), recordCollisions = true),
+        FixedTimeStep(dt),
+        listOf(UniformAcceleration(0.0, 0.0, -g)),
+    )
 
     /** Kinetic and potential energy, by mass 1 each. */
     private fun energy(p: Population, g: Double): Double =

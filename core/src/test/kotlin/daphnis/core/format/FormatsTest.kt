@@ -27,11 +27,11 @@ class FormatsTest {
 
     private val boundary = LeesEdwards(Box.centred(12.0, 11.0, 10.0), 0.5)
     private val population = randomSpheres(70, boundary, 8, 1.0) { it.nextDouble(0.2, 0.6) }
-    private val frame = Frame.of(population.permuted(2), boundary, 5, 1.25)
+    private val frame = Snapshot.of(population.permuted(2), boundary, 5, 1.25)
 
     @Test
     fun `H5MD gives every number back`() {
-        val later = Frame.of(population, boundary, 6, 1.5)
+        val later = Snapshot.of(population, boundary, 6, 1.5)
         val file = home.resolve("a.h5")
         H5md.write(listOf(frame, later), file, "test")
         val (a, b) = H5md.read(file)
@@ -47,7 +47,7 @@ class FormatsTest {
     @Test
     fun `H5MD keeps boxes crossed, and reads files that do not say`() {
         val image = Array(3) { axis -> IntArray(70) { (it - 35) * (axis + 1) } }
-        fun with(image: Array<IntArray>?, step: Long) = Frame(
+        fun with(image: Array<IntArray>?, step: Long) = Snapshot(
             step, frame.time, frame.lengths, frame.periodic, frame.shearOffset, frame.id, frame.position, frame.velocity, frame.radius, frame.mass, image = image,
         )
         val file = home.resolve("image.h5")
@@ -56,7 +56,9 @@ class FormatsTest {
         val (a, b) = H5md.read(file)
         for (axis in 0..2) assertArrayEquals(image[axis], a.image!![axis])
         for (axis in 0..2) assertArrayEquals(other[axis], b.image!![axis])
-        io.jhdf.HdfFile(file).use { assertEquals("int", it.getDatasetByPath("/particles/all/image/value").javaType.name) }
+        io.jhdf.HdfFile(file).use {
+            assertEquals("int", it.getDatasetByPath("/particles/all/image/value").javaType.name)
+        }
         H5md.write(listOf(with(image, 5), with(null, 6)), file, "test")
         assertEquals(listOf(null, null), H5md.read(file).map { it.image }) { "known for some is not known" }
     }
@@ -90,12 +92,14 @@ class FormatsTest {
         }
         val plain = home.resolve("plain.h5")
         H5md.write(listOf(frame), plain, "test")
-        HdfFile(plain).use { h5 -> assertTrue(h5.getDatasetByPath("/particles/all/position/value").attributes.isEmpty()) }
+        HdfFile(plain).use { h5 ->
+            assertTrue(h5.getDatasetByPath("/particles/all/position/value").attributes.isEmpty())
+        }
     }
 
     @Test
     fun `a state without particles is written and read`() {
-        val none = Frame.of(population.copy().also { it.retain { false } }, Open, 3, 1.5)
+        val none = Snapshot.of(population.copy().also { it.retain { false } }, Open, 3, 1.5)
         H5md.write(listOf(none), home.resolve("none.h5"), "test")
         val read = H5md.read(home.resolve("none.h5")).single()
         assertEquals(listOf(0L, 3L), listOf(read.size.toLong(), read.step))
@@ -104,11 +108,18 @@ class FormatsTest {
     @Test
     fun `XYZ with ids that are no whole numbers of 32 bits, or a box without an edge, is refused by line`() {
         fun problem(comment: String, id: String): String {
-            val file = Files.writeString(home.resolve("odd.xyz"), "1\n$comment Properties=pos:R:3:radius:R:1:id:I:1\n0 0 0 1 $id\n")
+            val file = Files.writeString(
+                home.resolve("odd.xyz"),
+                "1\n$comment Properties=pos:R:3:radius:R:1:id:I:1\n0 0 0 1 $id\n",
+            )
             return assertThrows(FormatException::class.java) { ExtendedXyz.read(file) }.message!!
         }
         for (id in listOf("2147483648", "-1", "1.5")) assertTrue("odd.xyz:3: id is '$id'" in problem("", id)) { id }
-        for (edge in listOf("0", "-5")) assertTrue("must be > 0" in problem("Lattice=\"$edge 0 0 0 4 0 0 0 4\"", "1")) { edge }
+        for (edge in listOf("0", "-5")) {
+            assertTrue("must be > 0" in problem("Lattice=\"$edge 0 0 0 4 0 0 0 4\"", "1")) {
+                edge
+            }
+        }
     }
 
     @Test
@@ -138,10 +149,12 @@ class FormatsTest {
             }
         }
         fun files(boundary: BoundaryConditions): List<ByteArray> {
-            val it = Frame.of(population, boundary, 5, 1.25)
+            val it = Snapshot.of(population, boundary, 5, 1.25)
             val vtp = home.resolve("a.vtp").also { file -> Vtp.write(it, file) }
             val cartAndRad = home.resolve("a.bin").also { file -> CartAndRad.write(it.population(), file) }
-            val xyz = StringWriter().also { out -> ExtendedXyz.write(it, out, ExtendedXyz.suitableScale(it)) }.toString()
+            val xyz = StringWriter().also { out ->
+                ExtendedXyz.write(it, out, ExtendedXyz.suitableScale(it))
+            }.toString()
             H5md.write(listOf(it), home.resolve("a.h5"), "test")
             assertTrue(H5md.read(home.resolve("a.h5"))[0].lengths.all { length -> length.isNaN() })
             assertFalse("Lattice" in xyz || "Infinity" in xyz) { xyz.lines()[1] }
@@ -149,7 +162,7 @@ class FormatsTest {
         }
         val expected = files(Open)
         for ((k, written) in files(endless[0]).withIndex()) assertArrayEquals(expected[k], written)
-        assertArrayEquals(doubleArrayOf(40.0, 40.0, Double.NaN), Frame.of(population, endless[1], 0, 0.0).lengths)
+        assertArrayEquals(doubleArrayOf(40.0, 40.0, Double.NaN), Snapshot.of(population, endless[1], 0, 0.0).lengths)
         files(endless[1])
     }
 
@@ -165,9 +178,18 @@ class FormatsTest {
 
     @Test
     fun `files that are none are refused in one line`() {
-        for ((k, bytes) in listOf(ByteArray(0), ByteArray(3), byteArrayOf(5, 0, 0, 0, 1, 2), ByteArray(60) { 0x7f }).withIndex()) {
+        for ((k, bytes) in listOf(
+            ByteArray(0),
+            ByteArray(3),
+            byteArrayOf(5, 0, 0, 0, 1, 2),
+            ByteArray(60) {
+                0x7f
+            },
+        ).withIndex()) {
             val file = Files.write(home.resolve("bad$k"), bytes)
-            for (read in listOf<() -> Any>({ CartAndRad.read(file) }, { H5md.read(file) }, { ParticleCsv.read(file) })) {
+            for (read in listOf<() -> Any>({
+                CartAndRad.read(file)
+            }, { H5md.read(file) }, { ParticleCsv.read(file) })) {
                 val e = assertThrows(FormatException::class.java) { read() }
                 assertFalse('\n' in e.message.orEmpty())
             }
@@ -177,7 +199,10 @@ class FormatsTest {
     @Test
     fun `a table of particles names line and column of what is wrong`() {
         fun wrong(text: String, vararg parts: String) {
-            val e = assertThrows(FormatException::class.java) { ParticleCsv.read(Files.writeString(home.resolve("p.csv"), text)) }
+            val e =
+                assertThrows(FormatException::class.java) {
+                    ParticleCsv.read(Files.writeString(home.resolve("p.csv"), text))
+                }
             for (part in parts) assertTrue(part in e.message.orEmpty()) { e.message }
         }
         wrong("x,y,z\n1,2,3", "radius", "missing")
@@ -195,7 +220,11 @@ class FormatsTest {
         ExtendedXyz.write(frame, out, 2.0)
         val lines = out.toString().trimEnd().lines()
         assertEquals("70", lines[0])
-        assertTrue(lines[1].startsWith("Lattice=\"24.0 0.0 0.0 13.75 22.0 0.0 0.0 0.0 20.0\" Origin=\"-12.0 -11.0 -10.0\"")) { lines[1] }
+        assertTrue(
+            lines[1].startsWith("Lattice=\"24.0 0.0 0.0 13.75 22.0 0.0 0.0 0.0 20.0\" Origin=\"-12.0 -11.0 -10.0\""),
+        ) {
+            lines[1]
+        }
         assertTrue("Time=1.25" in lines[1] && "pbc=\"T T T\"" in lines[1])
         assertEquals(72, lines.size)
         val cells = lines[2].split(' ')
@@ -210,7 +239,14 @@ class FormatsTest {
     @Test
     fun `short boxes are given in radii, long ones as they are`() {
         assertEquals(1.0, ExtendedXyz.suitableScale(frame))
-        val small = Frame(0, 0.0, doubleArrayOf(2.0, 2.0, 0.2), BooleanArray(3), 0.0, frame.id, frame.position, frame.velocity, DoubleArray(70) { 0.004 }, frame.mass)
+        val small =
+            Snapshot(
+                0, 0.0, doubleArrayOf(2.0, 2.0, 0.2), BooleanArray(3), 0.0, frame.id, frame.position, frame.velocity,
+                DoubleArray(70) {
+                    0.004
+                },
+                frame.mass,
+            )
         assertEquals(250.0, ExtendedXyz.suitableScale(small), 1e-9)
     }
 
@@ -219,7 +255,12 @@ class FormatsTest {
         val file = home.resolve("a.vtp")
         Vtp.write(frame, file)
         val bytes = Files.readAllBytes(file)
-        val start = String(bytes, Charsets.ISO_8859_1).indexOf("_", String(bytes, Charsets.ISO_8859_1).indexOf("<AppendedData")) + 1
+        val start =
+            String(
+                bytes,
+                Charsets.ISO_8859_1,
+            ).indexOf("_", String(bytes, Charsets.ISO_8859_1).indexOf("<AppendedData")) +
+                1
         val data = java.nio.ByteBuffer.wrap(bytes).order(java.nio.ByteOrder.LITTLE_ENDIAN)
         assertEquals(8L, data.getLong(start))
         assertEquals(1.25, data.getDouble(start + 8))

@@ -21,7 +21,7 @@ class H5mdChecksumTest {
     lateinit var home: Path
 
     private val boundary = LeesEdwards(Box.centred(12.0, 11.0, 10.0), 0.5)
-    private val frame = Frame.of(randomSpheres(40, boundary, 8, 1.0) { it.nextDouble(0.2, 0.6) }, boundary, 5, 1.25)
+    private val frame = Snapshot.of(randomSpheres(40, boundary, 8, 1.0) { it.nextDouble(0.2, 0.6) }, boundary, 5, 1.25)
 
     private fun changed(
         step: Long = frame.step,
@@ -36,7 +36,8 @@ class H5mdChecksumTest {
         mass: DoubleArray = frame.mass,
         axes: IntArray = intArrayOf(frame.normalAxis, frame.slideAxis),
         image: Array<IntArray>? = frame.image,
-    ) = Frame(step, time, lengths, periodic, offset, id, position, velocity, radius, mass, axes[0], axes[1], image = image)
+    ) =
+        Snapshot(step, time, lengths, periodic, offset, id, position, velocity, radius, mass, axes[0], axes[1], image = image)
 
     private fun DoubleArray.next(k: Int) = copyOf().also { it[k] = Math.nextUp(it[k]) }
 
@@ -47,16 +48,27 @@ class H5mdChecksumTest {
         val image = checkNotNull(frame.image)
         val others = listOf(
             changed(step = 6), changed(time = Math.nextUp(1.25)), changed(lengths = frame.lengths.next(2)),
-            changed(periodic = booleanArrayOf(true, true, !frame.periodic[2])), changed(offset = Math.nextUp(frame.shearOffset)),
+            changed(
+                periodic = booleanArrayOf(true, true, !frame.periodic[2]),
+            ),
+            changed(offset = Math.nextUp(frame.shearOffset)),
             changed(id = frame.id.copyOf().also { it[39] = 99 }), changed(position = frame.position.next(2, 39)),
-            changed(velocity = frame.velocity.next(0, 0)), changed(radius = frame.radius.next(7)), changed(mass = frame.mass.next(39)),
+            changed(
+                velocity = frame.velocity.next(0, 0),
+            ),
+            changed(radius = frame.radius.next(7)), changed(mass = frame.mass.next(39)),
             changed(axes = intArrayOf(2, 0)), changed(axes = intArrayOf(1, 2)), changed(image = null),
             changed(image = Array(3) { axis -> image[axis].copyOf().also { it[39] += axis / 2 } }),
             changed(lengths = DoubleArray(3) { Double.NaN }),
         )
-        val sums = others.map { H5mdChecksum.of(listOf(it)) } + H5mdChecksum.of(listOf(frame)) + H5mdChecksum.of(listOf(frame, frame))
+        val sums =
+            others.map { H5mdChecksum.of(listOf(it)) } + H5mdChecksum.of(listOf(frame)) +
+                H5mdChecksum.of(listOf(frame, frame))
         assertEquals(sums.size, sums.toSet().size)
-        assertNotEquals(H5mdChecksum.of(listOf(frame, changed(step = 6))), H5mdChecksum.of(listOf(changed(step = 6), frame)))
+        assertNotEquals(
+            H5mdChecksum.of(listOf(frame, changed(step = 6))),
+            H5mdChecksum.of(listOf(changed(step = 6), frame)),
+        )
     }
 
     @Test
@@ -79,7 +91,8 @@ class H5mdChecksumTest {
     @Test
     fun `a file without a checksum is read as it is`() {
         val file = home.resolve("old.h5")
-        fun rows(columns: Array<DoubleArray>) = Array(1) { Array(frame.size) { k -> DoubleArray(3) { columns[it][k] } } }
+        fun rows(columns: Array<DoubleArray>) =
+            Array(1) { Array(frame.size) { k -> DoubleArray(3) { columns[it][k] } } }
         HdfFile.write(file).use { h5 ->
             val all = h5.putGroup("particles").putGroup("all")
             all.putGroup("box").putAttribute("boundary", Array(3) { "none" })
@@ -98,5 +111,13 @@ class H5mdChecksumTest {
         assertArrayEquals(frame.velocity[2], read.velocity[2])
     }
 
-    private fun placesOf(bytes: ByteArray, part: ByteArray): List<Int> = (0..bytes.size - part.size).filter { at -> part.indices.all { bytes[at + it] == part[it] } }
+    private fun placesOf(bytes: ByteArray, part: ByteArray): List<Int> = (0..bytes.size - part.size).filter { at ->
+        part.indices.all {
+            bytes[
+                at +
+                    it,
+            ] ==
+                part[it]
+        }
+    }
 }

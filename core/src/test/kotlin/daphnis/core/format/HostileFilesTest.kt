@@ -228,7 +228,8 @@ class HostileFilesTest {
 
     @Test
     fun `XYZ with numbers that are no state is refused by line`() {
-        fun frame(comment: String, vararg parts: String) = assertRefused(text("a.xyz", "1\n$comment\nX 1 0 0\n"), "a.xyz:", *parts)
+        fun frame(comment: String, vararg parts: String) =
+            assertRefused(text("a.xyz", "1\n$comment\nX 1 0 0\n"), "a.xyz:", *parts)
         frame("Time=NaN", "'NaN' must be a finite number")
         frame("Step=x", "Step is 'x'", "whole number")
         frame("Step=-4", "step is -4")

@@ -32,7 +32,12 @@ import java.util.concurrent.atomic.AtomicIntegerArray
  */
 @Timeout(60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class HandlersInTroubleTest {
-    private fun pool(threads: Int): ExecutorService = Executors.newFixedThreadPool(threads) { Thread(it).apply { isDaemon = true } }
+    private fun pool(threads: Int): ExecutorService = Executors.newFixedThreadPool(threads) {
+        Thread(it).apply {
+            isDaemon =
+                true
+        }
+    }
 
     private fun assertEachOnce(handler: ThreadHandler, about: String = "") {
         val runs = AtomicIntegerArray(handler.threads)
@@ -43,7 +48,11 @@ class HandlersInTroubleTest {
     @Test
     fun `an executor that rejects the n-th task`() {
         for (n in 1..6) {
-            for (error in listOf(RejectedExecutionException(), IllegalStateException(), OutOfMemoryError("unable to create native thread"))) {
+            for (error in listOf(
+                RejectedExecutionException(),
+                IllegalStateException(),
+                OutOfMemoryError("unable to create native thread"),
+            )) {
                 val threads = pool(2)
                 val tasks = AtomicInteger()
                 val executor = Executor { if (tasks.incrementAndGet() == n) throw error else threads.execute(it) }
@@ -100,13 +109,20 @@ class HandlersInTroubleTest {
     private fun step(): CollisionStep {
         val boundary = Periodic(Box.centred(28.0, 28.0, 28.0))
         val p = randomSpheres(5000, boundary, 5, 1.0) { 0.5 }
-        return CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also { it.duration = 0.1 }
+        return CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also {
+            it.duration =
+                0.1
+        }
     }
 
     @Test
     fun `parallel engines on an executor that rejects the n-th task, or all from then on, take the step all the same`() {
         val expected = step().also { SerialEngine().advance(it) }.let { stateDigest(it.population) }
-        val engines = listOf<(ThreadHandler) -> CollisionEngine>({ IslandsEngine(it, fewest = 0) }, { ThreadPoolEngine(it) })
+        val engines = listOf<
+            (
+                ThreadHandler,
+            ) -> CollisionEngine,
+            >({ IslandsEngine(it, fewest = 0) }, { ThreadPoolEngine(it) })
         for (engine in engines) {
             for (isLasting in listOf(false, true)) {
                 var n = 1
@@ -134,7 +150,15 @@ class HandlersInTroubleTest {
         for (n in 1..4) {
             fun startUpTo(): (Thread) -> Unit {
                 val starts = AtomicInteger()
-                return { if (starts.incrementAndGet() >= n) throw OutOfMemoryError("unable to create native thread") else it.start() }
+                return {
+                    if (starts.incrementAndGet() >=
+                        n
+                    ) {
+                        throw OutOfMemoryError("unable to create native thread")
+                    } else {
+                        it.start()
+                    }
+                }
             }
             FixedPool(5, startUpTo()).use { pool -> repeat(100) { assertEachOnce(pool, "FixedPool, $n") } }
             ThreadPerTask(5, startUpTo()).use { handler -> repeat(3) { assertEachOnce(handler, "ThreadPerTask, $n") } }
@@ -185,7 +209,9 @@ class HandlersInTroubleTest {
         val threads = pool(4)
         for (handler in listOf(FixedPool(4), ThreadPerTask(4), ExecutorHandler(threads, 4))) {
             handler.use {
-                repeat(20) { assertSame(error, assertThrows(StackOverflowError::class.java) { handler.run { throw error } }) }
+                repeat(20) {
+                    assertSame(error, assertThrows(StackOverflowError::class.java) { handler.run { throw error } })
+                }
                 assertEachOnce(handler)
             }
         }

@@ -20,7 +20,11 @@ class ParallelTest {
                     val runs = AtomicIntegerArray(threads)
                     val times = if (handler is FixedPool) 3000 else 20
                     repeat(times) { _ -> it.run { worker -> runs.incrementAndGet(worker) } }
-                    for (worker in 0 until threads) assertEquals(times, runs[worker]) { "worker $worker of $threads, ${handler.javaClass.simpleName}" }
+                    for (worker in 0 until threads) {
+                        assertEquals(times, runs[worker]) {
+                            "worker $worker of $threads, ${handler.javaClass.simpleName}"
+                        }
+                    }
                 }
             }
         }
@@ -54,7 +58,11 @@ class ParallelTest {
                                 assertTrue(worker in 0 until threads)
                                 for (k in from until to) seen.incrementAndGet(k)
                             }
-                            for (k in 0 until size) assertEquals(1, seen[k]) { "$strategy, $threads threads, size $size, grain $grain, index $k" }
+                            for (k in 0 until size) {
+                                assertEquals(1, seen[k]) {
+                                    "$strategy, $threads threads, size $size, grain $grain, index $k"
+                                }
+                            }
                         }
                     }
                 }
@@ -64,7 +72,8 @@ class ParallelTest {
 
     @Test
     fun `the first failure is thrown when all have ended, and the handler works on`() {
-        for (handler in handlers(4) + ExecutorHandler(Executors.newFixedThreadPool(4) { Thread(it).apply { isDaemon = true } }, 4)) {
+        for (handler in handlers(4) +
+            ExecutorHandler(Executors.newFixedThreadPool(4) { Thread(it).apply { isDaemon = true } }, 4)) {
             handler.use {
                 val ended = AtomicIntegerArray(4)
                 val e = assertThrows(IllegalStateException::class.java) {
@@ -139,13 +148,13 @@ class ParallelTest {
         FixedPool(3).use { pool ->
             val loop = ParallelLoop(pool, LoopStrategy.DYNAMIC)
             val a = DoubleArray(100_000) { ((it * 7919L) % 100_003).toDouble() - 60_000 }
-            val extremes = Extremes().of(a, a.size, loop)
+            val extremes = Extremes().measure(a, a.size, loop)
             assertEquals(a.min(), extremes.least)
             assertEquals(a.max(), extremes.greatest)
             assertEquals(maxOf(-a.min(), a.max()), extremes.magnitude)
-            assertEquals(0.0, Extremes().of(a, 0, loop).magnitude)
+            assertEquals(0.0, Extremes().measure(a, 0, loop).magnitude)
             a[77_777] = Double.NaN
-            assertEquals(a.filterNot { it.isNaN() }.max(), Extremes().of(a, a.size, loop).greatest)
+            assertEquals(a.filterNot { it.isNaN() }.max(), Extremes().measure(a, a.size, loop).greatest)
         }
     }
 }

@@ -10,7 +10,10 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.ln
 
-/** Section 3 of the validation targets: d ln T/dC of the freely cooling gas (van Noije & Ernst 1998, Granular Matter 1, 57). */
+/**
+ * Section 3 of the validation targets: d ln T/dC of the freely cooling gas (van Noije & Ernst 1998, Granular Matter 1,
+ * 57).
+ */
 @Tag("physics")
 class CoolingGasTest {
     @Test
@@ -20,7 +23,8 @@ class CoolingGasTest {
             val seeds = if (fullPhysics) 1L..12L else 1L..4L
             for (seed in seeds) {
                 val box = cube(count, 0.1)
-                val simulation = gasSimulation(gas(count, box, seed, false), Periodic(box), 0.2, e, FloorSpeedGuard(1e-9))
+                val simulation =
+                    gasSimulation(gas(count, box, seed, false), Periodic(box), 0.2, e, FloorSpeedGuard(1e-9))
                 fun each() = 2.0 * simulation.collisions!!.counters.collisions / count
                 // The first collisions bring the velocities to the scaling state; then 30 a sphere.
                 while (each() < 8) simulation.advance()

@@ -3,16 +3,19 @@ package daphnis.core.physics
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.Periodic
-import daphnis.core.output.CollisionStatistics
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
+import daphnis.core.run.CollisionStatistics
 import daphnis.core.search.Overlap
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sqrt
 
-/** Section 2 of the validation targets. Measured values: an independent event-driven code; theory: Carnahan & Starling 1969. */
+/**
+ * Section 2 of the validation targets. Measured values: an independent event-driven code; theory: Carnahan & Starling
+ * 1969.
+ */
 @Tag("physics")
 class ElasticGasTest {
     private class State(val filling: Double, val rate: Double, val z: Double, val diffusion: Double, val dt: Double)
@@ -34,7 +37,9 @@ class ElasticGasTest {
             way = Array(3) { DoubleArray(p.size) }
         }
 
-        private fun positions(p: Population, axis: Int) = DoubleArray(p.size) { id -> listOf(p.x, p.y, p.z)[axis][p.indexOf(id)] }
+        private fun positions(p: Population, axis: Int) = DoubleArray(p.size) { id ->
+            listOf(p.x, p.y, p.z)[axis][p.indexOf(id)]
+        }
 
         override fun write(simulation: Simulation) {
             if (way.isEmpty()) return
@@ -69,7 +74,12 @@ class ElasticGasTest {
             var middle = 0.0
             while (simulation.time < start + span) {
                 simulation.advance()
-                if (middle == 0.0 && simulation.time >= start + span / 2) middle = displacement.meanSquare().also { middleTime = simulation.time }
+                if (middle == 0.0 &&
+                    simulation.time >= start + span / 2
+                ) {
+                    middle =
+                        displacement.meanSquare().also { middleTime = simulation.time }
+                }
             }
             val elapsed = simulation.time - start
             val t = temperature(simulation.population)
@@ -77,8 +87,18 @@ class ElasticGasTest {
             assertPhysics("ν, φ = ${s.filling}", s.rate, 2.0 * statistics.count / count / elapsed / sqrt(t), bound)
             val virial = statistics.virial[0] + statistics.virial[4] + statistics.virial[8]
             assertPhysics("Z, φ = ${s.filling}", s.z, 1 + virial / (3 * count * t * elapsed), bound)
-            assertPhysics("⟨v_n⟩/√(πT), φ = ${s.filling}", 1.0, statistics.sumSpeed / statistics.count / sqrt(Math.PI * t), 0.005)
-            assertPhysics("⟨v_n²⟩/4T, φ = ${s.filling}", 1.0, statistics.sumSpeedSquared / statistics.count / (4 * t), 0.005)
+            assertPhysics(
+                "⟨v_n⟩/√(πT), φ = ${s.filling}",
+                1.0,
+                statistics.sumSpeed / statistics.count / sqrt(Math.PI * t),
+                0.005,
+            )
+            assertPhysics(
+                "⟨v_n²⟩/4T, φ = ${s.filling}",
+                1.0,
+                statistics.sumSpeedSquared / statistics.count / (4 * t),
+                0.005,
+            )
             val d = (displacement.meanSquare() - middle) / (simulation.time - middleTime) / 6
             assertPhysics("D, φ = ${s.filling}", s.diffusion, d / sqrt(t), if (fullPhysics) 0.04 else 0.08)
         }
@@ -95,7 +115,8 @@ class ElasticGasTest {
         val targets = listOf(0 to -0.240, 1 to -0.155, 2 to -0.099, 4 to -0.037, 6 to -0.010)
         val measured = DoubleArray(targets.size)
         for (seed in seeds) {
-            val simulation = gasSimulation(gas(count, box, seed, false) { it.nextDouble(-1.0, 1.0) }, Periodic(box), 0.05)
+            val simulation =
+                gasSimulation(gas(count, box, seed, false) { it.nextDouble(-1.0, 1.0) }, Periodic(box), 0.05)
             for ((k, target) in targets.withIndex()) {
                 while (2.0 * simulation.collisions!!.counters.collisions / count < target.first) simulation.advance()
                 measured[k] += excess(simulation.population) / seeds.count()
@@ -134,12 +155,23 @@ class ElasticGasTest {
         var deepest = 0.0
         while (simulation.collisions.counters.collisions < collisions + wanted) {
             simulation.advance()
-            if (simulation.step % 5 == 0L) deepest = maxOf(deepest, Overlap.deepest(simulation.population, simulation.boundary, simulation.time).depth)
+            if (simulation.step % 5 ==
+                0L
+            ) {
+                deepest =
+                    maxOf(deepest, Overlap.deepest(simulation.population, simulation.boundary, simulation.time).depth)
+            }
         }
         val after = Conserved.of(simulation.population)
         val each = 2.0 * wanted / count
-        assertBelow("|ΔE/E| after $wanted collisions", abs(after.kineticEnergy / before.kineticEnergy - 1), 1e-15 * each + 1e-14)
-        val momentum = abs(after.momentumX - before.momentumX) + abs(after.momentumY - before.momentumY) + abs(after.momentumZ - before.momentumZ)
+        assertBelow(
+            "|ΔE/E| after $wanted collisions",
+            abs(after.kineticEnergy / before.kineticEnergy - 1),
+            1e-15 * each + 1e-14,
+        )
+        val momentum =
+            abs(after.momentumX - before.momentumX) + abs(after.momentumY - before.momentumY) +
+                abs(after.momentumZ - before.momentumZ)
         assertBelow("|ΔP|/(N v_th) after $wanted collisions", momentum / count, 1e-14)
         assertBelow("deepest overlap in $wanted collisions", deepest, 1e-12)
     }

@@ -10,18 +10,29 @@ import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.initial.LatticePlacement
+import daphnis.core.initial.RandomPlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
-import daphnis.core.setup.LatticePlacement
-import daphnis.core.setup.RandomPlacement
-import daphnis.core.setup.SeededRandom
 import kotlin.math.sqrt
 
 /** Cube that holds [count] spheres of diameter 1 at filling factor [filling]. */
-fun cube(count: Int, filling: Double): Box = StrictMath.cbrt(count * Math.PI / 6 / filling).let { Box.centred(it, it, it) }
+fun cube(count: Int, filling: Double): Box =
+    StrictMath.cbrt(count * Math.PI / 6 / filling).let { Box.centred(it, it, it) }
 
-/** Spheres of diameter 1 and mass 1 with velocities drawn by [velocity], scaled to temperature 1 and no momentum, before the mean flow [shearRate]. */
-fun gas(count: Int, box: Box, seed: Long, lattice: Boolean, shearRate: Double = 0.0, velocity: (SeededRandom) -> Double = { it.nextGaussian() }): Population {
+/**
+ * Spheres of diameter 1 and mass 1 with velocities drawn by [velocity], scaled to temperature 1 and no momentum, before
+ * the mean flow [shearRate].
+ */
+fun gas(
+    count: Int,
+    box: Box,
+    seed: Long,
+    lattice: Boolean,
+    shearRate: Double = 0.0,
+    velocity: (SeededRandom) -> Double = { it.nextGaussian() },
+): Population {
     val random = SeededRandom(seed)
     val radii = DoubleArray(count) { 0.5 }
     val p = (if (lattice) LatticePlacement() else RandomPlacement()).place(radii, box, BooleanArray(3), random)
@@ -48,12 +59,25 @@ fun gasSimulation(
     guard: CollapseGuard = NoGuard,
     record: Boolean = false,
     outputs: List<Output> = emptyList(),
-) = Simulation(population, boundary, CollisionForcing(ConstantRestitution(e), guard, recordCollisions = record), FixedTimeStep(dt), outputs = outputs)
+) = Simulation(
+    population,
+    boundary,
+    CollisionForcing(ConstantRestitution(e), guard, recordCollisions = record),
+    FixedTimeStep(dt),
+    outputs = outputs,
+)
 
 /** An elastic gas at temperature 1 in a periodic cube, its lattice molten or its random start forgotten. */
-fun equilibriumGas(count: Int, filling: Double, dt: Double, outputs: List<Output> = emptyList(), from: Double): Simulation {
+fun equilibriumGas(
+    count: Int,
+    filling: Double,
+    dt: Double,
+    outputs: List<Output> = emptyList(),
+    from: Double,
+): Simulation {
     val box = cube(count, filling)
-    val simulation = gasSimulation(gas(count, box, 1, filling > 0.2), Periodic(box), dt, record = true, outputs = outputs)
+    val simulation =
+        gasSimulation(gas(count, box, 1, filling > 0.2), Periodic(box), dt, record = true, outputs = outputs)
     while (simulation.time < from) simulation.advance()
     return simulation
 }

@@ -8,7 +8,10 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.sqrt
 
-/** Section 7 of the validation targets: the systems of Lewis & Massingill. The speeds are across the flow, (⟨v_y² + v_z²⟩/2)^½. */
+/**
+ * Section 7 of the validation targets: the systems of Lewis & Massingill. The speeds are across the flow, (⟨v_y² +
+ * v_z²⟩/2)^½.
+ */
 @Tag("physics")
 class PaperSystemsTest {
     @Test

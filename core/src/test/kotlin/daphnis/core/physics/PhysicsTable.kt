@@ -13,8 +13,30 @@ val fullPhysics: Boolean = System.getProperty("daphnis.physics") == "full"
 /** Holds [measured] against [target] and writes a row of the table that `./check` prints, whatever comes out. */
 fun assertPhysics(what: String, target: Double, measured: Double, bound: Double, relative: Boolean = true) {
     val deviation = if (relative) Math.abs(measured / target - 1) else Math.abs(measured - target)
-    val limit = if (relative) String.format(Locale.ROOT, "%.3g %%", bound * 100) else String.format(Locale.ROOT, "%.3g", bound)
-    val row = String.format(Locale.ROOT, "| %s | %.6g | %.6g | ± %s | %s |%n", what, target, measured, limit, if (deviation <= bound) "ok" else "FAILED")
+    val limit = if (relative) {
+        String.format(
+            Locale.ROOT,
+            "%.3g %%",
+            bound * 100,
+        )
+    } else {
+        String.format(Locale.ROOT, "%.3g", bound)
+    }
+    val row = String.format(
+        Locale.ROOT,
+        "| %s | %.6g | %.6g | ± %s | %s |%n",
+        what,
+        target,
+        measured,
+        limit,
+        if (deviation <=
+            bound
+        ) {
+            "ok"
+        } else {
+            "FAILED"
+        },
+    )
     val file = Path.of(System.getProperty("daphnis.physicsTable") ?: "target/physics.md")
     file.toAbsolutePath().parent?.let { Files.createDirectories(it) }
     Files.writeString(file, row, CREATE, APPEND)

@@ -4,16 +4,16 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.HillSheet
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.force.HillFrame
-import daphnis.core.output.CollisionStatistics
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.RandomPlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
+import daphnis.core.run.CollisionStatistics
 import daphnis.core.search.Overlap
-import daphnis.core.setup.RandomPlacement
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
@@ -21,8 +21,8 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Section 5 of the validation targets: steady states of ring patches in Hill's frame, measured by an independent code. Ω = 1, r = 1, equal spheres, no gravity, 0.34 law
- * with r Ω = 0.01948 cm/s.
+ * Section 5 of the validation targets: steady states of ring patches in Hill's frame, measured by an independent code.
+ * Ω = 1, r = 1, equal spheres, no gravity, 0.34 law with r Ω = 0.01948 cm/s.
  */
 @Tag("physics")
 class RingPatchTest {
@@ -47,7 +47,15 @@ class RingPatchTest {
 
     @Test
     fun `steady states of ring patches`() {
-        for (case in if (fullPhysics) cases else listOf(cases[1])) measure(case, if (fullPhysics) 3000 else 1000, if (fullPhysics) case.orbits else 24)
+        for (case in if (fullPhysics) {
+            cases
+        } else {
+            listOf(
+                cases[1],
+            )
+        }) {
+            measure(case, if (fullPhysics) 3000 else 1000, if (fullPhysics) case.orbits else 24)
+        }
     }
 
     private fun measure(case: Case, count: Int, orbits: Int) {
@@ -57,7 +65,8 @@ class RingPatchTest {
         val p = RandomPlacement().place(DoubleArray(count) { 1.0 }, box, booleanArrayOf(false, false, true), random)
         fun gauss() = DoubleArray(count) { 2.0 * random.nextGaussian() }
         val vy = gauss().also { for (k in it.indices) it[k] -= 1.5 * p.x[k] }
-        val population = Population(p.x, p.y, p.z, gauss(), vy, gauss(), DoubleArray(count) { 1.0 }, DoubleArray(count) { 1.0 })
+        val population =
+            Population(p.x, p.y, p.z, gauss(), vy, gauss(), DoubleArray(count) { 1.0 }, DoubleArray(count) { 1.0 })
         val start = 2 * PI * orbits * (1 - AVERAGED)
         val statistics = CollisionStatistics(from = start)
         val sheet = HillSheet(box, 1.0)
@@ -74,11 +83,20 @@ class RingPatchTest {
                 stress += m.kinetic[VelocityMoments.XY]
                 height += m.scaleHeight
                 // Volume of the spheres within ±0.1 of the middle plane, by where they are cut.
-                midplane += (0 until count).sumOf { k -> slab(s.population.z[k] - m.centreZ, 0.1) } / (0.2 * edge * edge)
+                midplane +=
+                    (0 until count).sumOf { k -> slab(s.population.z[k] - m.centreZ, 0.1) } / (0.2 * edge * edge)
             }
         }
         val forcing = CollisionForcing(BridgesRestitution(0.34, -0.234, 0.01948), recordCollisions = true)
-        val simulation = Simulation(population, sheet, forcing, FixedTimeStep(2 * PI / 200), listOf(HillFrame(1.0)), listOf(statistics, sampling))
+        val simulation =
+            Simulation(
+                population,
+                sheet,
+                forcing,
+                FixedTimeStep(2 * PI / 200),
+                listOf(HillFrame(1.0)),
+                listOf(statistics, sampling),
+            )
         repeat(orbits * 200) { simulation.advance() }
         val time = simulation.time - start
         fun mean(k: Int) = moments[k] / samples
@@ -88,12 +106,22 @@ class RingPatchTest {
         if (fullPhysics) for (k in 0..2) assertPhysics("σ_${"xyz"[k]}/rΩ, $name", case.sigma[k], sqrt(mean(k)), bound)
         assertPhysics("H/r, $name", case.height, height / samples, bound)
         if (fullPhysics) assertPhysics("midplane filling factor, $name", case.midplane, midplane / samples, 0.05)
-        assertPhysics("collisions/particle/orbit, $name", case.collisions, 2.0 * statistics.count / count / time * 2 * PI, bound)
+        assertPhysics(
+            "collisions/particle/orbit, $name",
+            case.collisions,
+            2.0 * statistics.count / count / time * 2 * PI,
+            bound,
+        )
         val local = stress / samples / 1.5
         val nonlocal = statistics.virial[1] / time / count / 1.5
         assertPhysics("ν_loc/r²Ω, $name", case.local, local, if (fullPhysics) 0.06 else 0.12)
         assertPhysics("ν_nonloc/r²Ω, $name", case.nonlocal, nonlocal, if (fullPhysics) 0.06 else 0.08)
-        assertPhysics("2.25 Ω² ν / dissipation, $name", 1.0, 2.25 * (local + nonlocal) / (statistics.dissipated / time / count), 0.02)
+        assertPhysics(
+            "2.25 Ω² ν / dissipation, $name",
+            1.0,
+            2.25 * (local + nonlocal) / (statistics.dissipated / time / count),
+            0.02,
+        )
         assertBelow("deepest overlap, $name", Overlap.deepest(population, sheet, simulation.time).depth, 1e-11)
     }
 

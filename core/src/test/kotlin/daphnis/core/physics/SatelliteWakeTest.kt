@@ -3,17 +3,18 @@ package daphnis.core.physics
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Open
-import daphnis.core.force.Epicycle
-import daphnis.core.force.HillFrame
-import daphnis.core.force.Satellite
+import daphnis.core.hill.Epicycle
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.Satellite
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 
 /**
- * Section 6 of the validation targets: what a moon does to a ring it passes, without collisions. Hill's problem with Ω = 1 and the Hill radius 1, so G m = 3.
- * Julian & Toomre 1966 and Goldreich & Tremaine 1982 have the impulse: e = 2.2396 G m / b² for a passage at distance b.
+ * Section 6 of the validation targets: what a moon does to a ring it passes, without collisions. Hill's problem with Ω
+ * = 1 and the Hill radius 1, so G m = 3. Julian & Toomre 1966 and Goldreich & Tremaine 1982 have the impulse: e =
+ * 2.2396 G m / b² for a passage at distance b.
  */
 @Tag("physics")
 class SatelliteWakeTest {
@@ -46,7 +47,12 @@ class SatelliteWakeTest {
             val p = passed(b, doubleArrayOf(0.0), 0.004)
             val e = elements(p, 0)
             assertPhysics("e / (2.2396 μ/x²) at $b Hill radii", ratio, e.e / (2.2396 * 3.0 / (b * b)), 0.002)
-            assertPhysics("Jacobi, (X² − x²)·3/(4e²), at $b Hill radii", 1.0, (e.guidingX * e.guidingX - b * b) * 0.75 / (e.e * e.e), 0.0004)
+            assertPhysics(
+                "Jacobi, (X² − x²)·3/(4e²), at $b Hill radii",
+                1.0,
+                (e.guidingX * e.guidingX - b * b) * 0.75 / (e.e * e.e),
+                0.0004,
+            )
         }
     }
 
@@ -84,7 +90,17 @@ class SatelliteWakeTest {
         val a = 133_584.0
         val strength = 8.71e-12 * a * a * a
         val pan = Satellite(strength, Epicycle(-162.0, -16_200.0, 0.0, 0.0), 1.0)
-        val p = Population(DoubleArray(1), DoubleArray(1), DoubleArray(1), DoubleArray(1), DoubleArray(1), DoubleArray(1), doubleArrayOf(1e-3), doubleArrayOf(1.0))
+        val p =
+            Population(
+                DoubleArray(1),
+                DoubleArray(1),
+                DoubleArray(1),
+                DoubleArray(1),
+                DoubleArray(1),
+                DoubleArray(1),
+                doubleArrayOf(1e-3),
+                doubleArrayOf(1.0),
+            )
         val simulation = Simulation(p, Open, null, FixedTimeStep(0.02), listOf(pan, HillFrame(1.0)))
         while (simulation.time < 32_400 / 243.0) simulation.advance()
         assertPhysics("a·e at the Encke gap after Pan has passed, km", 1.80, elements(p, 0).e, 0.01)

@@ -1,8 +1,8 @@
 package daphnis.core.population
 
 import daphnis.core.Sphere
+import daphnis.core.initial.SeededRandom
 import daphnis.core.populationOf
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -18,7 +18,12 @@ class GranularTemperatureTest {
     /**
      * A Maxwellian with ⟨c_x²⟩, ⟨c_y²⟩, ⟨c_z²⟩ = 1, 2, 3 and ⟨c_x c_y⟩ = ½ at mass 1, energy shared equally, on a flow.
      */
-    private fun maxwellian(count: Int, random: SeededRandom, mass: (Int) -> Double = { 1.0 }, velocity: (x: Double, y: Double) -> DoubleArray): Population {
+    private fun maxwellian(
+        count: Int,
+        random: SeededRandom,
+        mass: (Int) -> Double = { 1.0 },
+        velocity: (x: Double, y: Double) -> DoubleArray,
+    ): Population {
         fun place() = DoubleArray(count) { random.nextDouble(-4.0, 4.0) }
         val m = DoubleArray(count) { mass(it) }
         val x = place()
@@ -124,7 +129,8 @@ class GranularTemperatureTest {
         val y = DoubleArray(300) { random.nextDouble(-4.0, 4.0) }
         val zero = DoubleArray(300)
         val one = DoubleArray(300) { 1.0 }
-        fun gas(height: DoubleArray, u: (Double) -> Double) = Population(zero, height, zero, DoubleArray(300) { u(height[it]) }, zero, zero, one, one)
+        fun gas(height: DoubleArray, u: (Double) -> Double) =
+            Population(zero, height, zero, DoubleArray(300) { u(height[it]) }, zero, zero, one, one)
         assertEquals(0.0, granularTemperature(gas(y) { 0.7 * it }, flow), 1e-28)
         assertEquals(0.0, granularTemperature(gas(y) { 3 * it + 1e6 }, flow), 1e-9)
         assertEquals(0.0, granularTemperature(gas(DoubleArray(300) { 2.0 }) { 5.0 }, flow), 1e-24)
@@ -150,7 +156,7 @@ class GranularTemperatureTest {
                 mass,
             )
         }
-        val sums = PopulationSums(flow, leastBody = 500).apply { take(moonlet) }
+        val sums = PopulationSums(flow, firstBody = 500).apply { take(moonlet) }
         assertEquals(granularTemperature(gas, flow), sums.granularTemperature, 1e-12)
         assertEquals(500.0, sums.particleMass)
         assertEquals(100_500.0, sums.mass)

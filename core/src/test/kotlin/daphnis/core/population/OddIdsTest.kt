@@ -12,14 +12,14 @@ import daphnis.core.force.BodyGravity
 import daphnis.core.force.SelfGravity
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.ExtendedXyz
-import daphnis.core.format.Frame
 import daphnis.core.format.H5md
 import daphnis.core.format.ParticleCsv
+import daphnis.core.format.Snapshot
 import daphnis.core.format.Vtp
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.permuted
 import daphnis.core.randomSpheres
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -114,7 +114,7 @@ class OddIdsTest {
     @Test
     fun `files keep odd ids`(@TempDir home: Path) {
         val p = withOddIds(dense).permuted(6)
-        val frame = Frame.of(p, boundary, 0, 0.0)
+        val frame = Snapshot.of(p, boundary, 0, 0.0)
         assertArrayEquals(odd, frame.id)
         H5md.write(listOf(frame), home.resolve("a.h5"), "test")
         Files.newBufferedWriter(home.resolve("a.xyz")).use { ExtendedXyz.write(frame, it) }

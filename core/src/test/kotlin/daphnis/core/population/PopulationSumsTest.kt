@@ -1,12 +1,12 @@
 package daphnis.core.population
 
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.permuted
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -35,7 +35,7 @@ class PopulationSumsTest {
         sums: PopulationSums = PopulationSums(
             flow,
             1.0,
-            leastBody =
+            firstBody =
             3 * p.size - 30,
         ),
     ): List<Double> {
@@ -50,7 +50,7 @@ class PopulationSumsTest {
             val p = gas(20_000, id)
             val expected = row(p)
             assertTrue(expected.all { it.isFinite() })
-            val used = PopulationSums(flow, 1.0, leastBody = 3 * p.size - 30)
+            val used = PopulationSums(flow, 1.0, firstBody = 3 * p.size - 30)
             for (threads in listOf(1, 2, 3, 7)) {
                 FixedPool(threads).use { pool ->
                     for (strategy in LoopStrategy.entries) {

@@ -24,7 +24,10 @@ class PopulationTest {
         assertEquals(stateDigest(p), stateDigest(q))
         val a = Conserved.of(p)
         val b = Conserved.of(q)
-        assertEquals(listOf(a.kineticEnergy, a.momentumX, a.momentumY, a.momentumZ), listOf(b.kineticEnergy, b.momentumX, b.momentumY, b.momentumZ))
+        assertEquals(
+            listOf(a.kineticEnergy, a.momentumX, a.momentumY, a.momentumZ),
+            listOf(b.kineticEnergy, b.momentumX, b.momentumY, b.momentumZ),
+        )
         assertEquals(granularTemperature(p, flow), granularTemperature(q, flow))
     }
 
@@ -38,7 +41,10 @@ class PopulationTest {
     @Test
     fun `the digest is SHA-256 over big-endian doubles in id order`() {
         // sha256 of 48 zero bytes, from coreutils: head -c 48 /dev/zero | sha256sum
-        assertEquals("17b0761f87b081d5cf10757ccc89f12be355c70e2e29df288b65b30710dcbcd1", stateDigest(populationOf(Sphere())))
+        assertEquals(
+            "17b0761f87b081d5cf10757ccc89f12be355c70e2e29df288b65b30710dcbcd1",
+            stateDigest(populationOf(Sphere())),
+        )
     }
 
     @Test
@@ -109,7 +115,11 @@ class PopulationTest {
         assertThrows(IllegalArgumentException::class.java) { populationOf(Sphere(m = -1.0)) }
         assertThrows(IllegalArgumentException::class.java) { populationOf(Sphere(x = Double.NaN)) }
         val one = DoubleArray(2) { 1.0 }
-        assertThrows(IllegalArgumentException::class.java) { Population(one, one, one, one, one, one, one, one, intArrayOf(4, 4)) }
-        assertThrows(IllegalArgumentException::class.java) { Population(one, one, one, one, one, one, one, DoubleArray(1)) }
+        assertThrows(IllegalArgumentException::class.java) {
+            Population(one, one, one, one, one, one, one, one, intArrayOf(4, 4))
+        }
+        assertThrows(IllegalArgumentException::class.java) {
+            Population(one, one, one, one, one, one, one, DoubleArray(1))
+        }
     }
 }

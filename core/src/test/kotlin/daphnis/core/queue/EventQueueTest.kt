@@ -1,6 +1,6 @@
 package daphnis.core.queue
 
-import daphnis.core.setup.SeededRandom
+import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -81,7 +81,14 @@ class EventQueueTest {
         fast.add(t, a, b, image)
     }
 
-    private fun play(slow: EventQueue, fast: EventQueue, slots: Int, duration: Double, random: SeededRandom, seed: Long) {
+    private fun play(
+        slow: EventQueue,
+        fast: EventQueue,
+        slots: Int,
+        duration: Double,
+        random: SeededRandom,
+        seed: Long,
+    ) {
         var popped = 0
         while (true) {
             val more = slow.pop()
@@ -89,7 +96,9 @@ class EventQueueTest {
             if (!more) return
             popped++
             assertEquals(slow.time, fast.time) { "seed $seed after $popped events" }
-            assertEquals(setOf(slow.first, slow.second), setOf(fast.first, fast.second)) { "seed $seed after $popped events" }
+            assertEquals(setOf(slow.first, slow.second), setOf(fast.first, fast.second)) {
+                "seed $seed after $popped events"
+            }
             for (slot in listOf(slow.first, slow.second)) {
                 if (slot < 0) continue
                 slow.removeAllOf(slot)
@@ -97,7 +106,23 @@ class EventQueueTest {
             }
             val rest = duration - slow.time
             val now = slow.time
-            if (popped < 2000) repeat(random.nextInt(4)) { add(slow, fast, slots, minOf(duration, now + random.nextDouble() * rest), random, now) }
+            if (popped <
+                2000
+            ) {
+                repeat(random.nextInt(4)) {
+                    add(
+                        slow,
+                        fast,
+                        slots,
+                        minOf(
+                            duration,
+                            now + random.nextDouble() * rest,
+                        ),
+                        random,
+                        now,
+                    )
+                }
+            }
         }
     }
 

@@ -17,7 +17,9 @@ class CheckpointTest {
     @TempDir
     lateinit var home: Path
 
-    private fun broken(name: String = "broken"): RunDirectory = RunDirectory(home.resolve(name)).also { startIn(it.path).toStep(8) }
+    private fun broken(name: String = "broken"): RunDirectory = RunDirectory(home.resolve(name)).also {
+        startIn(it.path).toStep(8)
+    }
 
     private fun digest(directory: RunDirectory): String = Run.resume(directory.path).use { it.execute().stateDigest }
 
@@ -29,7 +31,8 @@ class CheckpointTest {
         val good = Files.readAllBytes(file)
         for (at in good.indices step 7) {
             Files.write(file, good.copyOf().also { it[at] = (it[at].toInt() xor (1 shl at % 8)).toByte() })
-            val e = assertThrows(CheckpointException::class.java, { Checkpoint.read(file) }) { "bit ${at % 8} of byte $at" }
+            val e =
+                assertThrows(CheckpointException::class.java, { Checkpoint.read(file) }) { "bit ${at % 8} of byte $at" }
             assertFalse('\n' in e.message.orEmpty())
             Files.write(file, good.copyOf(at))
             assertThrows(CheckpointException::class.java, { Checkpoint.read(file) }) { "cut to $at" }
@@ -53,12 +56,22 @@ class CheckpointTest {
             val run = RunDirectory(copyOf(directory.path, home.resolve("version-$version")))
             Files.write(run.checkpoint, Files.readAllBytes(run.checkpoint).also { it[11] = version.toByte() })
             Run.resume(run.path).use {
-                assertTrue("checkpoint" in it.notices[0] && "format $version" in it.notices[0]) { it.notices.toString() }
+                assertTrue("checkpoint" in it.notices[0] && "format $version" in it.notices[0]) {
+                    it.notices.toString()
+                }
                 assertTrue("checkpoint.previous, step 6" in it.notices[1]) { it.notices.toString() }
                 assertEquals(whole, it.execute().stateDigest)
             }
         }
-        for (file in listOf(directory.checkpoint, directory.previousCheckpoint)) Files.write(file, Files.readAllBytes(file).also { it[11] = 99 })
+        for (file in listOf(directory.checkpoint, directory.previousCheckpoint)) {
+            Files.write(
+                file,
+                Files.readAllBytes(file).also {
+                    it[11] =
+                        99
+                },
+            )
+        }
         val e = assertThrows(InputException::class.java) { Run.resume(directory.path) }
         assertTrue("format 99" in e.message.orEmpty()) { e.message }
     }
@@ -69,10 +82,17 @@ class CheckpointTest {
         for (file in listOf(directory.checkpoint, directory.previousCheckpoint)) Files.write(file, asFormat2(file))
         val short = RunDirectory(copyOf(directory.path, home.resolve("short")))
         Run.resume(directory.path).use {
-            assertTrue("format 2" in it.notices.single() && "not checked" in it.notices.single()) { it.notices.toString() }
+            assertTrue("format 2" in it.notices.single() && "not checked" in it.notices.single()) {
+                it.notices.toString()
+            }
             assertEquals(whole, it.execute().stateDigest)
         }
-        assertEquals(emptyList<String>(), Run.resume(directory.path).use { it.notices }) { "the next checkpoint is of format 3" }
+        assertEquals(
+            emptyList<String>(),
+            Run.resume(directory.path).use {
+                it.notices
+            },
+        ) { "the next checkpoint is of format 3" }
         cut(short.series, 20)
         assertTrue("series.csv" in assertThrows(InputException::class.java) { digest(short) }.message.orEmpty())
     }

@@ -24,7 +24,17 @@ class FailedStepTest {
         val m = meta
         val crossed = List(population.size) { id -> List(3) { population.boxesCrossed(id, it) } }
         val counts = listOf(m.collisions, m.wallCollisions, m.guardActivations)
-        listOf(stateDigest(population), crossed, m.step, m.time, counts, m.appended.mapValues { it.value.length to it.value.checksum })
+        listOf(
+            stateDigest(population),
+            crossed,
+            m.step,
+            m.time,
+            counts,
+            m.appended.mapValues {
+                it.value.length to
+                    it.value.checksum
+            },
+        )
     }
 
     @Test
@@ -48,7 +58,9 @@ class FailedStepTest {
         val message = assertThrows(RunException::class.java) { run.use { it.execute() } }.message!!
         assertTrue("at most a quarter" in message) { message }
         val failed = checkpoint("half")
-        assertEquals(checkpointOfGoodStep("half"), failed) { "kept after the good step, and again when the next failed" }
+        assertEquals(checkpointOfGoodStep("half"), failed) {
+            "kept after the good step, and again when the next failed"
+        }
         repeat(2) {
             assertThrows(RunException::class.java) { Run.resume(home.resolve("half")).use { it.execute() } }
             assertEquals(failed, checkpoint("half"))

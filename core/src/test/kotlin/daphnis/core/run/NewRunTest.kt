@@ -158,7 +158,13 @@ class NewRunTest {
     private fun probe(directory: Path): Int {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val classes = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
-        val process = ProcessBuilder(java, "-cp", classes, "daphnis.core.run.LockProbe", directory.toString()).inheritIO().start()
+        val process = ProcessBuilder(
+            java,
+            "-cp",
+            classes,
+            "daphnis.core.run.LockProbe",
+            directory.toString(),
+        ).inheritIO().start()
         assertTrue(process.waitFor(60, TimeUnit.SECONDS))
         return process.exitValue()
     }
@@ -182,9 +188,14 @@ class NewRunTest {
     fun `a run that starts from its own directory's particle file may replace itself`() {
         val text = "x, y, z, vx, radius\n-2, 0, 0, 1, 0.5\n2,0.1,0,-1,0.5\n"
         val file = Files.writeString(home.resolve("two.csv"), text)
-        fun scenario(path: Path) = tableScenario("placement={\"type\":\"file\",\"path\":\"$path\"}", "particles=null", "velocities=null")
+        fun scenario(path: Path) =
+            tableScenario("placement={\"type\":\"file\",\"path\":\"$path\"}", "particles=null", "velocities=null")
         val first = startIn(home.resolve("self"), scenario(file)).toStep(Long.MAX_VALUE)
-        val again = startIn(home.resolve("self"), scenario(home.resolve("self/initial.csv")), force = true).toStep(Long.MAX_VALUE)
+        val again = startIn(
+            home.resolve("self"),
+            scenario(home.resolve("self/initial.csv")),
+            force = true,
+        ).toStep(Long.MAX_VALUE)
         assertEquals(first.stateDigest, again.stateDigest)
         assertEquals(text, Files.readString(home.resolve("self/initial.csv")))
     }
@@ -195,7 +206,12 @@ class NewRunTest {
         Files.writeString(directory.resolve("thesis.txt"), "precious")
         refused("not empty") { startIn(directory) }
         refused("holds no run") { startIn(directory, force = true) }
-        assertEquals(listOf("thesis.txt"), Files.list(directory).use { files -> files.map { it.fileName.toString() }.toList() })
+        assertEquals(
+            listOf("thesis.txt"),
+            Files.list(directory).use { files ->
+                files.map { it.fileName.toString() }.toList()
+            },
+        )
     }
 
     private companion object {

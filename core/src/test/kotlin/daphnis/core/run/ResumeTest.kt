@@ -57,7 +57,9 @@ class ResumeTest {
             assertEquals(whole, results(directory)) { "after ${files.operations}" }
             n++
         }
-        assertTrue("move checkpoint to checkpoint.previous" in mortal && "force series.csv" in mortal && n > 50) { mortal.toString() }
+        assertTrue("move checkpoint to checkpoint.previous" in mortal && "force series.csv" in mortal && n > 50) {
+            mortal.toString()
+        }
     }
 
     @Test
@@ -65,7 +67,9 @@ class ResumeTest {
         for (n in 0 until 16) {
             val directory = damaged("again-$n") { flip(it.resolve("checkpoint"), 200) }
             val files = MortalFiles(n)
-            assertThrows(Killed::class.java) { resumeRun(RunDirectory(directory, files), null, daphnis.core.engine.named.Engines, false).toStep(Long.MAX_VALUE) }
+            assertThrows(Killed::class.java) {
+                resumeRun(RunDirectory(directory, files), null, daphnis.core.Engines, false).toStep(Long.MAX_VALUE)
+            }
             resume(directory)
             assertEquals(whole, results(directory)) { "after ${files.operations}" }
         }
@@ -99,11 +103,22 @@ class ResumeTest {
                 val notices = resume(directory, acceptLoss = true)
                 assertTrue(notices.any { table in it && ("lost" in it || "as they are" in it) }) { notices.toString() }
                 assertEquals(whole["digest"], results(directory)["digest"])
-                for ((other, text) in whole) if (other != table) assertEquals(text, results(directory)[other]) { "$other beside a $name $table" }
+                for ((other, text) in whole) {
+                    if (other !=
+                        table
+                    ) {
+                        assertEquals(text, results(directory)[other]) { "$other beside a $name $table" }
+                    }
+                }
                 val lines = Files.readAllLines(directory.resolve(table))
                 assertEquals(whole.getValue(table).lines().dropLast(1).last(), lines.last()) { "$name $table" }
                 val loss = notices.filter { "/$table: " in it }
-                assertEquals(loss, resume(directory).filter { "/$table: " in it }) { "accepted is accepted, and said again" }
+                assertEquals(
+                    loss,
+                    resume(directory).filter {
+                        "/$table: " in it
+                    },
+                ) { "accepted is accepted, and said again" }
                 assertEquals(loss, RunRecord.of(RunDirectory(directory)).losses)
             }
         }
@@ -111,11 +126,21 @@ class ResumeTest {
 
     @Test
     fun `a table that lost what came after the previous checkpoint is written again`() {
-        val known = Checkpoint.read(RunDirectory(broken).previousCheckpoint).meta.appended.getValue("series.csv").length.toInt()
-        for ((name, damage) in listOf<Pair<String, (Path) -> Unit>>("cut" to { cut(it, known + 3) }, "flipped" to { flip(it, known + 3) })) {
+        val known = Checkpoint.read(
+            RunDirectory(broken).previousCheckpoint,
+        ).meta.appended.getValue("series.csv").length.toInt()
+        for ((name, damage) in listOf<Pair<String, (Path) -> Unit>>(
+            "cut" to { cut(it, known + 3) },
+            "flipped" to { flip(it, known + 3) },
+        )) {
             val directory = damaged("later-$name") { damage(it.resolve("series.csv")) }
             val notices = resume(directory)
-            assertTrue(notices.any { "series.csv" in it } && notices.any { "checkpoint.previous" in it && "step 6" in it }) { notices.toString() }
+            assertTrue(
+                notices.any {
+                    "series.csv" in it
+                } &&
+                    notices.any { "checkpoint.previous" in it && "step 6" in it },
+            ) { notices.toString() }
             assertEquals(whole, results(directory))
         }
     }
@@ -130,7 +155,11 @@ class ResumeTest {
     @Test
     fun `a scenario changed in what makes the run is refused with key and values`() {
         val changes = listOf(
-            Triple("\"coefficient\": 0.6", "\"coefficient\": 0.7", "restitution.coefficient: is 0.7; the run was made with 0.6"),
+            Triple(
+                "\"coefficient\": 0.6",
+                "\"coefficient\": 0.7",
+                "restitution.coefficient: is 0.7; the run was made with 0.6",
+            ),
             Triple("\"dt\": 0.1", "\"dt\": 0.05", "timeStep.dt: is 0.05; the run was made with 0.1"),
             Triple("7.0,", "8.0,", "box.lengths[0]: is 8.0; the run was made with 7.0"),
             Triple("\"collisionLog\": true", "\"collisionLog\": false", "output.collisionLog"),
@@ -178,7 +207,9 @@ class ResumeTest {
         }
         flip(run.checkpoint, 30)
         flip(run.series, 40)
-        assertTrue("series.csv" in RunRecord.of(run).problems(run.series).single()) { "the previous checkpoint knows it too" }
+        assertTrue("series.csv" in RunRecord.of(run).problems(run.series).single()) {
+            "the previous checkpoint knows it too"
+        }
         flip(run.previousCheckpoint, 30)
         assertEquals(emptyList<String>(), RunRecord.of(run).problems(run.series))
     }
@@ -190,7 +221,10 @@ class ResumeTest {
             val place = RunDirectory(directory)
             run.execute({ _, _, _ ->
                 val record = RunRecord.of(place)
-                assertEquals(emptyList<String>(), record.problems(place.series, place.transport, place.impacts, place.summary))
+                assertEquals(
+                    emptyList<String>(),
+                    record.problems(place.series, place.transport, place.impacts, place.summary),
+                )
                 assertTrue(place.snapshotSteps().all { place.frame(it).step == it })
             })
         }

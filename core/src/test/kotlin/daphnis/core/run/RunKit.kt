@@ -1,6 +1,6 @@
 package daphnis.core.run
 
-import daphnis.core.engine.named.Engines
+import daphnis.core.Engines
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import java.io.IOException
@@ -37,27 +37,42 @@ internal class MortalFiles(private val last: Int) : FileOperations() {
     }
 }
 
-internal fun startIn(directory: Path, scenario: Scenario = tableScenario(), force: Boolean = false, files: FileOperations = FileOperations()): Run =
-    startRun(scenario, "test", RunDirectory(directory, files), force, Engines)
+internal fun startIn(
+    directory: Path,
+    scenario: Scenario = tableScenario(),
+    force: Boolean = false,
+    files: FileOperations = FileOperations(),
+): Run = startRun(scenario, "test", RunDirectory(directory, files), force, Engines)
 
 internal fun Run.toStep(step: Long): Summary = use { it.execute(cancelled = { it.simulation.step >= step }) }
 
 /** Tables and states of a run by name, but for what says how long it took. */
 internal fun results(directory: Path): Map<String, String> = buildMap {
-    for (name in listOf("series.csv", "transport.csv", "impacts.csv", "collisions.csv")) put(name, Files.readString(directory.resolve(name)))
+    for (name in listOf(
+        "series.csv",
+        "transport.csv",
+        "impacts.csv",
+        "collisions.csv",
+    )) {
+        put(name, Files.readString(directory.resolve(name)))
+    }
     val run = RunDirectory(directory)
     for (step in run.snapshotSteps()) put("snapshot $step", run.frame(step).let { f -> H5Sum.of(f) })
     put("digest", Summary.read(run.summary).stateDigest)
 }
 
 private object H5Sum {
-    fun of(frame: daphnis.core.format.Frame): String = frame.population().let { daphnis.core.population.stateDigest(it) } +
-        frame.image?.joinToString { it.contentHashCode().toString() }
+    fun of(frame: daphnis.core.format.Snapshot): String =
+        frame.population().let { daphnis.core.population.stateDigest(it) } +
+            frame.image?.joinToString { it.contentHashCode().toString() }
 }
 
 /** Every file below [directory] but the lock, with its bytes. */
 internal fun bytesIn(directory: Path): Map<String, List<Byte>> = Files.walk(directory).use { files ->
-    files.filter { Files.isRegularFile(it) && it.name != ".lock" }.toList().associate { directory.relativize(it).toString() to Files.readAllBytes(it).asList() }
+    files.filter { Files.isRegularFile(it) && it.name != ".lock" }.toList().associate {
+        directory.relativize(it).toString() to
+            Files.readAllBytes(it).asList()
+    }
 }
 
 internal fun flip(file: Path, at: Int, bit: Int = 0) {

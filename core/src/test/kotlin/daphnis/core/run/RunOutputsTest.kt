@@ -7,7 +7,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.output.CollisionStatistics
 import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
 import daphnis.core.scenario.BuiltIn
@@ -45,7 +44,8 @@ class RunOutputsTest {
             )
         val series = table("paper/series.csv")
         val transport = table("paper/transport.csv")
-        fun trace(name: String, row: Int) = listOf("xx", "yy", "zz").sumOf { transport.getValue("${name}_$it")[row].toDouble() } / 3
+        fun trace(name: String, row: Int) =
+            listOf("xx", "yy", "zz").sumOf { transport.getValue("${name}_$it")[row].toDouble() } / 3
         val temperatures = series.getValue("granular_temperature").map { it.toDouble() }
         for (row in temperatures.indices) assertEquals(temperatures[row], trace("c", row), 1e-14 * temperatures[row])
         assertEquals(temperatures.last(), summary.temperature)

@@ -39,13 +39,19 @@ class RunTest {
         settings.toList(),
     )
 
-    private fun run(name: String, steps: Int = Int.MAX_VALUE, vararg settings: String): Summary = Run.start(scenario(*settings), "test", home.resolve(name)).use { run ->
-        run.execute(cancelled = { run.simulation.step >= steps })
+    private fun run(name: String, steps: Int = Int.MAX_VALUE, vararg settings: String): Summary =
+        Run.start(scenario(*settings), "test", home.resolve(name)).use { run ->
+            run.execute(cancelled = { run.simulation.step >= steps })
+        }
+
+    private fun resume(name: String): Pair<Summary, List<String>> = Run.resume(home.resolve(name)).use {
+        it.execute() to
+            it.notices
     }
 
-    private fun resume(name: String): Pair<Summary, List<String>> = Run.resume(home.resolve(name)).use { it.execute() to it.notices }
-
-    private fun files(name: String) = listOf("series.csv", "collisions.csv").associateWith { Files.readString(home.resolve(name).resolve(it)) }
+    private fun files(name: String) = listOf("series.csv", "collisions.csv").associateWith {
+        Files.readString(home.resolve(name).resolve(it))
+    }
 
     @Test
     fun `a run leaves its scenario, states, series, log, checkpoint and summary`() {
@@ -64,7 +70,9 @@ class RunTest {
     @Test
     fun `the scenario in the run directory gives the same digest again`() {
         val first = run("a")
-        val again = Run.start(ScenarioJson.read(home.resolve("a/scenario.json")), "again", home.resolve("b")).use { it.execute() }
+        val again = Run.start(ScenarioJson.read(home.resolve("a/scenario.json")), "again", home.resolve("b")).use {
+            it.execute()
+        }
         assertEquals(first.stateDigest, again.stateDigest)
     }
 
@@ -77,14 +85,28 @@ class RunTest {
             val (resumed, notices) = resume("broken$steps")
             assertEquals(emptyList<String>(), notices)
             assertEquals(whole.stateDigest, resumed.stateDigest)
-            assertEquals(listOf(whole.collisions, whole.guardActivations, whole.steps), listOf(resumed.collisions, resumed.guardActivations, resumed.steps))
+            assertEquals(
+                listOf(whole.collisions, whole.guardActivations, whole.steps),
+                listOf(resumed.collisions, resumed.guardActivations, resumed.steps),
+            )
             assertEquals(files("whole"), files("broken$steps"))
             for (step in RunDirectory(home.resolve("whole")).snapshotSteps()) {
                 val a = daphnis.core.format.H5md.read(RunDirectory(home.resolve("whole")).snapshot(step)).single()
-                val b = daphnis.core.format.H5md.read(RunDirectory(home.resolve("broken$steps")).snapshot(step)).single()
+                val b = daphnis.core.format.H5md.read(
+                    RunDirectory(home.resolve("broken$steps")).snapshot(step),
+                ).single()
                 assertArrayEquals(a.position[0], b.position[0])
-                for (axis in 0..2) assertArrayEquals(a.image!![axis], b.image!![axis]) { "boxes crossed at step $step, broken after $steps" }
-                assertTrue(step < 40 || a.image!!.all { axis -> axis.any { it != 0 } }) { "something should have crossed each face" }
+                for (axis in 0..2) {
+                    assertArrayEquals(a.image!![axis], b.image!![axis]) {
+                        "boxes crossed at step $step, broken after $steps"
+                    }
+                }
+                assertTrue(
+                    step < 40 ||
+                        a.image!!.all { axis ->
+                            axis.any { it != 0 }
+                        },
+                ) { "something should have crossed each face" }
             }
         }
     }
@@ -93,10 +115,21 @@ class RunTest {
     fun `boxes crossed are the same whatever the engine and its threads`() {
         fun images(name: String, vararg settings: String): List<Int> {
             run(name, Int.MAX_VALUE, *settings)
-            return daphnis.core.format.H5md.read(RunDirectory(home.resolve(name)).snapshot(40)).single().image!!.flatMap { it.asList() }
+            return daphnis.core.format.H5md.read(
+                RunDirectory(home.resolve(name)).snapshot(40),
+            ).single().image!!.flatMap {
+                it.asList()
+            }
         }
         val serial = images("serial", "engine.name=serial")
-        for (engine in listOf("islands", "thread-pool")) assertEquals(serial, images(engine, "engine.name=$engine", "engine.threads=3")) { engine }
+        for (engine in listOf(
+            "islands",
+            "thread-pool",
+        )) {
+            assertEquals(serial, images(engine, "engine.name=$engine", "engine.threads=3")) {
+                engine
+            }
+        }
     }
 
     @Test
@@ -112,15 +145,27 @@ class RunTest {
         )
         fun ring() = BuiltIn.scenario("self-gravity-wakes", settings)
         val whole = Run.start(ring(), "ring", home.resolve("ring")).use { it.execute() }
-        assertTrue(whole.particles < ScenarioSetup.of(ring(), "ring").population.size) { "the moon should have swallowed somebody" }
+        assertTrue(whole.particles < ScenarioSetup.of(ring(), "ring").population.size) {
+            "the moon should have swallowed somebody"
+        }
         assertTrue(whole.collisions > 20)
         for (steps in listOf(0L, 1L, 7L, 23L)) {
             val name = "ring-broken-$steps"
-            Run.start(ring(), "ring", home.resolve(name)).use { run -> run.execute(cancelled = { run.simulation.step >= steps }) }
+            Run.start(ring(), "ring", home.resolve(name)).use { run ->
+                run.execute(cancelled = {
+                    run.simulation.step >=
+                        steps
+                })
+            }
             val resumed = Run.resume(home.resolve(name)).use { it.execute() }
             assertEquals(whole.stateDigest, resumed.stateDigest) { "broken after $steps" }
             for (file in listOf("transport.csv", "impacts.csv", "series.csv")) {
-                assertEquals(Files.readString(home.resolve("ring/$file")), Files.readString(home.resolve("$name/$file"))) { "$file, broken after $steps" }
+                assertEquals(
+                    Files.readString(home.resolve("ring/$file")),
+                    Files.readString(home.resolve("$name/$file")),
+                ) {
+                    "$file, broken after $steps"
+                }
             }
         }
     }
@@ -130,7 +175,11 @@ class RunTest {
         val whole = run("whole")
         run("broken", 17)
         for (name in listOf("series.csv", "collisions.csv")) {
-            Files.writeString(home.resolve("broken").resolve(name), "17,1.7,half a li", java.nio.file.StandardOpenOption.APPEND)
+            Files.writeString(
+                home.resolve("broken").resolve(name),
+                "17,1.7,half a li",
+                java.nio.file.StandardOpenOption.APPEND,
+            )
         }
         assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
         assertEquals(files("whole"), files("broken"))
@@ -177,8 +226,14 @@ class RunTest {
         run("broken", 17)
         val file = home.resolve("broken/checkpoint")
         val good = Files.readAllBytes(file)
-        val damages = listOf(0, 5, 11, 14, 100, 900, good.size / 2, good.size - 1).map { at -> good.copyOf().also { it[at] = (it[at].toInt() xor 0x10).toByte() } } +
-            listOf(0, 3, 12, 40, good.size / 2, good.size - 1).map { good.copyOf(it) }
+        val damages =
+            listOf(0, 5, 11, 14, 100, 900, good.size / 2, good.size - 1).map { at ->
+                good.copyOf().also {
+                    it[at] =
+                        (it[at].toInt() xor 0x10).toByte()
+                }
+            } +
+                listOf(0, 3, 12, 40, good.size / 2, good.size - 1).map { good.copyOf(it) }
         for ((k, bytes) in damages.withIndex()) {
             val e = Files.write(home.resolve("damaged$k"), bytes)
             val problem = assertThrows(CheckpointException::class.java) { Checkpoint.read(e) }
@@ -194,7 +249,12 @@ class RunTest {
     @Test
     fun `when both checkpoints are damaged, one line says so`() {
         run("broken", 17)
-        for (name in listOf("checkpoint", "checkpoint.previous")) Files.write(home.resolve("broken").resolve(name), ByteArray(10))
+        for (name in listOf(
+            "checkpoint",
+            "checkpoint.previous",
+        )) {
+            Files.write(home.resolve("broken").resolve(name), ByteArray(10))
+        }
         val e = assertThrows(InputException::class.java) { resume("broken") }
         assertTrue(e.message.orEmpty().contains("no checkpoint is left")) { e.message }
         assertFalse('\n' in e.message.orEmpty())
@@ -204,10 +264,18 @@ class RunTest {
     fun `a run directory that exists is not overwritten without force, and nothing else is with it`() {
         run("a", 3)
         assertThrows(InputException::class.java) { run("a") }
-        Run.start(scenario(), "test", home.resolve("a"), force = true).use { it.execute(cancelled = { it.simulation.step >= 2 }) }
+        Run.start(scenario(), "test", home.resolve("a"), force = true).use {
+            it.execute(cancelled = {
+                it.simulation.step >=
+                    2
+            })
+        }
         Files.createDirectories(home.resolve("mine"))
         Files.writeString(home.resolve("mine/thesis.txt"), "precious")
-        val e = assertThrows(InputException::class.java) { Run.start(scenario(), "test", home.resolve("mine"), force = true) }
+        val e =
+            assertThrows(InputException::class.java) {
+                Run.start(scenario(), "test", home.resolve("mine"), force = true)
+            }
         assertTrue(e.message.orEmpty().contains("holds no run")) { e.message }
         assertEquals("precious", Files.readString(home.resolve("mine/thesis.txt")))
     }
@@ -255,7 +323,10 @@ class RunTest {
                 }
             }
         }
-        val e = assertThrows(RunException::class.java) { Run.start(scenario(*settings), "test", home.resolve("broken"), engines = failing).use { it.execute() } }
+        val e =
+            assertThrows(RunException::class.java) {
+                Run.start(scenario(*settings), "test", home.resolve("broken"), engines = failing).use { it.execute() }
+            }
         assertTrue(e.message.orEmpty().contains("step 8") && e.message.orEmpty().contains("on purpose")) { e.message }
         assertEquals(7L, Checkpoint.read(RunDirectory(home.resolve("broken")).checkpoint).meta.step)
         assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
@@ -272,13 +343,22 @@ class RunTest {
 
     @Test
     fun `a scenario that starts from a file keeps the file`() {
-        Files.writeString(home.resolve("start.csv"), "# two\nx, y, z, vx, radius, id\n-2, 0, 0, 1, 0.5, 7\n2,0.1,0,-1,0.5,3\n")
+        Files.writeString(
+            home.resolve("start.csv"),
+            "# two\nx, y, z, vx, radius, id\n-2, 0, 0, 1, 0.5, 7\n2,0.1,0,-1,0.5,3\n",
+        )
         val text = """{ "box": { "lengths": [9, 9, 9] }, "boundary": { "type": "walls" }, "placement": { "type": "file", "path": "start.csv" },
             "restitution": { "type": "bridges" }, "timeStep": { "type": "fixed", "dt": 0.5 }, "until": 3 }"""
         val first = Run.start(ScenarioJson.parse(text, "t").atHome(home), "t", home.resolve("a")).use { it.execute() }
         assertTrue(first.collisions > 0)
         Files.delete(home.resolve("start.csv"))
-        val again = Run.start(ScenarioJson.read(home.resolve("a/scenario.json")).atHome(home.resolve("a")), "t", home.resolve("b")).use { it.execute() }
+        val again = Run.start(
+            ScenarioJson.read(home.resolve("a/scenario.json")).atHome(home.resolve("a")),
+            "t",
+            home.resolve("b"),
+        ).use {
+            it.execute()
+        }
         assertEquals(first.stateDigest, again.stateDigest)
     }
 }

@@ -28,7 +28,9 @@ class StartTimeTest {
         ).atHome(home)
     }
 
-    private fun run(scenario: Scenario, name: String) = Run.start(scenario, "test", home.resolve(name)).use { it.execute() }
+    private fun run(scenario: Scenario, name: String) = Run.start(scenario, "test", home.resolve(name)).use {
+        it.execute()
+    }
 
     @Test
     fun `a state placed at a time has its images where they are then, and its times count from there`() {
@@ -55,10 +57,20 @@ class StartTimeTest {
             val whole = run(scenario, "whole$time")
             for (steps in listOf(0L, 1L, 7L, 16L)) {
                 val name = "broken$time-$steps"
-                Run.start(scenario, "test", home.resolve(name)).use { run -> run.execute(cancelled = { run.simulation.step >= steps }) }
+                Run.start(scenario, "test", home.resolve(name)).use { run ->
+                    run.execute(cancelled = {
+                        run.simulation.step >=
+                            steps
+                    })
+                }
                 val resumed = Run.resume(home.resolve(name)).use { it.execute() }
                 assertEquals(whole.stateDigest, resumed.stateDigest)
-                assertEquals(Files.readString(home.resolve("whole$time/series.csv")), Files.readString(home.resolve("$name/series.csv"))) { name }
+                assertEquals(
+                    Files.readString(home.resolve("whole$time/series.csv")),
+                    Files.readString(home.resolve("$name/series.csv")),
+                ) {
+                    name
+                }
             }
         }
     }
@@ -66,7 +78,13 @@ class StartTimeTest {
     @Test
     fun `the run directory's scenario starts at the same time again`() {
         val first = run(scenario(", \"time\": 5", 6.0), "first")
-        val again = Run.start(ScenarioJson.read(home.resolve("first/scenario.json")).atHome(home.resolve("first")), "again", home.resolve("b")).use { it.execute() }
+        val again = Run.start(
+            ScenarioJson.read(home.resolve("first/scenario.json")).atHome(home.resolve("first")),
+            "again",
+            home.resolve("b"),
+        ).use {
+            it.execute()
+        }
         assertEquals(first.stateDigest, again.stateDigest)
         assertEquals(6.0, again.time)
     }
@@ -82,7 +100,12 @@ class StartTimeTest {
         wrong({ scenario(", \"time\": 5", 6.0, y = 3.9) }, "placement.path", "overlap")
         run(scenario("", 1.0, y = 3.9), "apart")
         wrong({ scenario(", \"time\": \"3\"", 4.0) }, "placement.time", "finite number")
-        Run.start(scenario(", \"time\": 5", 6.0), "test", home.resolve("a")).use { run -> run.execute(cancelled = { run.simulation.step >= 2 }) }
+        Run.start(scenario(", \"time\": 5", 6.0), "test", home.resolve("a")).use { run ->
+            run.execute(cancelled = {
+                run.simulation.step >=
+                    2
+            })
+        }
         assertThrows(InputException::class.java) { Run.resume(home.resolve("a"), until = 4.5) }
         assertEquals(-1.0, run(scenario(", \"time\": -2", -1.0), "before").time)
     }

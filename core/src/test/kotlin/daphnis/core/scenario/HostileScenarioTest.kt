@@ -74,7 +74,8 @@ class HostileScenarioTest {
 
     @Test
     fun `an optical depth that no slab holds is refused without a search`() {
-        fun deep(depth: Double) = listOf(slab, "particles={\"opticalDepth\":$depth,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}")
+        fun deep(depth: Double) =
+            listOf(slab, "particles={\"opticalDepth\":$depth,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}")
         assertWrong(deep(8.0), "particles.opticalDepth", "8.0", "jam", "lattice")
         assertWrong(deep(50.0), "particles.opticalDepth", "50.0", "filling factor", "0.7405")
         assertEquals(1273, setup(*deep(0.1).toTypedArray()).population.size)
@@ -137,7 +138,8 @@ class HostileScenarioTest {
     fun `JSON nested beyond reason is refused where it is parsed`() {
         for (depth in listOf(300, 3000, 30_000, 300_000)) {
             val deep = gas.replace("\"until\": 1", "\"until\": ${"[".repeat(depth)}1${"]".repeat(depth)}")
-            val parse = ThrowingSupplier { assertThrows(InputException::class.java) { ScenarioJson.parse(deep, "my.json") } }
+            val parse =
+                ThrowingSupplier { assertThrows(InputException::class.java) { ScenarioJson.parse(deep, "my.json") } }
             val message = assertTimeoutPreemptively(Duration.ofSeconds(60), parse).message.orEmpty()
             assertTrue(message.startsWith("my.json") && message.length < 300) { message }
         }
@@ -146,7 +148,8 @@ class HostileScenarioTest {
     @Test
     fun `units and planets that give no finite constants are named`() {
         val hill = """boundary={"type":"hill-sheet"}"""
-        fun planet(km: String) = arrayOf(hill, "frame={\"type\":\"hill\",\"distanceInKm\":$km}", "units.lengthInMetres=1")
+        fun planet(km: String) =
+            arrayOf(hill, "frame={\"type\":\"hill\",\"distanceInKm\":$km}", "units.lengthInMetres=1")
         assertWrong(planet("1e-300").asList(), "frame.distanceInKm", "angular speed")
         assertWrong(planet("1e300").asList(), "frame.distanceInKm", "angular speed")
         assertWrong(

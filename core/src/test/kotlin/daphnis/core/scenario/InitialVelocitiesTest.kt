@@ -11,7 +11,12 @@ import org.junit.jupiter.api.Test
 import kotlin.math.sqrt
 
 class InitialVelocitiesTest {
-    private fun scenario(velocities: String, count: Int = 2000, sizes: String = WIDE, boundary: String = """{ "type": "periodic" }""") = ScenarioJson.parse(
+    private fun scenario(
+        velocities: String,
+        count: Int = 2000,
+        sizes: String = WIDE,
+        boundary: String = """{ "type": "periodic" }""",
+    ) = ScenarioJson.parse(
         """{
           "box": { "lengths": [60, 60, 60] }, "boundary": $boundary,
           "particles": { "count": $count, "sizes": $sizes }, "velocities": $velocities,
@@ -27,9 +32,16 @@ class InitialVelocitiesTest {
 
     @Test
     fun `spheres of unequal mass start without momentum, not only without mean velocity`() {
-        for (velocities in listOf("""{ "type": "gaussian", "sigma": 1 }""", """{ "type": "uniform", "halfWidth": 1 }""")) {
+        for (velocities in listOf(
+            """{ "type": "gaussian", "sigma": 1 }""",
+            """{ "type": "uniform", "halfWidth": 1 }""",
+        )) {
             val sums = Conserved.of(population(velocities))
-            for (p in listOf(sums.momentumX, sums.momentumY, sums.momentumZ)) assertEquals(0.0, p / sums.mass, 1e-14) { velocities }
+            for (p in listOf(sums.momentumX, sums.momentumY, sums.momentumZ)) {
+                assertEquals(0.0, p / sums.mass, 1e-14) {
+                    velocities
+                }
+            }
         }
         val left = Conserved.of(population("""{ "type": "gaussian", "sigma": 1, "zeroMomentum": false }"""))
         assertTrue(Math.abs(left.momentumX / left.mass) > 1e-3)
@@ -64,8 +76,11 @@ class InitialVelocitiesTest {
         val hot = population("""{ "type": "gaussian", "temperature": 2, "exact": true }""", count = 50)
         assertEquals(2.0, (0 until 50).sumOf { hot.mass[it] * hot.speeds2()[it] } / 150, 1e-13)
         val drawn = population("""{ "type": "gaussian", "sigma": 0.3, "zeroMomentum": false }""", count = 50)
-        val moving = population("""{ "type": "gaussian", "sigma": 0.3, "zeroMomentum": false, "exact": true }""", count = 50)
-        assertEquals(Conserved.of(drawn).momentumY, Conserved.of(moving).momentumY, 1e-14) { "the centre of mass goes on as drawn" }
+        val moving =
+            population("""{ "type": "gaussian", "sigma": 0.3, "zeroMomentum": false, "exact": true }""", count = 50)
+        assertEquals(Conserved.of(drawn).momentumY, Conserved.of(moving).momentumY, 1e-14) {
+            "the centre of mass goes on as drawn"
+        }
         assertEquals(0.09, plainTemperature(moving), 1e-15)
         val rest = population("""{ "type": "gaussian", "sigma": 0, "exact": true }""", count = 50)
         assertTrue(rest.speeds2().all { it == 0.0 })
@@ -95,7 +110,9 @@ class InitialVelocitiesTest {
         wrong("""{ "type": "gaussian", "sigma": 1, "temperature": 1 }""", "exactly one of sigma and temperature")
         wrong("""{ "type": "gaussian", "temperature": -1 }""", "velocities.temperature", "-1.0", ">= 0")
         wrong("""{ "type": "gaussian", "sigma": 1, "exact": true }""", "velocities.exact", "two particles", count = 1)
-        assertThrows(InputException::class.java) { scenario("""{ "type": "uniform", "halfWidth": 1, "exact": true }""") }
+        assertThrows(InputException::class.java) {
+            scenario("""{ "type": "uniform", "halfWidth": 1, "exact": true }""")
+        }
     }
 
     private companion object {

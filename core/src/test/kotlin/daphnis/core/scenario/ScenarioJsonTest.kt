@@ -20,7 +20,10 @@ class ScenarioJsonTest {
 
     /** Expects one line that holds all of [parts]. */
     private fun assertWrong(text: String, settings: List<String>, vararg parts: String) {
-        val e = assertThrows(InputException::class.java) { ScenarioSetup.of(ScenarioJson.parse(text, "my.json", settings), "my.json") }
+        val e =
+            assertThrows(InputException::class.java) {
+                ScenarioSetup.of(ScenarioJson.parse(text, "my.json", settings), "my.json")
+            }
         val message = e.message.orEmpty()
         assertFalse('\n' in message) { message }
         for (part in parts) assertTrue(part in message) { "'$part' is not in: $message" }
@@ -58,7 +61,17 @@ class ScenarioJsonTest {
 
     @Test
     fun `settings replace keys, add them, and take whole objects`() {
-        val s = ScenarioJson.parse(good, "x", listOf("timeStep.dt=0.05", "name=my gas", "output.snapshotEvery=7", """restitution={"type":"bridges"}""", "seed=42"))
+        val s = ScenarioJson.parse(
+            good,
+            "x",
+            listOf(
+                "timeStep.dt=0.05",
+                "name=my gas",
+                "output.snapshotEvery=7",
+                """restitution={"type":"bridges"}""",
+                "seed=42",
+            ),
+        )
         assertEquals(0.05, (s.timeStep as TimeStepSpec.Fixed).dt)
         assertEquals("my gas", s.name)
         assertEquals(7, s.output.snapshotEvery)
@@ -76,7 +89,10 @@ class ScenarioJsonTest {
 
     @Test
     fun `malformed JSON is named by line and column`() {
-        val e = assertThrows(InputException::class.java) { ScenarioJson.parse("{\n  \"box\": { \"lengths\" [1, 2, 3] }\n}", "my.json") }
+        val e =
+            assertThrows(InputException::class.java) {
+                ScenarioJson.parse("{\n  \"box\": { \"lengths\" [1, 2, 3] }\n}", "my.json")
+            }
         assertTrue(Regex("""^my\.json:2:\d+: malformed JSON: .+""").matches(e.message.orEmpty())) { e.message }
     }
 
@@ -107,9 +123,22 @@ class ScenarioJsonTest {
         assertWrong("particles.count=0", "particles.count", "0", "1..")
         assertWrong("restitution.coefficient=1.2", "restitution.coefficient", "1.2", "[0, 1]")
         assertWrong("restitution.coefficient=-0.1", "restitution.coefficient", "[0, 1]")
-        assertWrong("particles.fillingFactor=0.1", "particles", "exactly one of count, fillingFactor, opticalDepth and surfaceDensity")
-        assertWrong("particles={\"fillingFactor\":0.5,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}", "particles.fillingFactor", "0.5", "lattice")
-        assertWrong("particles={\"fillingFactor\":0.8,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}", "particles.fillingFactor", "0.8")
+        assertWrong(
+            "particles.fillingFactor=0.1",
+            "particles",
+            "exactly one of count, fillingFactor, opticalDepth and surfaceDensity",
+        )
+        assertWrong(
+            "particles={\"fillingFactor\":0.5,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}",
+            "particles.fillingFactor",
+            "0.5",
+            "lattice",
+        )
+        assertWrong(
+            "particles={\"fillingFactor\":0.8,\"sizes\":{\"type\":\"equal\",\"radius\":0.5}}",
+            "particles.fillingFactor",
+            "0.8",
+        )
         assertWrong("particles.count=5000000", "particles.count", "filling factor")
         assertWrong("box.lengths=[10,10,0.9]", "box.lengths[2]", "0.9", "1.0")
         assertWrong("box.lengths=[10,0,10]", "box.lengths[1]", "> 0")

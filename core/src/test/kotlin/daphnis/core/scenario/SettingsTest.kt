@@ -35,7 +35,13 @@ class SettingsTest {
 
     @Test
     fun `an index that is not there is refused with those that are`() {
-        assertRefused("forces[2].constant=1", "--set", "forces[2].constant=1", "forces has 2 entries, [0] to [1]", "[2]")
+        assertRefused(
+            "forces[2].constant=1",
+            "--set",
+            "forces[2].constant=1",
+            "forces has 2 entries, [0] to [1]",
+            "[2]",
+        )
         assertRefused("forces[0].acceleration[3]=1", "forces[0].acceleration has 3 entries")
         assertRefused("bodies[0].radius=1", "bodies is no list", "[0]")
         assertRefused("box[0]=1", "box is no list")

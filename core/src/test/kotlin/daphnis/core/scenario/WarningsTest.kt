@@ -41,7 +41,9 @@ class WarningsTest {
         assertEquals(emptyList<String>(), warningsOf(box("timeStep.dt=0.1", "boundary.axes=xy")))
         assertEquals(emptyList<String>(), warningsOf(box("timeStep.dt=0.1", "boundary={\"type\":\"periodic\"}")))
         assertEquals(emptyList<String>(), warningsOf(box("timeStep.dt=0.1", "forces=[]")))
-        assertTrue("fall through the box" in warningsOf(box("timeStep.dt=0.5", "velocities={\"type\":\"rest\"}")).single())
+        assertTrue(
+            "fall through the box" in warningsOf(box("timeStep.dt=0.5", "velocities={\"type\":\"rest\"}")).single(),
+        )
         // Two that cancel.
         val both = "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]},{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,1]}]"
         assertEquals(emptyList<String>(), warningsOf(box("timeStep.dt=0.1", both)))
@@ -77,6 +79,8 @@ class WarningsTest {
 
     @Test
     fun `a run says it at its start`() {
-        Run.start(box("timeStep.dt=0.1"), "box", home.resolve("run")).use { assertEquals(warningsOf(box("timeStep.dt=0.1")), it.notices) }
+        Run.start(box("timeStep.dt=0.1"), "box", home.resolve("run")).use {
+            assertEquals(warningsOf(box("timeStep.dt=0.1")), it.notices)
+        }
     }
 }

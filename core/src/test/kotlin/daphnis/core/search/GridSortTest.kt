@@ -2,11 +2,11 @@ package daphnis.core.search
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.population.Population
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Test
 
@@ -36,7 +36,11 @@ class GridSortTest {
                             val story = "seed $seed, $n spheres, $threads threads, $strategy, $sort"
                             assertArrayEquals(expected.order.copyOf(n), grid.order.copyOf(n), story)
                             val cells = expected.cellsAlong(0) * expected.cellsAlong(1) * expected.cellsAlong(2)
-                            assertArrayEquals(expected.cellStart.copyOf(cells + 1), grid.cellStart.copyOf(cells + 1), story)
+                            assertArrayEquals(
+                                expected.cellStart.copyOf(cells + 1),
+                                grid.cellStart.copyOf(cells + 1),
+                                story,
+                            )
                         }
                     }
                 }

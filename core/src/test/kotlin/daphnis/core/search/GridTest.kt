@@ -8,9 +8,9 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -25,21 +25,51 @@ class GridTest {
     }
 
     /** Seen from the lower id; two images of one sphere from the one with the positive code. */
-    private fun canonical(a: Int, b: Int, code: Int) = if (a < b || (a == b && code >= Images.negated(code))) Pair(a, b, code) else Pair(b, a, Images.negated(code))
+    private fun canonical(a: Int, b: Int, code: Int) = if (a < b ||
+        (a == b && code >= Images.negated(code))
+    ) {
+        Pair(a, b, code)
+    } else {
+        Pair(b, a, Images.negated(code))
+    }
 
     @Test
     fun `both kinds of runs hold every pair within range, in every boundary, once`() {
         for (seed in 1L..100L) {
             val random = SeededRandom(seed)
-            val box = Box.centred(random.nextDouble(4.0, 12.0), random.nextDouble(4.0, 12.0), random.nextDouble(2.1, 12.0))
-            val boundary = listOf(Open, Periodic(box), Periodic(box, true, true, false), Walls(box), LeesEdwards(box, random.nextDouble(-1.0, 1.0)))[random.nextInt(5)]
+            val box = Box.centred(
+                random.nextDouble(4.0, 12.0),
+                random.nextDouble(4.0, 12.0),
+                random.nextDouble(2.1, 12.0),
+            )
+            val boundary = listOf(
+                Open,
+                Periodic(box),
+                Periodic(box, true, true, false),
+                Walls(box),
+                LeesEdwards(box, random.nextDouble(-1.0, 1.0)),
+            )[random.nextInt(5)]
             val p = randomSpheres(1 + random.nextInt(30), boundary, seed, 1.0) { it.nextDouble(0.1, 0.9) }
             val reach = DoubleArray(3) { random.nextDouble(0.0, 2.0) }
-            compare(p, boundary, random.nextDouble(0.0, 20.0), random.nextDouble(0.0, 2.0), reach, "seed $seed, ${boundary.javaClass.simpleName}, ${p.size} spheres")
+            compare(
+                p,
+                boundary,
+                random.nextDouble(0.0, 20.0),
+                random.nextDouble(0.0, 2.0),
+                reach,
+                "seed $seed, ${boundary.javaClass.simpleName}, ${p.size} spheres",
+            )
         }
     }
 
-    private fun compare(p: Population, boundary: BoundaryConditions, time: Double, duration: Double, reach: DoubleArray, story: String) {
+    private fun compare(
+        p: Population,
+        boundary: BoundaryConditions,
+        time: Double,
+        duration: Double,
+        reach: DoubleArray,
+        story: String,
+    ) {
         val grid = Grid().apply { build(p, boundary, time, duration, reach) }
         assertEquals((0 until p.size).toSet(), grid.order.take(p.size).toSet()) { story }
         val near = CellRuns(grid)
@@ -61,15 +91,37 @@ class GridTest {
         val found = once.toSet()
         eachImage(p, boundary) { i, j, code ->
             val apart = (0..2).map { axis -> gap(p, grid.images, i, j, code, axis, way[axis][i], duration) }
-            // Whoever may be anywhere within its reach must be found from the way of the one; who goes its own way, from either.
-            if ((0..2).all { apart[it](reach[it], reach[it]) }) assertTrue(Pair(p.id[i], p.id[j], code) in all) { "$story: ${p.id[j]} is not found from ${p.id[i]}" }
+            // Whoever may be anywhere within its reach must be found from the way of the one; who goes its own way,
+            // from either.
+            if ((0..2).all {
+                    apart[it](reach[it], reach[it])
+                }
+            ) {
+                assertTrue(Pair(p.id[i], p.id[j], code) in all) { "$story: ${p.id[j]} is not found from ${p.id[i]}" }
+            }
             val meet = (0..2).all { axis -> apart[axis](maxOf(0.0, -way[axis][j]), maxOf(0.0, way[axis][j])) }
-            if (meet) assertTrue(canonical(p.id[i], p.id[j], code) in found) { "$story: ${p.id[i]} and ${p.id[j]} are not found forward" }
+            if (meet) {
+                assertTrue(canonical(p.id[i], p.id[j], code) in found) {
+                    "$story: ${p.id[i]} and ${p.id[j]} are not found forward"
+                }
+            }
         }
     }
 
-    /** Whether, along [axis], sphere j, spread by so much down and up and slid by its image, comes as near as touching to the way of i. */
-    private fun gap(p: Population, images: Images, i: Int, j: Int, code: Int, axis: Int, way: Double, duration: Double): (Double, Double) -> Boolean {
+    /**
+     * Whether, along [axis], sphere j, spread by so much down and up and slid by its image, comes as near as touching
+     * to the way of i.
+     */
+    private fun gap(
+        p: Population,
+        images: Images,
+        i: Int,
+        j: Int,
+        code: Int,
+        axis: Int,
+        way: Double,
+        duration: Double,
+    ): (Double, Double) -> Boolean {
         val positions = listOf(p.x, p.y, p.z)[axis]
         val from = positions[j] + images.shift(code, axis) - positions[i]
         val slide = images.slide(code, axis) * duration
@@ -90,7 +142,17 @@ class GridTest {
         for (i in 0 until p.size) {
             for (j in 0 until p.size) {
                 if (i == j) continue
-                for (x in -far[0]..far[0]) for (y in -far[1]..far[1]) for (z in -far[2]..far[2]) action(i, j, Images.code(x, y, z))
+                for (x in -far[0]..far[0]) {
+                    for (y in -far[1]..far[1]) {
+                        for (z in -far[2]..far[2]) {
+                            action(
+                                i,
+                                j,
+                                Images.code(x, y, z),
+                            )
+                        }
+                    }
+                }
             }
         }
     }

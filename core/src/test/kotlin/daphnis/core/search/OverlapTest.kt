@@ -35,7 +35,12 @@ class OverlapTest {
             assertEquals(if (population === equal) 0.05 else 0.25, expected.depth, 1e-12)
             for (threads in 2..4) {
                 val found = Overlap.deepest(population, Open, 0.0, threads)
-                assertEquals(listOf(expected.first, expected.second, expected.depth), listOf(found.first, found.second, found.depth)) { "$threads threads" }
+                assertEquals(
+                    listOf(expected.first, expected.second, expected.depth),
+                    listOf(found.first, found.second, found.depth),
+                ) {
+                    "$threads threads"
+                }
             }
         }
     }

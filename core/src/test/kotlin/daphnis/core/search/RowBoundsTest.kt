@@ -12,9 +12,9 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.randomSpheres
-import daphnis.core.setup.SeededRandom
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
@@ -25,8 +25,18 @@ class RowBoundsTest {
         var met = 0
         for (seed in 1L..120L) {
             val random = SeededRandom(seed)
-            val box = Box.centred(random.nextDouble(4.0, 14.0), random.nextDouble(4.0, 14.0), random.nextDouble(2.1, 14.0))
-            val boundary = listOf(Open, Periodic(box), Periodic(box, true, true, false), Walls(box), LeesEdwards(box, random.nextDouble(-1.0, 1.0)))[random.nextInt(5)]
+            val box = Box.centred(
+                random.nextDouble(4.0, 14.0),
+                random.nextDouble(4.0, 14.0),
+                random.nextDouble(2.1, 14.0),
+            )
+            val boundary = listOf(
+                Open,
+                Periodic(box),
+                Periodic(box, true, true, false),
+                Walls(box),
+                LeesEdwards(box, random.nextDouble(-1.0, 1.0)),
+            )[random.nextInt(5)]
             val p = randomSpheres(2 + random.nextInt(40), boundary, seed, 1.0) { it.nextDouble(0.1, 0.9) }
             // A mean flow on top, which close bounds follow.
             for (k in 0 until p.size) p.vx[k] += 2 * p.y[k] / 10
@@ -46,7 +56,9 @@ class RowBoundsTest {
                     for (code in codes) {
                         if (!meet(rows, grid.images, i, j, code, 0.0, duration)) continue
                         met++
-                        assertTrue(Triple(i, j, code) in named || Triple(j, i, Images.negated(code)) in named) { "$story: $i and $j are not found from the start" }
+                        assertTrue(Triple(i, j, code) in named || Triple(j, i, Images.negated(code)) in named) {
+                            "$story: $i and $j are not found from the start"
+                        }
                     }
                 }
             }
@@ -68,7 +80,9 @@ class RowBoundsTest {
                     for (code in codes) {
                         if (!meet(rows, grid.images, i, j, code, now, duration)) continue
                         met++
-                        assertTrue(Triple(i, j, code) in around) { "$story: $j is not found from $i after it changed course" }
+                        assertTrue(Triple(i, j, code) in around) {
+                            "$story: $j is not found from $i after it changed course"
+                        }
                     }
                 }
             }
@@ -76,14 +90,45 @@ class RowBoundsTest {
         assertTrue(met > 2000) { "only $met meetings" }
     }
 
-    private fun query(near: CellRuns, rows: StepRows, i: Int, now: Double, duration: Double, ahead: Boolean): List<Triple<Int, Int, Int>> {
+    private fun query(
+        near: CellRuns,
+        rows: StepRows,
+        i: Int,
+        now: Double,
+        duration: Double,
+        ahead: Boolean,
+    ): List<Triple<Int, Int, Int>> {
         val s = rows.state
         val p = i * STRIDE
         val rest = duration - now
         val runs = if (ahead) {
-            near.ahead(i, s[p], s[p + 1], s[p + 2], s[p + VX] * rest, s[p + VX + 1] * rest, s[p + VX + 2] * rest, s[p + RADIUS])
+            near.ahead(
+                i,
+                s[p],
+                s[p + 1],
+                s[p + 2],
+                s[p + VX] * rest,
+                s[p + VX + 1] * rest,
+                s[p + VX + 2] * rest,
+                s[
+                    p +
+                        RADIUS,
+                ],
+            )
         } else {
-            near.around(s[p], s[p + 1], s[p + 2], s[p + VX] * rest, s[p + VX + 1] * rest, s[p + VX + 2] * rest, s[p + RADIUS], now)
+            near.around(
+                s[p],
+                s[p + 1],
+                s[p + 2],
+                s[p + VX] * rest,
+                s[p + VX + 1] * rest,
+                s[p + VX + 2] * rest,
+                s[
+                    p +
+                        RADIUS,
+                ],
+                now,
+            )
         }
         return (0 until runs).flatMap { r -> (near.from[r] until near.to[r]).map { Triple(i, it, near.image[r]) } }
     }
@@ -103,7 +148,9 @@ class RowBoundsTest {
 
     private fun codes(vararg faces: ContactFaces): List<Int> {
         val far = IntArray(3) { if (faces[it] == ContactFaces.PERIODIC) 3 else 0 }
-        return (-far[0]..far[0]).flatMap { x -> (-far[1]..far[1]).flatMap { y -> (-far[2]..far[2]).map { z -> Images.code(x, y, z) } } }
+        return (-far[0]..far[0]).flatMap { x ->
+            (-far[1]..far[1]).flatMap { y -> (-far[2]..far[2]).map { z -> Images.code(x, y, z) } }
+        }
     }
 
     private companion object {

@@ -1,8 +1,8 @@
 package daphnis.core.engine.islands
 
 /**
- * What one worker did in a window: its attempts at islands, and for each the spheres that took part and what was counted. An attempt is alive
- * until it turns out that its island has met another one.
+ * What one worker did in a window: its attempts at islands, and for each the spheres that took part and what was
+ * counted. An attempt is alive until it turns out that its island has met another one.
  */
 internal class Attempts {
     var size = 0

@@ -3,9 +3,9 @@ package daphnis.core.engine.islands
 import daphnis.core.queue.EventSink
 
 /**
- * The potential collisions that one worker has found and that lie beyond the window at hand, by slices of time. A hint says that a pair may
- * touch at a time; whether it still will is asked when its slice comes, by computing the contact time again: the same bits mean that
- * neither sphere has changed since. So nothing has ever to be removed.
+ * The potential collisions that one worker has found and that lie beyond the window at hand, by slices of time. A hint
+ * says that a pair may touch at a time; whether it still will is asked when its slice comes, by computing the contact
+ * time again: the same bits mean that neither sphere has changed since. So nothing has ever to be removed.
  *
  * Each slice is a linked list, newest first. Written and read by one worker at a time.
  */
@@ -77,6 +77,12 @@ internal class Hints : EventSink {
         private const val LOW = 0xffffffffL
 
         /** Last moment of [slice] in a step of [duration]. */
-        fun endOf(slice: Int, duration: Double): Double = if (slice == SLICES - 1) duration else (slice + 1) * (duration / SLICES)
+        fun endOf(slice: Int, duration: Double): Double = if (slice ==
+            SLICES - 1
+        ) {
+            duration
+        } else {
+            (slice + 1) * (duration / SLICES)
+        }
     }
 }

@@ -9,9 +9,10 @@ import java.util.function.IntConsumer
  * The workers on one [IslandField], and what is done between their phases by one thread alone. A step goes
  *
  * 1. `field.measure`, `field.prepare`, [prepare]; then *in parallel* [IslandWorker.searchStart];
- * 2. for each window: [openWindow]; *in parallel* [IslandWorker.propose]; *in parallel* [IslandWorker.group]; [collectRoots]; *in parallel*
- *    [IslandWorker.process] for each of [roots]; *in parallel* [IslandWorker.check]; while [mergeConflicts] finds any: process those and check again;
- *    *in parallel* [IslandWorker.commit]; *in parallel* [IslandWorker.hintSuspects] unless it was the last window; [closeWindow];
+ * 2. for each window: [openWindow]; *in parallel* [IslandWorker.propose]; *in parallel* [IslandWorker.group];
+ *    [collectRoots]; *in parallel* [IslandWorker.process] for each of [roots]; *in parallel* [IslandWorker.check];
+ *    while [mergeConflicts] finds any: process those and check again; *in parallel* [IslandWorker.commit]; *in
+ *    parallel* [IslandWorker.hintSuspects] unless it was the last window; [closeWindow];
  * 3. `field.store`, [finish].
  *
  * Between any two of these stands a barrier or a message.
@@ -19,7 +20,12 @@ import java.util.function.IntConsumer
  * @param size number of workers
  */
 public class IslandCrew(private val field: IslandField, public val size: Int) {
-    private val workers = arrayOfNulls<IslandWorker>(size).also { crew -> for (k in 0 until size) crew[k] = IslandWorker(field, k, crew) }
+    private val workers = arrayOfNulls<IslandWorker>(size).also { crew ->
+        for (k in 0 until size) {
+            crew[k] =
+                IslandWorker(field, k, crew)
+        }
+    }
     private val counted = CollisionCounters()
 
     /** Roots of the islands to be processed next, the first [rootCount] entries. */
@@ -63,8 +69,8 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     }
 
     /**
-     * Opens the next window: as many slices as hold about so many potential collisions as islands can bear without growing into one
-     * another.
+     * Opens the next window: as many slices as hold about so many potential collisions as islands can bear without
+     * growing into one another.
      *
      * @return how many potential collisions it holds at most
      */
@@ -94,14 +100,20 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     }
 
     /**
-     * Joins the islands that share a seed which no worker could make its own, and puts them into [roots]. Between [propose] and
-     * [IslandWorker.group], where workers keep to their own spheres.
+     * Joins the islands that share a seed which no worker could make its own, and puts them into [roots]. Between
+     * [propose] and [IslandWorker.group], where workers keep to their own spheres.
      */
     public fun joinBorders() {
         rootCount = 0
         val seeds = field.seeds
         for (worker in workers) {
-            for (s in worker!!.seeder.borderFrom until worker.seeder.borderTo) if (seeds.second[s] >= 0) field.union(seeds.first[s], seeds.second[s])
+            for (s in worker!!.seeder.borderFrom until worker.seeder.borderTo) {
+                if (seeds.second[s] >=
+                    0
+                ) {
+                    field.union(seeds.first[s], seeds.second[s])
+                }
+            }
         }
         for (worker in workers) {
             for (s in worker!!.seeder.borderFrom until worker.seeder.borderTo) {

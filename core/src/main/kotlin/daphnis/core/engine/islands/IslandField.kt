@@ -15,8 +15,9 @@ import java.lang.invoke.MethodHandles
 import java.lang.invoke.VarHandle
 
 /**
- * What the workers of a step share when collisions are processed by islands. An **island** is a set of spheres that meet nobody else within a
- * **window** of time, so that its collisions can be processed alone, in its own order of time, without asking others.
+ * What the workers of a step share when collisions are processed by islands. An **island** is a set of spheres that
+ * meet nobody else within a **window** of time, so that its collisions can be processed alone, in its own order of
+ * time, without asking others.
  *
  * ```
  *   time ─▶  │ window 0   │ window 1 │ window 2     │ …      a window is some slices of the step
@@ -27,33 +28,37 @@ import java.lang.invoke.VarHandle
  *   sphere e ├───────┴────┤          │              │
  * ```
  *
- * **Why the bits are those of the serial engine.** A sphere's path changes only at its own collisions, and contact time and outcome are pure functions
- * of the two states. Suppose that in a window every island has been processed alone, in its order, and that no two pieces of path that
- * belong to different islands, or to an island and a sphere of none, touch each other. Then these paths are *the* paths: go through the
- * serial engine's collisions in order; the first that is missing here, or differs, would be a contact of two pieces of path that are both right up
- * to then, hence a contact between different islands, which there is none of. Who grew which island, in what order and on which thread does not
- * enter.
+ * **Why the bits are those of the serial engine.** A sphere's path changes only at its own collisions, and contact time
+ * and outcome are pure functions of the two states. Suppose that in a window every island has been processed alone, in
+ * its order, and that no two pieces of path that belong to different islands, or to an island and a sphere of none,
+ * touch each other. Then these paths are *the* paths: go through the serial engine's collisions in order; the first
+ * that is missing here, or differs, would be a contact of two pieces of path that are both right up to then, hence a
+ * contact between different islands, which there is none of. Who grew which island, in what order and on which thread
+ * does not enter.
  *
  * **How that is ensured.** Islands are grown optimistically and checked afterwards:
- * 1. *Seeds*: all potential collisions of the window between spheres as they are at its start. Whoever shares a seed shares an island.
- * 2. *Growth*: an island is processed in order of time on copies of its rows. After a collision the new path is compared with everybody
- *    whom it could touch. Who belongs to nobody and is hit joins the island (one atomic claim). Who belongs to another island is noted as
- *    *suspect*: what it does in this window is not known yet.
- * 3. *Check*, when all islands are done: every suspect pair is compared piece of path by piece of path. Pieces that were there at the start
- *    need no comparison among themselves: that is what the seeds were. Two new pieces, or a new and an old one, are compared because of
- *    the fence between marking a sphere and searching from it: of two islands at least one sees the mark of the other.
- *    Islands that touch are dropped, merged and processed again, until none touch. Copies are dropped, nothing has to be restored.
+ * 1. *Seeds*: all potential collisions of the window between spheres as they are at its start. Whoever shares a seed
+ *    shares an island.
+ * 2. *Growth*: an island is processed in order of time on copies of its rows. After a collision the new path is
+ *    compared with everybody whom it could touch. Who belongs to nobody and is hit joins the island (one atomic claim).
+ *    Who belongs to another island is noted as *suspect*: what it does in this window is not known yet.
+ * 3. *Check*, when all islands are done: every suspect pair is compared piece of path by piece of path. Pieces that
+ *    were there at the start need no comparison among themselves: that is what the seeds were. Two new pieces, or a new
+ *    and an old one, are compared because of the fence between marking a sphere and searching from it: of two islands
+ *    at least one sees the mark of the other. Islands that touch are dropped, merged and processed again, until none
+ *    touch. Copies are dropped, nothing has to be restored.
  * 4. *Commit*: copies become the state.
  *
- * Phases are separated by barriers or messages; within a phase the columns of a sphere are written by the one who owns it.
+ * Phases are separated by barriers or messages; within a phase the columns of a sphere are written by the one who owns
+ * it.
  */
 public class IslandField(private val workers: Int) {
     /** The grid of this step. */
     public val grid: Grid = Grid()
 
     /**
-     * The state at the start of the window. Written by [prepare] and when islands are committed; read by all. The local time of a sphere that has
-     * been taken into an island is NaN, see [IslandWorker].
+     * The state at the start of the window. Written by [prepare] and when islands are committed; read by all. The local
+     * time of a sphere that has been taken into an island is NaN, see [IslandWorker].
      */
     public val rows: StepRows = StepRows()
 
@@ -79,7 +84,10 @@ public class IslandField(private val workers: Int) {
     /** End of the window at hand, from the start of the step. */
     internal var windowEnd = 0.0
 
-    /** Row of a sphere that outran the bound on its reach: in [outrunRows], −1 when none did; then the step has to be done again. */
+    /**
+     * Row of a sphere that outran the bound on its reach: in [outrunRows], −1 when none did; then the step has to be
+     * done again.
+     */
     @Volatile
     internal var outrunner = FREE
     private var outrunRows = rows
@@ -90,7 +98,9 @@ public class IslandField(private val workers: Int) {
     internal var stopped = false
     private var clean = false
 
-    /** Whether a sphere outran the bound, so that the attempt at the step is void: call [enlarge] and [prepare] again. */
+    /**
+     * Whether a sphere outran the bound, so that the attempt at the step is void: call [enlarge] and [prepare] again.
+     */
     public val isOutrun: Boolean get() = outrunner != FREE
 
     /** Number of spheres. */
@@ -209,7 +219,10 @@ public class IslandField(private val workers: Int) {
         }
     }
 
-    /** Takes a sphere that belongs to nobody for the island [root]; false when another was quicker. Any number of workers at once. */
+    /**
+     * Takes a sphere that belongs to nobody for the island [root]; false when another was quicker. Any number of
+     * workers at once.
+     */
     internal fun claim(slot: Int, root: Int): Boolean = ENTRY.compareAndSet(ticket, slot * TICKET + OWNER, FREE, root)
 
     /** Hangs [seed] into the list of [root]; true for the first one. Any number of workers at once. */

@@ -31,4 +31,5 @@ internal class IslandLimits(spheres: Int) {
 }
 
 /** Islands have grown beyond what [IslandLimits] allow; the step is to be taken in another way. */
-internal class IslandsTooLargeException(what: String, most: Long) : RuntimeException("islands need more than $most $what in a window")
+internal class IslandsTooLargeException(what: String, most: Long) :
+    RuntimeException("islands need more than $most $what in a window")

@@ -5,9 +5,8 @@ import daphnis.core.queue.compareTied
 
 /**
  * The queue of one island: a binary heap in the order of events, for a handful of them. Removal is lazy, as in
- * [daphnis.core.queue.BucketEventQueue]: an event is dead when its number lies below that of the first event that came after the last change
- * of either sphere.
- * Spheres are addressed by their place in the worker's rows.
+ * [daphnis.core.queue.BucketEventQueue]: an event is dead when its number lies below that of the first event that came
+ * after the last change of either sphere. Spheres are addressed by their place in the worker's rows.
  */
 internal class IslandQueue(private val rows: StepRows) {
     var time = 0.0

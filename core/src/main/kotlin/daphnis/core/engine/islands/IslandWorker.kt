@@ -25,12 +25,16 @@ public fun interface ClaimRule {
 }
 
 /**
- * One of the workers on an [IslandField]: finds potential collisions, grows islands, processes and checks them. What it finds and does is in
- * stores of its own. The methods are the phases of a window; [IslandCrew] has their order.
+ * One of the workers on an [IslandField]: finds potential collisions, grows islands, processes and checks them. What it
+ * finds and does is in stores of its own. The methods are the phases of a window; [IslandCrew] has their order.
  *
  * @param crew all workers, this one included; looked at only to follow the paths of spheres in another worker's island
  */
-public class IslandWorker internal constructor(private val field: IslandField, private val number: Int, private val crew: Array<IslandWorker?>) {
+public class IslandWorker internal constructor(
+    private val field: IslandField,
+    private val number: Int,
+    private val crew: Array<IslandWorker?>,
+) {
     internal val hints = Hints()
     internal val attempts = Attempts()
     internal val suspects = Suspects()
@@ -92,7 +96,10 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         }
     }
 
-    /** Makes seeds of the own hints of slices [from] to [to] that still hold, and puts whoever shares one into one island. */
+    /**
+     * Makes seeds of the own hints of slices [from] to [to] that still hold, and puts whoever shares one into one
+     * island.
+     */
     public fun propose(from: Int, to: Int) {
         clearWindow()
         seeder.propose(from, to, claimRule)
@@ -108,7 +115,10 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         paths.run()
     }
 
-    /** Roots of the islands that [processOwn] had to give up, and whom each needed: two numbers an island, [givenUpCount] islands. */
+    /**
+     * Roots of the islands that [processOwn] had to give up, and whom each needed: two numbers an island,
+     * [givenUpCount] islands.
+     */
     public var givenUp: IntArray = IntArray(INITIAL)
         private set
     public var givenUpCount: Int = 0
@@ -119,7 +129,10 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         process(seeder.roots, seeder.rootCount)
     }
 
-    /** Processes the islands of the first [count] of [roots]; those that need somebody whom [claimRule] refuses are left and noted. */
+    /**
+     * Processes the islands of the first [count] of [roots]; those that need somebody whom [claimRule] refuses are left
+     * and noted.
+     */
     public fun process(roots: IntArray, count: Int) {
         givenUpCount = 0
         for (k in 0 until count) {
@@ -135,8 +148,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     /**
      * Processes the island of [root] from its seeds to the end of the window.
      *
-     * @return false when it was given up: the step is void or has failed, or [refused] says whom it needed and could not have; in that case it
-     *   is as if it had not been tried
+     * @return false when it was given up: the step is void or has failed, or [refused] says whom it needed and could
+     *   not have; in that case it is as if it had not been tried
      */
     public fun process(root: Int): Boolean {
         this.root = root
@@ -154,7 +167,11 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         }
         var collisions = 0L
         while (queue.pop()) {
-            if (++collisions > field.limits.collisions) throw IslandsTooLargeException("collisions of one island", field.limits.collisions)
+            if (++collisions >
+                field.limits.collisions
+            ) {
+                throw IslandsTooLargeException("collisions of one island", field.limits.collisions)
+            }
             if (field.stopped || !collide()) return false
             if (refused != FREE) {
                 attempts.drop(attemptIndex)
@@ -166,8 +183,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     }
 
     /**
-     * Takes [slot], which the island owns, into its rows; its place there. From then on others see by its local time, NaN, that they cannot
-     * know where it is.
+     * Takes [slot], which the island owns, into its rows; its place there. From then on others see by its local time,
+     * NaN, that they cannot know where it is.
      */
     private fun join(slot: Int): Int {
         val p = slot * TICKET
@@ -212,7 +229,8 @@ public class IslandWorker internal constructor(private val field: IslandField, p
             return false
         }
         field.bounds.include(members.slot(k), local, k)
-        // What is read of others from here on is not older than the marks on this island's spheres and the bounds widened for them.
+        // What is read of others from here on is not older than the marks on this island's spheres and the bounds
+        // widened for them.
         VarHandle.fullFence()
         searchAround(k, except)
         if (field.walls.present) {
@@ -269,13 +287,26 @@ public class IslandWorker internal constructor(private val field: IslandField, p
                 val b = dx * ux + dy * uy + dz * uz
                 val s = radius + state[q + RADIUS]
                 val c = dx * dx + dy * dy + dz * dz - s * s
-                if (!(c > b * closing || b >= 0.0)) meet(k, q / STRIDE, except, image, time, timeToContact(dx, dy, dz, ux, uy, uz, s), b)
+                if (!(c > b * closing || b >= 0.0)) {
+                    meet(
+                        k,
+                        q / STRIDE,
+                        except,
+                        image,
+                        time,
+                        timeToContact(dx, dy, dz, ux, uy, uz, s),
+                        b,
+                    )
+                }
                 q += STRIDE
             }
         }
     }
 
-    /** The sphere at place [k] may touch [other] after [wait]; if [other] belongs to an island, [b] is NaN and nothing is known. */
+    /**
+     * The sphere at place [k] may touch [other] after [wait]; if [other] belongs to an island, [b] is NaN and nothing
+     * is known.
+     */
     private fun meet(k: Int, other: Int, except: Int, image: Int, time: Double, wait: Double, b: Double) {
         if (other == except) return
         if (b.isNaN()) {
@@ -310,7 +341,13 @@ public class IslandWorker internal constructor(private val field: IslandField, p
     }
 
     /** One past the last row of attempt [index]. */
-    internal fun endOfRows(index: Int): Int = if (index + 1 < attempts.size) attempts.firstRow(index + 1) else local.size
+    internal fun endOfRows(index: Int): Int = if (index + 1 <
+        attempts.size
+    ) {
+        attempts.firstRow(index + 1)
+    } else {
+        local.size
+    }
 
     /** Makes it as if attempt [index] had not been. */
     internal fun restore(index: Int) {
@@ -338,7 +375,10 @@ public class IslandWorker internal constructor(private val field: IslandField, p
         }
     }
 
-    /** After all have committed: what suspects may do to one another later, each searched from when the other was not yet known. */
+    /**
+     * After all have committed: what suspects may do to one another later, each searched from when the other was not
+     * yet known.
+     */
     public fun hintSuspects() {
         for (k in 0 until suspects.size) {
             if (!attempts.isAlive(suspects.attempt(k))) continue

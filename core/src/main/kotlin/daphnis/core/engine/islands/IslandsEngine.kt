@@ -11,12 +11,13 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
 
 /**
- * The fast engine: islands of spheres that meet nobody else within a window of time, each processed alone by one worker without locks. See
- * [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the phases of a step.
+ * The fast engine: islands of spheres that meet nobody else within a window of time, each processed alone by one worker
+ * without locks. See [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the phases of
+ * a step.
  *
- * Dense gases and long steps would grow islands into one another; then windows get shorter, which changes no bit. Islands are dealt out as workers
- * become free, so it does not matter where in space they lie. Where that is quicker it takes steps in the serial engine's
- * way: on one thread, and with few spheres.
+ * Dense gases and long steps would grow islands into one another; then windows get shorter, which changes no bit.
+ * Islands are dealt out as workers become free, so it does not matter where in space they lie. Where that is quicker it
+ * takes steps in the serial engine's way: on one thread, and with few spheres.
  *
  * Islands are guesses until they are checked. Whatever a guess ends with, a collapse, a step that would be refused, too
  * much memory, something that the laws of the collision threw, is put before the serial engine; what that one does is
@@ -25,7 +26,8 @@ import daphnis.core.parallel.ThreadHandler
  * @param handler the threads; closed with the engine
  * @param fewest spheres from which on islands are grown; 0 always grows them, also on one thread
  */
-public class IslandsEngine(private val handler: ThreadHandler, private val fewest: Int = WORTH_SPHERES) : CollisionEngine {
+public class IslandsEngine(private val handler: ThreadHandler, private val fewest: Int = WORTH_SPHERES) :
+    CollisionEngine {
     public constructor(threads: Int) : this(FixedPool(threads))
 
     override val name: String get() = "islands"
@@ -55,7 +57,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         }
         val begin = System.nanoTime()
         fun seconds() = (System.nanoTime() - begin) * 1e-9
-        if (quicker.isAlone()) {
+        if (quicker.takeTurnAlone()) {
             alone.advance(step)
             quicker.wentAlone(seconds())
             return
@@ -108,7 +110,8 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private fun isLate(): Boolean = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0
 
     /** Few spheres are not worth the barriers; on one thread islands have nothing to give but work. */
-    private fun isQuickerAlone(step: CollisionStep): Boolean = fewest != 0 && (threads == 1 || step.population.size < fewest)
+    private fun isQuickerAlone(step: CollisionStep): Boolean =
+        fewest != 0 && (threads == 1 || step.population.size < fewest)
 
     /** @return false when somebody outran the bound, or when it is late */
     private fun attempt(step: CollisionStep): Boolean {

@@ -5,8 +5,9 @@ import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 
 /**
- * The spheres in one worker's islands: copies of their rows, with their states now, and the paths they have left in this window. Addressed by **place**,
- * in the order in which they joined. Written by the worker; read by others when all islands are done.
+ * The spheres in one worker's islands: copies of their rows, with their states now, and the paths they have left in
+ * this window. Addressed by **place**, in the order in which they joined. Written by the worker; read by others when
+ * all islands are done.
  */
 internal class Members {
     val rows = StepRows()

@@ -39,8 +39,9 @@ internal class PathCheck(
     }
 
     /**
-     * Whether any new piece of the path at place [k] touches any piece of that of [other] within the window. Both chains go from the newest piece to the oldest, and
-     * pieces that are not flown at the same time are passed over, so that this takes as many looks as the two have pieces.
+     * Whether any new piece of the path at place [k] touches any piece of that of [other] within the window. Both
+     * chains go from the newest piece to the oldest, and pieces that are not flown at the same time are passed over, so
+     * that this takes as many looks as the two have pieces.
      */
     private fun pathsTouch(k: Int, other: Int, image: Int): Boolean {
         var state = own.rows.state
@@ -48,8 +49,8 @@ internal class PathCheck(
         var end = field.windowEnd
         var older = own.older(k)
         begin(other)
-        // The last of the chain is what it began with; that was compared with the others' beginnings when seeds were made, and with what they
-        // did since from their side.
+        // The last of the chain is what it began with; that was compared with the others' beginnings when seeds were
+        // made, and with what they did since from their side.
         while (older != PathLog.NONE) {
             if (touches(state, p, end, image)) return true
             end = state[p + TIME]
@@ -85,7 +86,9 @@ internal class PathCheck(
         }
     }
 
-    /** Whether the piece of path in the row at [p] of [state], which ends at [end], touches any piece of the other's. */
+    /**
+     * Whether the piece of path in the row at [p] of [state], which ends at [end], touches any piece of the other's.
+     */
     private fun touches(state: DoubleArray, p: Int, end: Double, image: Int): Boolean {
         val images = field.grid.images
         // Who has begun only after this piece ends has also begun after all older ones.

@@ -3,8 +3,8 @@ package daphnis.core.engine.islands
 import daphnis.core.collision.StepRows.Companion.STRIDE
 
 /**
- * Pieces of path that the spheres in one worker's islands have left behind in this window, the one they began with included. A piece is named by a
- * number ≥ 0; [NONE] ends a chain.
+ * Pieces of path that the spheres in one worker's islands have left behind in this window, the one they began with
+ * included. A piece is named by a number ≥ 0; [NONE] ends a chain.
  */
 internal class PathLog {
     private var rows = DoubleArray(INITIAL * STRIDE)

@@ -1,11 +1,13 @@
 package daphnis.core.engine.islands
 
 /**
- * Whether islands are worth growing, found out by trying: both ways give the same bits, so nothing but the time hangs on it. Where most collisions hang together, as
- * around a moonlet on which particles lie, all are one island and the serial way is quicker.
+ * Whether islands are worth growing, found out by trying: both ways give the same bits, so nothing but the time hangs
+ * on it. Where most collisions hang together, as around a moonlet on which particles lie, all are one island and the
+ * serial way is quicker.
  *
- * The serial way is tried now and then and compared with the quickest of the islands' steps since the last trial, since what the machine does beside makes single steps
- * slow, never quick. When the serial way has clearly won, islands rest, the longer the more they had lost.
+ * The serial way is tried now and then and compared with the quickest of the islands' steps since the last trial, since
+ * what the machine does beside makes single steps slow, never quick. When the serial way has clearly won, islands rest,
+ * the longer the more they had lost.
  */
 internal class QuickerWay {
     private var steps = 0L
@@ -14,13 +16,20 @@ internal class QuickerWay {
     private var aloneUntil = 0L
 
     /** Whether to go the serial way in the step that begins. */
-    fun isAlone(): Boolean {
+    fun takeTurnAlone(): Boolean {
         val step = steps++
         return step < aloneUntil || step % STEPS_A_LOOK == LOOK
     }
 
     /** Seconds after which growing islands in this step is to be given up. */
-    val patience: Double get() = if (alone.isNaN()) Double.POSITIVE_INFINITY else maxOf(alone * MOST_LOSS, LEAST_PATIENCE)
+    val patience: Double get() = if (alone.isNaN()) {
+        Double.POSITIVE_INFINITY
+    } else {
+        maxOf(
+            alone * MOST_LOSS,
+            LEAST_PATIENCE,
+        )
+    }
 
     /** A step was done the serial way in [seconds]. */
     fun wentAlone(seconds: Double) {

@@ -23,7 +23,10 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
     private var seedsFrom = 0
     private var seedsTo = 0
 
-    /** Makes seeds of the own hints of slices [from] to [to] that still hold, and puts whoever shares one into one island. */
+    /**
+     * Makes seeds of the own hints of slices [from] to [to] that still hold, and puts whoever shares one into one
+     * island.
+     */
     fun propose(from: Int, to: Int, rule: ClaimRule?) {
         rootCount = 0
         var count = 0
@@ -55,8 +58,13 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
         seedsTo = own
     }
 
-    private fun timeOf(first: Int, second: Int, image: Int): Double =
-        if (second < 0) field.walls.time(field.rows, first, WallContact.face(second)) else contactTime(field.rows, first, second, image, field.grid.images)
+    private fun timeOf(first: Int, second: Int, image: Int): Double = if (second <
+        0
+    ) {
+        field.walls.time(field.rows, first, WallContact.face(second))
+    } else {
+        contactTime(field.rows, first, second, image, field.grid.images)
+    }
 
     /** Hangs the own seeds into the lists of their islands. */
     fun group() {

@@ -3,8 +3,8 @@ package daphnis.core.engine.islands
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * The collisions of a window that are certain to happen unless another comes before: what islands grow from. Each worker fills a stretch of
- * its own; then every seed is hung into the list of its island, whose root is a slot.
+ * The collisions of a window that are certain to happen unless another comes before: what islands grow from. Each
+ * worker fills a stretch of its own; then every seed is hung into the list of its island, whose root is a slot.
  */
 internal class Seeds {
     var time = DoubleArray(0)

@@ -1,8 +1,9 @@
 package daphnis.core.engine.islands
 
 /**
- * Pairs of spheres of different islands that came near one another, noted by one worker: who may touch, is asked when all paths are known. Each pair once for
- * each attempt, however often the two came near: a moonlet sees its whole neighbourhood at every collision.
+ * Pairs of spheres of different islands that came near one another, noted by one worker: who may touch, is asked when
+ * all paths are known. Each pair once for each attempt, however often the two came near: a moonlet sees its whole
+ * neighbourhood at every collision.
  */
 internal class Suspects {
     var size = 0

@@ -10,12 +10,13 @@ import daphnis.core.search.Grid
 import kotlin.math.abs
 
 /**
- * The paper's busy cells: the neighbourhoods of the collisions that are being processed, and of earlier ones that had to be passed over. Processing a
- * collision writes its two spheres and reads whoever stands in the cells that these could look through; two collisions are **safe** beside one
- * another when neither writes what the other reads.
+ * The paper's busy cells: the neighbourhoods of the collisions that are being processed, and of earlier ones that had
+ * to be passed over. Processing a collision writes its two spheres and reads whoever stands in the cells that these
+ * could look through; two collisions are **safe** beside one another when neither writes what the other reads.
  *
- * A neighbourhood is kept by the places of its spheres at the start of the step, by which cells are assigned; it reaches [extent] along each
- * axis. There are few at a time, so a list of them is quicker than flags on cells. Guarded by the lock of [SafeQueue].
+ * A neighbourhood is kept by the places of its spheres at the start of the step, by which cells are assigned; it
+ * reaches [extent] along each axis. There are few at a time, so a list of them is quicker than flags on cells. Guarded
+ * by the lock of [SafeQueue].
  */
 internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     /** How far along x, y, z a sphere that is read can be from one that is written, both at the start of the step. */
@@ -64,7 +65,10 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
         time[k] = time[size]
     }
 
-    /** Whether the collision of [a] with [b] at [t] is safe beside all that are busy; simultaneous ones are done one after the other, in their order. */
+    /**
+     * Whether the collision of [a] with [b] at [t] is safe beside all that are busy; simultaneous ones are done one
+     * after the other, in their order.
+     */
     fun areFree(a: Int, b: Int, t: Double): Boolean {
         for (k in 0 until size) {
             if (t == time[k]) return false

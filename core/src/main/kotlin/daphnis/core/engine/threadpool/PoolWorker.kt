@@ -17,7 +17,10 @@ import daphnis.core.search.Grid
 import daphnis.core.search.Reach
 import daphnis.core.search.RowBounds
 
-/** What each sphere was before its last collision. A row is written by whoever processes the sphere and read under the same rule as the state. */
+/**
+ * What each sphere was before its last collision. A row is written by whoever processes the sphere and read under the
+ * same rule as the state.
+ */
 internal class Trails {
     /** Rows like those of the step; meaningful for spheres that have collided. */
     var rows = DoubleArray(0)
@@ -147,8 +150,8 @@ internal class PoolWorker(
     }
 
     /**
-     * The search of a sphere that may come too late: whoever it sees may have been in a collision after [time], and then its path of before
-     * counts until that one.
+     * The search of a sphere that may come too late: whoever it sees may have been in a collision after [time], and
+     * then its path of before counts until that one.
      *
      * @return false when the sphere could have hit a path that has already been left
      */
@@ -181,16 +184,26 @@ internal class PoolWorker(
         return true
     }
 
-    /** Whether the sphere in row [p], on its way since [time], could have hit the path that the one in row [q] left at that time or later. */
+    /**
+     * Whether the sphere in row [p], on its way since [time], could have hit the path that the one in row [q] left at
+     * that time or later.
+     */
     private fun wouldHaveHit(p: Int, q: Int, image: Int, time: Double): Boolean {
         val left = rows.state[q + TIME]
         if (left == 0.0 && trails.atZero[q / STRIDE] == NEVER_COLLIDED) return false
-        // Its collision at this very moment had its turn: all that comes before it in the order of events had been done.
+        // Its collision at this very moment had its turn: all that comes before it in the order of events had been
+        // done.
         if (left == time && !trails.early[q / STRIDE]) return false
         // Or it was with one of the two that collide now, hence before.
         if (left == time && precedes(trails.partner[q / STRIDE])) return false
         // What came before the path left last is not known; then it is taken for a hit if it could be one.
-        val isKnown = if (left == 0.0) trails.atZero[q / STRIDE] == ONCE else trails.rows[q + TIME] < time || time == 0.0
+        val isKnown = if (left ==
+            0.0
+        ) {
+            trails.atZero[q / STRIDE] == ONCE
+        } else {
+            trails.rows[q + TIME] < time || time == 0.0
+        }
         if (!isKnown) return left > time || touches(p, q, image, time)
         return contactTime(rows.state, p, trails.rows, q, image, grid.images) <= left
     }

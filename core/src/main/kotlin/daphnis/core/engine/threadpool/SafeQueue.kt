@@ -18,8 +18,8 @@ internal class Taken {
 }
 
 /**
- * The synchronised queue: hands out the next collision that is safe beside all that are being processed **and** beside every earlier one that was passed
- * over because it was not. All fields are guarded by [lock].
+ * The synchronised queue: hands out the next collision that is safe beside all that are being processed **and** beside
+ * every earlier one that was passed over because it was not. All fields are guarded by [lock].
  */
 internal class SafeQueue(private val busy: BusyCells, private val limits: StepLimits) {
     private val lock = SpinLock()

@@ -20,25 +20,27 @@ import daphnis.core.search.RowBounds
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Section 4 of Lewis & Massingill: a thread handler runs the loops of a step in parallel, and then one loop a worker that takes the next safe
- * collision from the synchronised queue, processes it and queues what follows from it; a worker waits while none is safe and ends when the queue is
- * empty and nobody works.
+ * Section 4 of Lewis & Massingill: a thread handler runs the loops of a step in parallel, and then one loop a worker
+ * that takes the next safe collision from the synchronised queue, processes it and queues what follows from it; a
+ * worker waits while none is safe and ends when the queue is empty and nobody works.
  *
- * **Why that alone is not enough for the same bits, and what is done.** Collisions are processed at the same time only when they are too far apart to
- * see one another ([BusyCells]). Three things could still go wrong.
- * 1. *Overtaking*: collision F is unsafe and passed over, and a later one E near F is taken. Therefore what has been passed over is busy as well
- *    ([SafeQueue]).
- * 2. *Chains*: E was far from everything when it was taken, but an earlier collision, by way of others that it led to, reaches E's spheres at a time
- *    before E. Nothing can rule that out, since in a dense row a push runs as fast as one likes; so it is noticed. The last link of such a
- *    chain, G, is found by searching from a sphere c that collided at some t_c ≤ t_G. When c searches, E has been processed already (had it not, G
- *    would be queued before E and be taken first). E's sphere stands in the cells that c looks through, since it can really be hit, and
- *    its local time says t_E > t_G ≥ t_c. So: **whoever meets, while searching, a sphere with the same or a later local time looks whether it would have hit
- *    the path that this sphere has left**. If so it has come too late: the step is void,
- *    it is redone by the serial engine from the population, which has not been written, and counted in `causalityReplays`. If not, the later
- *    collision was right, and what the two can do afterwards is found from their paths as they are.
- * 3. That test would cost every search. But a sphere in sight with a later local time had its collision taken before this one was (two that are busy
- *    together are out of each other's sight), and taken early: while an earlier one was being processed, or past one, since otherwise it was the
- *    first of all there were. So only who comes after such a one (`isLate`) has to look. One worker alone never does.
+ * **Why that alone is not enough for the same bits, and what is done.** Collisions are processed at the same time only
+ * when they are too far apart to see one another ([BusyCells]). Three things could still go wrong.
+ * 1. *Overtaking*: collision F is unsafe and passed over, and a later one E near F is taken. Therefore what has been
+ *    passed over is busy as well ([SafeQueue]).
+ * 2. *Chains*: E was far from everything when it was taken, but an earlier collision, by way of others that it led to,
+ *    reaches E's spheres at a time before E. Nothing can rule that out, since in a dense row a push runs as fast as one
+ *    likes; so it is noticed. The last link of such a chain, G, is found by searching from a sphere c that collided at
+ *    some t_c ≤ t_G. When c searches, E has been processed already (had it not, G would be queued before E and be taken
+ *    first). E's sphere stands in the cells that c looks through, since it can really be hit, and its local time says
+ *    t_E > t_G ≥ t_c. So: **whoever meets, while searching, a sphere with the same or a later local time looks whether
+ *    it would have hit the path that this sphere has left**. If so it has come too late: the step is void, it is redone
+ *    by the serial engine from the population, which has not been written, and counted in `causalityReplays`. If not,
+ *    the later collision was right, and what the two can do afterwards is found from their paths as they are.
+ * 3. That test would cost every search. But a sphere in sight with a later local time had its collision taken before
+ *    this one was (two that are busy together are out of each other's sight), and taken early: while an earlier one was
+ *    being processed, or past one, since otherwise it was the first of all there were. So only who comes after such a
+ *    one (`isLate`) has to look. One worker alone never does.
  *
  * Simultaneous collisions are never busy together: they are done one after the other in the order of the queue.
  *
@@ -50,8 +52,11 @@ import java.util.concurrent.atomic.AtomicInteger
  * @param strategy of the loops over spheres; the first search is always dynamic, as in the paper
  * @param gridSort how the grid is built
  */
-public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: LoopStrategy = LoopStrategy.CHUNKS, gridSort: GridSort = GridSort.ROW_LOCKS) :
-    CollisionEngine {
+public class ThreadPoolEngine(
+    private val handler: ThreadHandler,
+    strategy: LoopStrategy = LoopStrategy.CHUNKS,
+    gridSort: GridSort = GridSort.ROW_LOCKS,
+) : CollisionEngine {
     public constructor(threads: Int) : this(FixedPool(threads))
 
     override val name: String get() = "thread-pool"
@@ -138,7 +143,9 @@ public class ThreadPoolEngine(private val handler: ThreadHandler, strategy: Loop
         queue.reset(step.duration, rows.id, rows.size)
         trails.reset(rows.size)
         for (worker in workers) worker.prepare(step)
-        dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to -> workers[worker].searchStart(from, to, step.duration) }
+        dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to ->
+            workers[worker].searchStart(from, to, step.duration)
+        }
         for (worker in workers) queue.addAll(worker.found)
         handler.run { worker -> processSafe(step, worker) }
         return Outcome.entries[failedWith.get()]

@@ -25,7 +25,8 @@ import org.junit.jupiter.api.Timeout
 class IslandsEngineTest {
     @Test
     fun `an island that shoots a sphere into another one is noticed, dropped and merged`() {
-        // Pairs {0 1} and {2 3} collide at t = 0.1; then 1, light and fast, hits 2 on the way that 2 has only got from its own collision. 0 and 3 would miss.
+        // Pairs {0 1} and {2 3} collide at t = 0.1; then 1, light and fast, hits 2 on the way that 2 has only got from
+        // its own collision. 0 and 3 would miss.
         val spheres = arrayOf(
             Sphere(x = 0.0, vx = 10.0, r = 0.5),
             Sphere(x = 2.0, r = 0.5, m = 0.1),
@@ -76,7 +77,11 @@ class IslandsEngineTest {
         assertEquals(-7.0, q.x[q.indexOf(0)], 1e-14)
     }
 
-    private fun stepOf(p: Population) = CollisionStep(p, Open, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also { it.duration = 1.0 }
+    private fun stepOf(p: Population) =
+        CollisionStep(p, Open, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also {
+            it.duration =
+                1.0
+        }
 
     @Test
     fun `of many claims on one sphere one succeeds, whoever is quicker`() {

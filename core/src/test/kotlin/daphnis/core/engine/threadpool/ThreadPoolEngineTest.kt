@@ -17,7 +17,10 @@ import java.util.concurrent.atomic.AtomicInteger
 
 @Timeout(60)
 class ThreadPoolEngineTest {
-    /** The first of the row is pushed at t = 0.5, the push runs through the row to its end at some 0.51; a stranger hits the last of the row at 0.6. */
+    /**
+     * The first of the row is pushed at t = 0.5, the push runs through the row to its end at some 0.51; a stranger hits
+     * the last of the row at 0.6.
+     */
     private fun row() = populationOf(
         Sphere(x = -1.0, vx = 1.0, r = 0.25),
         *Array(30) { Sphere(x = 0.0001 + 0.5001 * it, r = 0.25) },
@@ -52,7 +55,11 @@ class ThreadPoolEngineTest {
         var strangerTaken = java.util.concurrent.CountDownLatch(1)
         var isBroken = true
         val slow = Restitution { speed ->
-            if (isBroken && Thread.currentThread().stackTrace.any { it.className == SerialEngine::class.java.name }) throw ArithmeticException("on purpose")
+            if (isBroken &&
+                Thread.currentThread().stackTrace.any { it.className == SerialEngine::class.java.name }
+            ) {
+                throw ArithmeticException("on purpose")
+            }
             if (speed > 5) {
                 strangerTaken.countDown()
             } else if (calls.getAndIncrement() == 0) {
@@ -76,7 +83,12 @@ class ThreadPoolEngineTest {
     fun `what a law throws in an attempt is put before the serial engine`() {
         val expected = row().also { simulationOf(it, Open, 1.0).advance() }
         val picky = Restitution {
-            if (Thread.currentThread().stackTrace.none { it.className == SerialEngine::class.java.name }) throw ArithmeticException("on purpose")
+            if (Thread.currentThread().stackTrace.none {
+                    it.className == SerialEngine::class.java.name
+                }
+            ) {
+                throw ArithmeticException("on purpose")
+            }
             1.0
         }
         val p = row()
@@ -102,7 +114,9 @@ class ThreadPoolEngineTest {
         for (threads in 1..4) {
             val p = row()
             val before = stateDigest(p)
-            simulationOf(p, Open, 1.0, { throw ArithmeticException("on purpose") }, engine = ThreadPoolEngine(threads)).use { simulation ->
+            simulationOf(p, Open, 1.0, {
+                throw ArithmeticException("on purpose")
+            }, engine = ThreadPoolEngine(threads)).use { simulation ->
                 repeat(3) { assertThrows(ArithmeticException::class.java) { simulation.advance() } }
             }
             assertEquals(before, stateDigest(p))

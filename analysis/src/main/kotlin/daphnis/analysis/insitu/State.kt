@@ -1,0 +1,61 @@
+package daphnis.analysis.insitu
+
+import daphnis.core.Simulation
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.population.Population
+
+/**
+ * A state to be measured: a population as it stands, shared and not copied, in its boundary conditions. Of a live
+ * simulation between two steps, or of a file.
+ *
+ * @property omega angular speed of Hill's frame, or null when there is none
+ * @property verticalFactor vertical over orbital frequency in Hill's frame
+ * @property firstBody spheres with ids from this on are bodies, such as moonlets, which most quantities leave out;
+ *   [Int.MAX_VALUE] for none
+ */
+public class State(
+    public val population: Population,
+    public val boundary: BoundaryConditions,
+    public val time: Double,
+    public val omega: Double? = null,
+    public val firstBody: Int = Int.MAX_VALUE,
+    public val verticalFactor: Double = 1.0,
+) {
+    /** Area of the box in the x-y plane. */
+    public val area: Double get() = boundary.box.length(0) * boundary.box.length(1)
+
+    /** Whether the sphere at [index] is a particle and not a body. */
+    public fun isParticle(index: Int): Boolean = firstBody == Int.MAX_VALUE || population.id[index] < firstBody
+
+    /**
+     * Velocity component [axis] of the sphere at [index] against the straight flow of the boundary's rate. Not the
+     * peculiar velocity, which is against the mean flow as it is measured: a bin or a group has its own mean to take
+     * out.
+     */
+    public fun againstFlow(index: Int, axis: Int): Double {
+        val p = population
+        val v = if (axis == 0) {
+            p.vx[index]
+        } else if (axis == 1) {
+            p.vy[index]
+        } else {
+            p.vz[index]
+        }
+        val flow = boundary.meanFlow ?: return v
+        if (axis != flow.flowAxis) return v
+        val across = if (flow.normalAxis == 0) {
+            p.x[index]
+        } else if (flow.normalAxis == 1) {
+            p.y[index]
+        } else {
+            p.z[index]
+        }
+        return v - flow.rate * across
+    }
+
+    public companion object {
+        /** The state of [simulation] between two steps. */
+        public fun of(simulation: Simulation, omega: Double? = null): State =
+            State(simulation.population, simulation.boundary, simulation.time, omega)
+    }
+}

@@ -1,0 +1,107 @@
+package daphnis.core.format
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.population.Population
+
+/**
+ * The state at one time as files hold it: spheres in the order of their ids, one entry each in every array.
+ *
+ * @property lengths edges of the box along x, y, z; NaN on open axes
+ * @property periodic whether the box repeats along x, y, z
+ * @property image boxes crossed since the start of the run, `image[axis][k]`, or null when it is not known: with it a
+ *   sphere stands at position + Σ image · [edges] where it would be without images
+ * @property hasMass whether [mass] is what the file says; false when it had none and the reader put a stand-in
+ * @property hasRadius the same of [radius]
+ * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
+ */
+public class Snapshot(
+    public val step: Long,
+    public val time: Double,
+    public val lengths: DoubleArray,
+    public val periodic: BooleanArray,
+    public val shearOffset: Double,
+    public val id: IntArray,
+    public val position: Array<DoubleArray>,
+    public val velocity: Array<DoubleArray>,
+    public val radius: DoubleArray,
+    public val mass: DoubleArray,
+    public val normalAxis: Int = 1,
+    public val slideAxis: Int = 0,
+    public val hasMass: Boolean = true,
+    public val hasRadius: Boolean = true,
+    public val image: Array<IntArray>? = null,
+) {
+    /** Number of spheres. */
+    public val size: Int get() = id.size
+
+    /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */
+    public fun edges(): Array<DoubleArray> = Array(3) { row ->
+        DoubleArray(3) { axis ->
+            if (axis == row) {
+                lengths[row]
+            } else if (row == normalAxis && axis == slideAxis) {
+                shearOffset
+            } else {
+                0.0
+            }
+        }
+    }
+
+    /** The frame as a population, ids kept. */
+    public fun population(): Population = Population(
+        position[0].copyOf(), position[1].copyOf(), position[2].copyOf(),
+        velocity[0].copyOf(), velocity[1].copyOf(), velocity[2].copyOf(),
+        radius.copyOf(), mass.copyOf(), id.copyOf(),
+    )
+
+    public companion object {
+        /** Copies [population] as it is at [step] and [time]. */
+        public fun of(
+            population: Population,
+            boundary: BoundaryConditions,
+            step: Long,
+            time: Double,
+            hasMass: Boolean = true,
+        ): Snapshot {
+            val order = population.indicesById()
+            val n = order.size
+            fun pick(a: DoubleArray) = DoubleArray(n) { a[order[it]] }
+            val wrapped = boundary is ShearedPeriodic
+            return Snapshot(
+                step,
+                time,
+                DoubleArray(3) { axis -> boundary.box.length(axis).let { if (it.isFinite()) it else Double.NaN } },
+                BooleanArray(3) { wrapped || boundary.contactFaces(it) == ContactFaces.PERIODIC },
+                boundary.shear?.offset(time) ?: 0.0,
+                IntArray(n) { population.id[order[it]] },
+                arrayOf(pick(population.x), pick(population.y), pick(population.z)),
+                arrayOf(pick(population.vx), pick(population.vy), pick(population.vz)),
+                pick(population.radius),
+                pick(population.mass),
+                boundary.shear?.normalAxis ?: 1,
+                boundary.shear?.slideAxis ?: 0,
+                hasMass = hasMass,
+                image = image(population, boundary, time, order),
+            )
+        }
+
+        /** The edges lean by the reduced offset, so that boxes along the slide count from there. */
+        private fun image(
+            population: Population,
+            boundary: BoundaryConditions,
+            time: Double,
+            order: IntArray,
+        ): Array<IntArray> {
+            val image =
+                Array(3) { axis -> IntArray(order.size) { population.boxesCrossed(population.id[order[it]], axis) } }
+            val shear = boundary.shear ?: return image
+            val turns = shear.turns(time)
+            val across = image[shear.normalAxis]
+            val along = image[shear.slideAxis]
+            for (k in along.indices) along[k] += (across[k] * turns).toInt()
+            return image
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package daphnis.core.format
+
+import kotlin.math.abs
+
+/**
+ * Whether the numbers of a [frame] can be a state: what every format promises, asked in one place. Sizes and places
+ * are kept so far from the ends of what a double holds that volumes and squared distances neither vanish nor overflow.
+ *
+ * @param where file, and line or frame, for messages
+ */
+internal class SnapshotCheck private constructor(private val frame: Snapshot, private val where: String) {
+    private fun check() {
+        must(abs(frame.time) <= FARTHEST) { "the time is ${frame.time}; it must be a number within ±$FARTHEST" }
+        must(frame.step >= 0) { "the step is ${frame.step}; it must be >= 0" }
+        if (frame.size == 0) return
+        ids()
+        sizes()
+        box()
+        for (axis in 0..2) places(axis)
+        resolution()
+    }
+
+    private fun ids() {
+        for (id in frame.id) must(id >= 0) { "id $id must be >= 0" }
+        val sorted = frame.id.copyOf().apply { sort() }
+        for (k in 1 until sorted.size) must(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
+    }
+
+    private fun sizes() {
+        for (k in 0 until frame.size) {
+            must(frame.radius[k] in LEAST..MOST) {
+                "the radius of particle ${frame.id[k]} is ${frame.radius[k]}; it must be > 0, $LEAST to $MOST"
+            }
+            must(frame.mass[k] > 0 && frame.mass[k].isFinite()) {
+                "the mass of particle ${frame.id[k]} is ${frame.mass[k]}; it must be > 0 and finite"
+            }
+        }
+    }
+
+    private fun box() {
+        val widest = if (frame.hasRadius) 2 * frame.radius.max() else 0.0
+        for (axis in 0..2) {
+            val length = frame.lengths[axis]
+            if (length.isNaN()) continue
+            must(length in LEAST..MOST) {
+                "the edge of the box along ${"xyz"[axis]} is $length; it must be > 0, $LEAST to $MOST"
+            }
+            must(!frame.periodic[axis] || length > widest) {
+                "the edge of the periodic box along ${"xyz"[axis]} is $length; " +
+                    "it must exceed the largest diameter, $widest"
+            }
+        }
+        must(abs(frame.shearOffset) <= FARTHEST) {
+            "the offset of sliding images is ${frame.shearOffset}; it must be a number within ±$FARTHEST"
+        }
+    }
+
+    private fun places(axis: Int) {
+        val name = "xyz"[axis]
+        val length = frame.lengths[axis]
+        val farthest = if (frame.periodic[axis] && !length.isNaN()) length * MOST_BOXES else Double.POSITIVE_INFINITY
+        for (k in 0 until frame.size) {
+            val p = frame.position[axis][k]
+            val v = frame.velocity[axis][k]
+            must(abs(p) <= FARTHEST) { "$name of particle ${frame.id[k]} is $p; it must be a number within ±$FARTHEST" }
+            must(abs(p) <= farthest) {
+                "$name of particle ${frame.id[k]} is $p, more than $MOST_BOXES boxes of $length away; " +
+                    "places must be wrapped into the box"
+            }
+            must(abs(v) <= FARTHEST) {
+                "v$name of particle ${frame.id[k]} is $v; it must be a number within ±$FARTHEST"
+            }
+        }
+    }
+
+    /** Beside the largest coordinate the smallest sphere must have an extent. */
+    private fun resolution() {
+        var far = 0.0
+        for (length in frame.lengths) if (!length.isNaN()) far = maxOf(far, length)
+        for (column in frame.position) for (p in column) far = maxOf(far, abs(p))
+        val least = frame.radius.min()
+        must(far + least * VISIBLE > far) {
+            "coordinates and edges are up to $far, beside which a radius of $least is lost in rounding"
+        }
+    }
+
+    private inline fun must(ok: Boolean, problem: () -> String) {
+        if (!ok) throw FormatException("$where: ${problem()}")
+    }
+
+    companion object {
+        /** Bounds on sizes, those of [daphnis.core.search.Scales]. */
+        const val LEAST: Double = 1e-70
+        const val MOST: Double = 1e70
+
+        /** Bound on coordinates, times and speeds, whose squares are finite. */
+        private const val FARTHEST = 1e150
+
+        /** Bound on how far outside a periodic box a particle can be: a search goes through all images between. */
+        private const val MOST_BOXES = 1000
+
+        /** Share of a radius that can be told. */
+        private const val VISIBLE = 0.01
+
+        /** @throws FormatException for the first number that is wrong */
+        fun check(frame: Snapshot, where: String) {
+            SnapshotCheck(frame, where).check()
+        }
+    }
+}

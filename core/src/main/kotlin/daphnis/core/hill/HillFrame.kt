@@ -1,0 +1,160 @@
+package daphnis.core.hill
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.force.Drift
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.OrderedSum
+import daphnis.core.population.Population
+import kotlin.math.abs
+
+/**
+ * Hill's frame: coordinates that go round a planet with angular speed [omega], x radially outward, y along the orbit, z
+ * vertical,
+ *
+ * ẍ = 2Ω ẏ + 3Ω² x, ÿ = −2Ω ẋ, z̈ = −(ν Ω)² z, with ν the vertical factor.
+ *
+ * **Free paths are exact although the drift is straight.** The solution over a time h is linear in the state, r₁ = r₀ +
+ * h (A r₀ + B v₀). Before the drift every velocity is replaced by that of the chord, w = A r₀ + B v₀; a sphere that
+ * meets nobody then ends the step where its epicycle does. After the drift the chord's velocity is mapped to the true
+ * one at its end: the same map backwards in time, in which y and v_x change sign. So a free particle keeps its epicycle
+ * to round-off.
+ *
+ * **What collisions conserve.** Both maps are the same for all spheres. A collision conserves Σ m w, hence Σ m r₁ and Σ
+ * m v₁ come out as if nobody had collided: Σ m X and Σ m Y are those of free motion, to round-off, whatever the step.
+ *
+ * Images of the shearing sheet stay images: the chord of a path displaced by L_x in x and −(3/2)Ω L_x t in y is
+ * displaced likewise. (Free motion: Hill 1878; kick–drift–kick in this frame: Quinn, Perrine, Richardson & Barnes 2010,
+ * AJ 139, 803; Rein & Tremaine 2011, MNRAS 415, 3168.)
+ *
+ * @param omega angular speed Ω in radians per unit of time, > 0
+ * @param verticalFactor ν: vertical over orbital frequency, ≥ 0; 1 for a point-mass planet, larger to mimic
+ *   self-gravity (Wisdom & Tremaine 1988, AJ 95, 925, use 3.6), 0 for none
+ */
+public class HillFrame(public val omega: Double, public val verticalFactor: Double = 1.0) : Drift {
+    private var loop: RangeLoop = InlineLoop
+    private val sum = OrderedSum()
+
+    // For the duration at hand: chord = (ax x + bxx vx + q vy, ay x − q vx + byy vy, az z + bz vz).
+    private var duration = Double.NaN
+    private var ax = 0.0
+    private var ay = 0.0
+    private var az = 0.0
+    private var bxx = 1.0
+    private var byy = 1.0
+    private var bz = 1.0
+    private var q = 0.0
+
+    init {
+        require(omega > 0 && omega.isFinite()) { "angular speed is $omega; it must be > 0" }
+        require(verticalFactor >= 0 && verticalFactor.isFinite()) {
+            "vertical factor is $verticalFactor; it must be >= 0"
+        }
+    }
+
+    override fun useLoop(loop: RangeLoop) {
+        this.loop = loop
+    }
+
+    /** @throws IllegalArgumentException for a step of more than a quarter of an orbit or of a vertical oscillation */
+    override fun beforeDrift(population: Population, start: Double, duration: Double) {
+        prepare(duration)
+        loop.run(population.size) { _, from, to -> toChord(population, from, to) }
+    }
+
+    override fun afterDrift(population: Population, end: Double, duration: Double) {
+        prepare(duration)
+        loop.run(population.size) { _, from, to -> fromChord(population, from, to) }
+    }
+
+    /**
+     * Tidal and centrifugal potential energy Σ m (−(3/2)Ω²x² + ½(νΩ)²z²). With the kinetic energy it is Hill's energy,
+     * which a free particle keeps until it is wrapped radially: then −(3/2)Ω²x² and v_y change, and so does the sum,
+     * unless the particle's guiding centre is on the face.
+     */
+    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+        val p = population
+        val radial = -1.5 * omega * omega
+        val vertical = 0.5 * (verticalFactor * omega) * (verticalFactor * omega)
+        return sum.of(p) { k -> p.mass[k] * (radial * p.x[k] * p.x[k] + vertical * p.z[k] * p.z[k]) }
+    }
+
+    private fun toChord(p: Population, from: Int, to: Int) {
+        val x = p.x
+        val z = p.z
+        val vx = p.vx
+        val vy = p.vy
+        val vz = p.vz
+        for (k in from until to) {
+            val u = vx[k]
+            val v = vy[k]
+            vx[k] = ax * x[k] + (bxx * u + q * v)
+            vy[k] = ay * x[k] + (byy * v - q * u)
+            vz[k] = az * z[k] + bz * vz[k]
+        }
+    }
+
+    /**
+     * Solves bxx u − q v = w_x + ax x, q u + byy v = w_y − ay x for the velocity (u, v) at the end: the map above with
+     * time reversed.
+     */
+    private fun fromChord(p: Population, from: Int, to: Int) {
+        val x = p.x
+        val z = p.z
+        val vx = p.vx
+        val vy = p.vy
+        val vz = p.vz
+        val determinant = bxx * byy + q * q
+        for (k in from until to) {
+            val f = vx[k] + ax * x[k]
+            val g = vy[k] - ay * x[k]
+            vx[k] = (byy * f + q * g) / determinant
+            vy[k] = (bxx * g - q * f) / determinant
+            vz[k] = (vz[k] + az * z[k]) / bz
+        }
+    }
+
+    private fun prepare(duration: Double) {
+        if (duration == this.duration) return
+        val h = omega * duration
+        val hz = h * verticalFactor
+        require(h <= LONGEST && hz <= LONGEST) {
+            "a step of $duration is ${h / (2 * Math.PI)} orbits (${hz / (2 * Math.PI)} vertical oscillations); it must be at most a quarter"
+        }
+        this.duration = Double.NaN
+        // With Ω t for time the solution is Δx = x·3(1 − c) + v_x s + v_y 2(1 − c), Δy = x·6(s − h) − v_x 2(1 − c) +
+        // v_y (4s − 3h).
+        val versine = versine(h)
+        val lag = sineMinusArgument(h)
+        ax = 3 * versine / duration
+        ay = 6 * lag / duration
+        bxx = 1 + lag / h
+        byy = 1 + 4 * lag / h
+        q = 2 * versine / h
+        az = if (hz == 0.0) 0.0 else -versine(hz) / duration
+        bz = if (hz == 0.0) 1.0 else 1 + sineMinusArgument(hz) / hz
+        this.duration = duration
+    }
+
+    /** 1 − cos h. */
+    private fun versine(h: Double): Double = StrictMath.sin(h / 2).let { 2 * it * it }
+
+    /** sin h − h, by its series where the difference would cancel. */
+    private fun sineMinusArgument(h: Double): Double {
+        if (abs(h) > SERIES_BELOW) return StrictMath.sin(h) - h
+        var term = -h * h * h / 6
+        var sum = 0.0
+        var n = 3
+        while (abs(term) > abs(sum) * 1e-17) {
+            sum += term
+            term *= -h * h / ((n + 1) * (n + 2))
+            n += 2
+        }
+        return sum
+    }
+
+    private companion object {
+        const val LONGEST = Math.PI / 2
+        const val SERIES_BELOW = 0.5
+    }
+}

@@ -1,0 +1,80 @@
+package daphnis.core.hill
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.force.Kick
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.OrderedSum
+import daphnis.core.population.Population
+import kotlin.math.sqrt
+
+/**
+ * The pull of a moon on a given orbit, in Hill's frame: −GM (r − r_s)/(|r − r_s|² + ε²)^{3/2}. The moon itself feels
+ * nothing and need not be near the patch: one beside a ring drifts past it with −(3/2) Ω X. The acceleration that the
+ * moon gives the planet is left out, as in Hill's limit. One moon, without images: a patch that is periodic along the
+ * orbit is followed past it once.
+ *
+ * @param gravitationalParameter G times the mass, in length³/time²
+ * @param orbit the moon's epicycle at time 0
+ * @param omega angular speed of the frame
+ * @param softening ε, length
+ */
+public class Satellite(
+    public val gravitationalParameter: Double,
+    private val orbit: Epicycle,
+    private val omega: Double,
+    public val softening: Double = 0.0,
+) : Kick {
+    private var loop: RangeLoop = InlineLoop
+    private val sum = OrderedSum()
+
+    init {
+        require(gravitationalParameter >= 0 && gravitationalParameter.isFinite()) {
+            "GM of the satellite is $gravitationalParameter; it must be >= 0"
+        }
+        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be >= 0" }
+    }
+
+    override fun useLoop(loop: RangeLoop) {
+        this.loop = loop
+    }
+
+    /** Position and velocity x y z v_x v_y v_z at [time]. Allocates. */
+    public fun state(time: Double): DoubleArray = orbit.after(time, omega).state(omega)
+
+    override fun kick(population: Population, time: Double, duration: Double) {
+        val at = state(time)
+        val softening2 = softening * softening
+        val strength = gravitationalParameter * duration
+        loop.run(population.size) { _, from, to ->
+            for (k in from until to) {
+                val dx = at[0] - population.x[k]
+                val dy = at[1] - population.y[k]
+                val dz = at[2] - population.z[k]
+                val d2 = dx * dx + dy * dy + dz * dz + softening2
+                // Somebody in the very centre feels no pull.
+                if (d2 == 0.0) continue
+                val f = strength / (d2 * sqrt(d2))
+                population.vx[k] += f * dx
+                population.vy[k] += f * dy
+                population.vz[k] += f * dz
+            }
+        }
+    }
+
+    /**
+     * −GM Σ m/√(d² + ε²), d the distance from the moon where it is at [time], no image of it; 0 for a point moon's very
+     * centre.
+     */
+    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+        val at = state(time)
+        val p = population
+        return sum.of(p) { k ->
+            val dx = at[0] - p.x[k]
+            val dy = at[1] - p.y[k]
+            val dz = at[2] - p.z[k]
+            val d2 = dx * dx + dy * dy + dz * dz + softening * softening
+            if (d2 == 0.0) 0.0 else -gravitationalParameter * p.mass[k] / sqrt(d2)
+        }
+    }
+}

@@ -1,0 +1,63 @@
+package daphnis.core.initial
+
+import daphnis.core.boundary.Box
+import kotlin.math.sqrt
+
+/** What no search for free places can bring into a box, said before one is begun. */
+internal object Crowding {
+    /**
+     * @param walled axes across which whole spheres stay inside
+     * @throws PlacementException when [radii] do not fit between walls, or not at random
+     */
+    fun check(radii: DoubleArray, box: Box, walled: BooleanArray) {
+        if (radii.isEmpty()) return
+        val largest = radii.max()
+        for (axis in 0..2) {
+            if (walled[axis] && box.length(axis) <= 2 * largest) {
+                val name = "xyz"[axis]
+                throw PlacementException("a sphere of radius $largest does not fit between the walls along $name")
+            }
+        }
+        val filling = fillingFactor(radii, box)
+        if (filling >= CLOSEST_PACKING) refuse(filling, "spheres fill $CLOSEST_PACKING at most")
+        if (radii.any { it != largest }) return
+        for (axis in 0..2) if (walled[axis]) layer(radii, largest, axis, box, walled)
+        val shortest = minOf(box.length(0), box.length(1), box.length(2))
+        val isLarge = radii.size >= MANY && shortest >= WIDE * largest
+        if (isLarge && filling > JAMMED) refuse(filling, "equal spheres at random jam at 0.384 or before")
+    }
+
+    /**
+     * Between walls less than two diameters apart equal spheres lie beside each other: seen along [axis] they are
+     * discs that hardly overlap.
+     */
+    private fun layer(radii: DoubleArray, radius: Double, axis: Int, box: Box, walled: BooleanArray) {
+        val play = box.length(axis) - 2 * radius
+        if (play >= 2 * radius) return
+        val apart = sqrt(4 * radius * radius - play * play)
+        // The margin of half a diameter at walls across the other axes counts too, for discs there stick out.
+        val sides = (0..2).filter { it != axis }.map { box.length(it) + if (walled[it]) 2 * radius else 0.0 }
+        val covered = radii.size * Math.PI * apart * apart / 4 / (sides[0] * sides[1])
+        if (covered >= CLOSEST_DISCS) {
+            throw PlacementException(
+                "in a layer ${box.length(axis)} thin spheres lie beside each other, and would cover $covered of it; " +
+                    "$CLOSEST_DISCS is the most; take fewer, or a thicker box",
+            )
+        }
+    }
+
+    private fun refuse(filling: Double, limit: String): Nothing = throw PlacementException(
+        "the filling factor would be $filling; $limit, and random placement reaches about 0.35; use a lattice above that",
+    )
+
+    private const val CLOSEST_PACKING = 0.7405
+    private const val CLOSEST_DISCS = 0.9069
+
+    /**
+     * Random sequential addition ends at 0.384, and with the tries it has at 0.356 to 0.358; in boxes so large that
+     * their sides do not matter.
+     */
+    private const val JAMMED = 0.365
+    private const val MANY = 1000
+    private const val WIDE = 16
+}

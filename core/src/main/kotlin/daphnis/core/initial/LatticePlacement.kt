@@ -1,0 +1,110 @@
+package daphnis.core.initial
+
+import daphnis.core.boundary.Box
+import kotlin.math.ceil
+import kotlin.math.sqrt
+
+/**
+ * A lattice stretched to fit the box, with as many cells along each axis as leave the spheres farthest apart;
+ * vacancies, if there are more sites than spheres, are spread evenly. Face-centred cubic reaches a filling factor of
+ * 0.6 and more in boxes that take whole cells.
+ */
+public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRED_CUBIC) : Placement {
+    override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
+        val n = radii.size
+        val largest = radii.max()
+        val cells = bestCells(n, largest, box, walled)
+            ?: throw PlacementException(
+                "$n spheres of radius up to $largest do not fit into the box as a lattice (filling factor ${fillingFactor(
+                    radii,
+                    box,
+                )}); " +
+                    "take fewer, smaller, or a box whose edges have simple ratios",
+            )
+        val basis = lattice.basis
+        val sites = cells[0].toLong() * cells[1] * cells[2] * basis.size
+        val width = DoubleArray(3) { width(it, cells[it], largest, box, walled) }
+        val low =
+            DoubleArray(3) { if (walled[it]) box.lower(it) + largest - lattice.inset * width[it] else box.lower(it) }
+        val p = Array(3) { DoubleArray(n) }
+        for (k in 0 until n) {
+            val site = k * sites / n
+            val b = basis[(site % basis.size).toInt()]
+            var cell = site / basis.size
+            for (axis in 0..2) {
+                val c = cell % cells[axis]
+                cell /= cells[axis]
+                // One site between walls has the middle, and its cell no width.
+                p[axis][k] =
+                    if (width[axis].isInfinite()) middle(axis, box) else low[axis] + (c + b[axis]) * width[axis]
+            }
+        }
+        return Positions(p[0], p[1], p[2])
+    }
+
+    private fun middle(axis: Int, box: Box) = box.lower(axis) + box.length(axis) / 2
+
+    /** Infinite where one site is all there is between two walls. */
+    private fun width(axis: Int, cells: Int, radius: Double, box: Box, walled: BooleanArray): Double =
+        if (walled[axis]) (box.length(axis) - 2 * radius) / (cells - 2 * lattice.inset) else box.length(axis) / cells
+
+    /**
+     * The numbers of cells, at least enough for [n], that keep neighbours farthest apart; null when even those touch.
+     */
+    private fun bestCells(n: Int, radius: Double, box: Box, walled: BooleanArray): IntArray? {
+        val ideal = StrictMath.cbrt(box.volume * lattice.basis.size / n)
+        var best: IntArray? = null
+        var bestDistance = 2 * radius * (1 + 1e-12)
+        val guess = IntArray(3) { (box.length(it) / ideal).coerceIn(1.0, 1e6).toInt() }
+        for (a in choices(guess[0])) {
+            for (b in choices(guess[1])) {
+                val c = ceil(n.toDouble() / (a.toDouble() * b * lattice.basis.size)).coerceIn(1.0, 1e6).toInt()
+                val w =
+                    doubleArrayOf(
+                        width(0, a, radius, box, walled),
+                        width(1, b, radius, box, walled),
+                        width(2, c, radius, box, walled),
+                    )
+                val distance = lattice.nearest(w)
+                val isEnough = a.toDouble() * b * c * lattice.basis.size >= n
+                if (isEnough && w.all { it > 0 } && distance >= bestDistance) {
+                    bestDistance = distance
+                    best = intArrayOf(a, b, c)
+                }
+            }
+        }
+        return best
+    }
+
+    private fun choices(guess: Int) = maxOf(1, guess - SPREAD)..guess + SPREAD
+
+    private companion object {
+        const val SPREAD = 3
+    }
+}
+
+/** Crystal lattices by their basis, in fractions of a cell. */
+public enum class Lattice(internal val basis: List<DoubleArray>, internal val inset: Double) {
+    SIMPLE_CUBIC(listOf(doubleArrayOf(0.5, 0.5, 0.5)), 0.5),
+    FACE_CENTRED_CUBIC(
+        listOf(
+            doubleArrayOf(0.25, 0.25, 0.25),
+            doubleArrayOf(0.75, 0.75, 0.25),
+            doubleArrayOf(0.75, 0.25, 0.75),
+            doubleArrayOf(0.25, 0.75, 0.75),
+        ),
+        0.25,
+    ),
+    ;
+
+    /** Distance of nearest neighbours for cells of the given widths, over faces too. */
+    internal fun nearest(w: DoubleArray): Double = when (this) {
+        SIMPLE_CUBIC -> minOf(w[0], w[1], w[2])
+        FACE_CENTRED_CUBIC -> minOf(
+            minOf(w[0], w[1], w[2]),
+            minOf(half(w[0], w[1]), half(w[0], w[2]), half(w[1], w[2])),
+        )
+    }
+
+    private fun half(a: Double, b: Double): Double = 0.5 * sqrt(a * a + b * b)
+}

@@ -1,0 +1,22 @@
+package daphnis.core.search
+
+/** The result of a sort, and the arrays for it, which keep their size from step to step. */
+internal class CellOrder {
+    /** Index in the population by slot. */
+    var order = IntArray(0)
+
+    /** First slot of cell c; entry c + 1 is one past its last. */
+    var start = IntArray(0)
+
+    /** Cell by index in the population. */
+    var cellOf = IntArray(0)
+
+    fun reserve(spheres: Int, cells: Int) {
+        if (order.size < spheres) {
+            order = IntArray(spheres)
+            cellOf = IntArray(spheres)
+        }
+        // One entry more than needed at either end, see CountingSort.
+        if (start.size < cells + 2) start = IntArray(cells + cells / 4 + 2)
+    }
+}
