@@ -44,14 +44,10 @@ class CompareCommand : CliktCommand(name = "compare") {
             )
             throw ProgramResult(EXIT_FAILED)
         }
-        if (common.isEmpty() &&
-            (digestA == null || digestB == null)
-        ) {
+        if (common.isEmpty() && (digestA == null || digestB == null)) {
             throw InputException(first, null, "has no snapshot or summary in common with $second")
         }
-        val digest = if (digestA != null &&
-            digestA == digestB
-        ) {
+        val digest = if (digestA != null && digestA == digestB) {
             ", state digest $digestA"
         } else {
             "; at least one has not ended, so the ends are not compared"

@@ -67,9 +67,7 @@ class ExportCommand : CliktCommand(name = "export") {
 
     private fun checkOptions() {
         scale?.let {
-            if (format !=
-                "xyz"
-            ) {
+            if (format != "xyz") {
                 throw InputException(
                     "--scale",
                     null,
@@ -78,9 +76,7 @@ class ExportCommand : CliktCommand(name = "export") {
             }
             if (!(it > 0 && it.isFinite())) throw InputException("--scale", null, "is $it; it must be > 0")
         }
-        if (units != null &&
-            format != "h5md"
-        ) {
+        if (units != null && format != "h5md") {
             throw InputException("--units", null, "is $units; it is for --format h5md only")
         }
     }
@@ -133,9 +129,7 @@ class ExportCommand : CliktCommand(name = "export") {
         if (factor != 1.0) {
             println(
                 "lengths and velocities are multiplied by $factor" +
-                    if (scale ==
-                        null
-                    ) {
+                    if (scale == null) {
                         " (one mean radius is 1), so that no reader takes them for fractions of the box; --scale 1 leaves them"
                     } else {
                         ""

@@ -68,9 +68,7 @@ class RunCommand : CliktCommand(name = "run") {
 
     private fun resolve(scenario: Scenario): Scenario {
         val steps = steps ?: return scenario
-        if (until !=
-            null
-        ) {
+        if (until != null) {
             throw InputException("--steps", null, "is given together with --until; one of the two is enough")
         }
         if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
@@ -87,9 +85,7 @@ class RunCommand : CliktCommand(name = "run") {
         val safe = letters.trim('.').take(LONGEST_NAME).ifEmpty { "run" }
         val base = Path.of("runs").resolve(safe)
         return generateSequence(1) { it + 1 }.map {
-            if (it ==
-                1
-            ) {
+            if (it == 1) {
                 base
             } else {
                 base.resolveSibling("$safe-$it")

@@ -9,9 +9,7 @@ internal fun firstDifference(a: Snapshot, b: Snapshot): String? =
 private fun ofWhole(a: Snapshot, b: Snapshot): String? {
     if (!a.id.contentEquals(b.id)) return "the particles are not the same (${a.size} and ${b.size})"
     if (a.step != b.step) return "step ${a.step} against ${b.step}"
-    if ((a.image == null) !=
-        (b.image == null)
-    ) {
+    if ((a.image == null) != (b.image == null)) {
         return "one knows the boxes that particles have crossed, the other does not"
     }
     number("time", a.time, b.time)?.let { return it }
@@ -35,9 +33,7 @@ private fun ofParticle(a: Snapshot, b: Snapshot, k: Int): String? {
     return number("$particle radius", a.radius[k], b.radius[k]) ?: number("$particle mass", a.mass[k], b.mass[k])
 }
 
-private fun number(what: String, a: Double, b: Double): String? = if (a.toRawBits() ==
-    b.toRawBits()
-) {
+private fun number(what: String, a: Double, b: Double): String? = if (a.toRawBits() == b.toRawBits()) {
     null
 } else {
     "$what = $a against $b"

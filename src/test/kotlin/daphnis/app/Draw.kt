@@ -75,9 +75,7 @@ class Draw(override val seed: Long) : Case {
 
     // Inelastic spheres in dense heaps collapse without one.
     private val guard = listOf(FloorSpeedGuard(1e-3), ContactDurationGuard(1e-4 * dt), NoGuard)[
-        if (filling > 0.05 ||
-            clumped
-        ) {
+        if (filling > 0.05 || clumped) {
             random.nextInt(2)
         } else {
             random.nextInt(3)
@@ -87,9 +85,7 @@ class Draw(override val seed: Long) : Case {
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 
     private fun drawRadii(): DoubleArray {
-        val count = if (random.nextInt(5) ==
-            0
-        ) {
+        val count = if (random.nextInt(5) == 0) {
             1 + random.nextInt(30)
         } else {
             Math.exp(random.nextDouble(Math.log(30.0), Math.log(3000.0))).toInt()
@@ -189,9 +185,7 @@ class Draw(override val seed: Long) : Case {
         if (boundary !is HillSheet || dt * omega > 1) return emptyList()
         val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), omega, softening = 0.5)
         val frame = HillFrame(omega, verticalFactor = 1.5)
-        return if (seed % 3 ==
-            0L
-        ) {
+        return if (seed % 3 == 0L) {
             listOf(frame, moon, SelfGravity(boundary, omega * omega / 50))
         } else {
             listOf(moon, frame)
@@ -200,9 +194,7 @@ class Draw(override val seed: Long) : Case {
 
     override fun engines(host: ActorSystem<*>): List<CollisionEngine> {
         fun threads() = 1 + random.nextInt(8)
-        val handler: ThreadHandler = if (random.nextInt(4) ==
-            0
-        ) {
+        val handler: ThreadHandler = if (random.nextInt(4) == 0) {
             ThreadPerTask(1 + random.nextInt(3))
         } else {
             FixedPool(threads())
@@ -215,9 +207,7 @@ class Draw(override val seed: Long) : Case {
         )
     }
 
-    private fun layout(): RegionLayout = if (random.nextInt(2) ==
-        0
-    ) {
+    private fun layout(): RegionLayout = if (random.nextInt(2) == 0) {
         RegionLayout.Stretches(1 + random.nextInt(12))
     } else {
         RegionLayout.Blocks(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))

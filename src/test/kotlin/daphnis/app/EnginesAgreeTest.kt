@@ -124,9 +124,7 @@ class EnginesAgreeTest {
             for (step in 1..100) {
                 serial.advance()
                 islands.advance()
-                if (step % 10 ==
-                    0
-                ) {
+                if (step % 10 == 0) {
                     assertEquals(stateDigest(serial.population), stateDigest(islands.population)) { "step $step" }
                 }
             }

@@ -73,9 +73,7 @@ class EnginesCountTest {
                 // Broken for good until it is mended: parallel engines put what it throws before the serial one.
                 val broken = AtomicBoolean(true)
                 val restitution = Restitution {
-                    if (broken.get() &&
-                        calls.getAndIncrement() >= call
-                    ) {
+                    if (broken.get() && calls.getAndIncrement() >= call) {
                         throw ArithmeticException("on purpose")
                     } else {
                         1.0

@@ -112,9 +112,7 @@ class OddDraw(override val seed: Long) : Case {
                 2.0 * (k / edge % edge),
                 2.0 * (k / edge / edge),
                 odd,
-                if (random.nextInt(20) ==
-                    0
-                ) {
+                if (random.nextInt(20) == 0) {
                     0.5
                 } else {
                     0.0

@@ -138,9 +138,7 @@ internal object KillDrill : Drill {
                 }
             }
             val ended = program.await()
-            if (ended.code !=
-                0
-            ) {
+            if (ended.code != 0) {
                 complaints += "${arguments[0]} ended with ${ended.code}: ${ended.text.trim().take(MOST_SAID)}"
             }
             if (ended.hasTrace) complaints += "a trace: ${ended.text.take(MOST_SAID)}"

@@ -82,9 +82,7 @@ internal object SmallHeapDrill : Drill {
         if (ended.code == 0) done()
         if (small.resolve("scenario.json").exists()) {
             val resumed = Program.run(home, "resume", small.name, "--quiet")
-            if (resumed.code !=
-                0
-            ) {
+            if (resumed.code != 0) {
                 bad += "$engine: resume ended with ${resumed.code}: ${resumed.text}"
             } else {
                 bad +=

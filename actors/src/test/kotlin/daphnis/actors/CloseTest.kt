@@ -157,9 +157,7 @@ class CloseTest {
                 val reached = CountDownLatch(1)
                 val probe = { command: RegionCommand -> if (last.count(command)) reached.countDown() }
                 // In a host's system, which is quicker than one for each.
-                val engine = if (which ==
-                    0
-                ) {
+                val engine = if (which == 0) {
                     engines(probe)[0]
                 } else {
                     PekkoEngine(2, FaultKit.layout, host).also { it.probe = probe }

@@ -116,9 +116,7 @@ class FaultsTest {
         for (engine in engines()) {
             val calls = AtomicInteger()
             val law = { _: Double ->
-                if (calls.incrementAndGet() ==
-                    30
-                ) {
+                if (calls.incrementAndGet() == 30) {
                     throw ArithmeticException("on purpose")
                 } else {
                     1.0

@@ -143,9 +143,7 @@ class InterruptsTest {
         val threads = List(20) { k ->
             Thread {
                 try {
-                    val engine = if (k % 2 ==
-                        0
-                    ) {
+                    val engine = if (k % 2 == 0) {
                         RegionActorEngine(3, FaultKit.layout)
                     } else {
                         PekkoEngine(3, FaultKit.layout)

@@ -40,9 +40,7 @@ internal class StepUndo(private val population: Population, private val counters
         hasVelocities = true
     }
 
-    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size ==
-        from.size
-    ) {
+    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size == from.size) {
         from.copyInto(into)
     } else {
         from.copyOf()

@@ -83,9 +83,7 @@ class SimulationFaultsTest : FaultKit() {
 
                 override fun run(task: WorkerTask) {
                     for (worker in 0 until threads) {
-                        if (calls.incrementAndGet() ==
-                            nth
-                        ) {
+                        if (calls.incrementAndGet() == nth) {
                             throw OutOfMemoryError()
                         } else {
                             task.work(worker)

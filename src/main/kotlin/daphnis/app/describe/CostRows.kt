@@ -46,9 +46,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun row(what: String, count: Double, disk: Double) {
-        if (count >
-            0
-        ) {
+        if (count > 0) {
             rows.add(
                 "outputs",
                 "${if (count < MOST_WRITTEN) {

@@ -44,9 +44,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
         }
         rows.add("particles", "${spheres(particles.size)}, radius $size")
-        val mass = if (masses.min() ==
-            masses.max()
-        ) {
+        val mass = if (masses.min() == masses.max()) {
             say.mass(masses[0])
         } else {
             "${say.mass(masses.min())} to ${say.mass(masses.max())}"

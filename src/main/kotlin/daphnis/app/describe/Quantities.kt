@@ -42,34 +42,26 @@ internal class Quantities(scenario: Scenario) {
     fun speed(value: Double): String =
         if (speedKnown) number(value * units.speedInCmPerSecond) + " cm/s" else plain(value, "units of speed")
 
-    fun mass(value: Double): String = if (si ==
-        null
-    ) {
+    fun mass(value: Double): String = if (si == null) {
         plain(value, "mass units")
     } else {
         number(value * si.kilograms) + " kg"
     }
 
-    fun density(value: Double): String = if (si ==
-        null
-    ) {
+    fun density(value: Double): String = if (si == null) {
         plain(value, "mass/length^3")
     } else {
         number(value * si.kilograms / (si.metres * si.metres * si.metres)) +
             " kg/m3"
     }
 
-    fun surfaceDensity(value: Double): String = if (si ==
-        null
-    ) {
+    fun surfaceDensity(value: Double): String = if (si == null) {
         plain(value, "mass/length^2")
     } else {
         number(value * si.kilograms / (si.metres * si.metres)) + " kg/m2"
     }
 
-    fun acceleration(value: Double): String = if (si ==
-        null
-    ) {
+    fun acceleration(value: Double): String = if (si == null) {
         plain(value, "length/time^2")
     } else {
         number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"

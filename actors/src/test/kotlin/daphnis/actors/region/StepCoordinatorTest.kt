@@ -36,9 +36,7 @@ class StepCoordinatorTest {
             // A long step, and one so short that regions at a distance cannot see one another.
             val duration = if (seed % 2 == 0L) 0.05 else 0.3
             val expected = p.copy().also { SerialEngine().advance(step(it, boundary, duration)) }
-            val layout = if (seed % 2 ==
-                0L
-            ) {
+            val layout = if (seed % 2 == 0L) {
                 RegionLayout.Stretches(1 + random.nextInt(12))
             } else {
                 RegionLayout.Blocks(1 + random.nextInt(3), 1 + random.nextInt(3), 1 + random.nextInt(3))
@@ -62,9 +60,7 @@ class StepCoordinatorTest {
                 if (granted.size > 1) together++
                 for (a in granted) {
                     for (b in granted) {
-                        if (a !==
-                            b
-                        ) {
+                        if (a !== b) {
                             assertFalse(
                                 a.locked.indices.any {
                                     a.locked[it] && b.locked[it]

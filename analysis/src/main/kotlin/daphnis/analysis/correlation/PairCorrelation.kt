@@ -51,9 +51,7 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
             val b = nearest + (bin + 1) * width
             val shell = if (inPlane) PI * (b * b - a * a) else 4.0 / 3 * PI * (b * b * b - a * a * a)
             counts[bin] =
-                if (n <
-                    2
-                ) {
+                if (n < 2) {
                     Double.NaN
                 } else {
                     counts[bin] * 2 /

@@ -69,9 +69,7 @@ public class WavePattern private constructor(
             val pitch = atan2(peak[1], peak[0])
             val spacing = 2 * PI / peak[0]
             val n = maps.size
-            if (n <
-                2
-            ) {
+            if (n < 2) {
                 return WavePattern(
                     BlockAverage(pitch, Double.NaN, n),
                     BlockAverage(spacing, Double.NaN, n),
@@ -229,10 +227,7 @@ private class LagSpectrum(
             val stepY = (sums[3] * sums[2] - sums[4] * sums[1]) / determinant
             kx -= stepX
             ky -= stepY
-            if (abs(kx - start[0]) > resolutionX ||
-                abs(ky - start[1]) > resolutionY ||
-                kx <= resolutionX / 2
-            ) {
+            if (abs(kx - start[0]) > resolutionX || abs(ky - start[1]) > resolutionY || kx <= resolutionX / 2) {
                 return null
             }
             if (abs(stepX) < ENOUGH * resolutionX && abs(stepY) < ENOUGH * resolutionY) return doubleArrayOf(kx, ky)

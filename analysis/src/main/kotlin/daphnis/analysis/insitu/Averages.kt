@@ -58,9 +58,7 @@ public class Averages(
      * left out.
      */
     public fun average(k: Int): BlockAverage {
-        if (pooled == null ||
-            samples.isEmpty()
-        ) {
+        if (pooled == null || samples.isEmpty()) {
             return BlockAverage.of(series(k).filter { !it.isNaN() }.toDoubleArray())
         }
         return (pool ?: Pool(pooled, samples).also { pool = it }).average(k)
@@ -77,9 +75,7 @@ public class Averages(
         private val all = DoubleArray(samples[0].size).also { for (s in samples) for (k in s.indices) it[k] += s[k] }
         private val whole = measure.finish(all, n)
         private val without = List(
-            if (n >
-                1
-            ) {
+            if (n > 1) {
                 n
             } else {
                 0

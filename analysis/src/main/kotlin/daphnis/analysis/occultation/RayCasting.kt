@@ -117,9 +117,7 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
                 val pb = lowB + (j + 0.5) * stepB - centreB
                 val along = (pa * towardA + pb * towardB) / long
                 val beside = (pb * towardA - pa * towardB) / r
-                if (along * along + beside * beside <=
-                    1
-                ) {
+                if (along * along + beside * beside <= 1) {
                     shadow.blocked[i * strideA + Math.floorMod(j, countB) * strideB] = true
                 }
             }

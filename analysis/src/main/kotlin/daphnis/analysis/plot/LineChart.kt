@@ -53,9 +53,7 @@ internal class LineChart(
                 upright = true,
             )
         }
-        if (points.size ==
-            1
-        ) {
+        if (points.size == 1) {
             sheet.line(
                 atX(x[points[0]]) - GAP,
                 atY(y[points[0]]),
@@ -65,9 +63,7 @@ internal class LineChart(
                 LINE,
             )
         }
-        if (points.size >=
-            2
-        ) {
+        if (points.size >= 2) {
             sheet.path(
                 DoubleArray(points.size) {
                     atX(x[points[it]])

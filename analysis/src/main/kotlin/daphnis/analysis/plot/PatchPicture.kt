@@ -72,11 +72,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
                     val y = p.y[k] + images.shift(ix, iy, 1)
                     val x = p.x[k] + images.shift(ix, iy, 0)
                     val v = if (fromAbove) x else p.z[k]
-                    if (y + r < window.left ||
-                        y - r > window.right ||
-                        v + r < window.bottom ||
-                        v - r > window.top
-                    ) {
+                    if (y + r < window.left || y - r > window.right || v + r < window.bottom || v - r > window.top) {
                         continue
                     }
                     result += Disc(y, v, r, if (fromAbove) p.z[k] else -withinBox(x, images))
@@ -158,9 +154,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
     }
 
     private fun barText(length: Double) = UnitNames.amount(
-        if (length == Math.rint(length) &&
-            length < 1e6
-        ) {
+        if (length == Math.rint(length) && length < 1e6) {
             length.toLong().toString()
         } else {
             length.toString()

@@ -43,9 +43,7 @@ internal class SvgSheet(width: Int, height: Int) : Sheet {
         ).append(colour).append("\" stroke-width=\"").append(width).append("\" stroke-linejoin=\"round\" d=\"")
         for (k in x.indices) {
             out.append(
-                if (k ==
-                    0
-                ) {
+                if (k == 0) {
                     'M'
                 } else {
                     'L'

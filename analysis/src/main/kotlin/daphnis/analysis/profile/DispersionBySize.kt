@@ -90,9 +90,7 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
         val ofCentre =
             filled.sumOf { pull[it] * square[it] / free[it] } / (1 + filled.sumOf { pull[it] * count[it] / free[it] })
         return DoubleArray(classes) {
-            if (count[it] ==
-                0.0
-            ) {
+            if (count[it] == 0.0) {
                 Double.NaN
             } else {
                 maxOf(0.0, (square[it] - count[it] * ofCentre) / free[it])
@@ -133,9 +131,7 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
                 }
             } else {
                 DoubleArray(most + 1) {
-                    if (it ==
-                        most
-                    ) {
+                    if (it == most) {
                         radii.last()
                     } else {
                         radii.first() * ratio.pow(it / most.toDouble())

@@ -42,9 +42,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     /** D along each coordinate that counts, and their mean. */
     fun rows(): List<NumberRow> {
         val d = displacement ?: return emptyList()
-        if (omega !=
-            null
-        ) {
+        if (omega != null) {
             return listOfNotNull(
                 row(
                     "self-diffusion of guiding centres D_X",
@@ -60,9 +58,7 @@ internal class DiffusionSection(private val study: Study) : Section {
             row("self-diffusion D_${coordinates[it].name}", d.diffusion(it, from = mean.from), units.viscosity, 1.0)
         }
         return (
-            if (all.size ==
-                1
-            ) {
+            if (all.size == 1) {
                 along
             } else {
                 listOf(row("self-diffusion D", mean, units.viscosity, 1.0)) + along
@@ -97,9 +93,7 @@ internal class DiffusionSection(private val study: Study) : Section {
 
     private fun caption(d: MeanSquareDisplacement): String {
         val found = d.diffusion(*(if (omega != null) intArrayOf(0) else coordinates.indices.toList().toIntArray()))
-        val said = if (found ==
-            null
-        ) {
+        val said = if (found == null) {
             "They do not become linear in time within these lags: no coefficient."
         } else {
             "D is half the slope where they are linear."

@@ -28,9 +28,7 @@ internal object MoonEncounter {
 
     fun rows(e: Encounter, box: Box, units: UnitNames): List<NumberRow> {
         val moonX = (box.lowerX + box.upperX) / 2 - e.distance
-        val swing = if (e.moonE >
-            0
-        ) {
+        val swing = if (e.moonE > 0) {
             "of the guiding centres; the moon swings ${ReportText.short(e.moonE)} ${units.length} to either side"
         } else {
             ""

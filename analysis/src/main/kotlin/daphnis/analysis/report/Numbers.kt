@@ -113,9 +113,7 @@ internal class Numbers(private val input: AnalysisInput, private val from: Doubl
             val unit = r * r * omega
             add("viscosity, translational", transport.translational, "r² Ω", unit, "nu_trans")
             add("viscosity, collisional", transport.collisional, "r² Ω", unit, "nu_coll")
-            if (transport.gravitational.mean !=
-                0.0
-            ) {
+            if (transport.gravitational.mean != 0.0) {
                 add("viscosity, gravitational", transport.gravitational, "r² Ω", unit)
             }
             add("viscosity, total", transport.viscosity, "r² Ω", unit)

@@ -79,9 +79,7 @@ internal object References {
     /** Of a Lees–Edwards box, in the units of its table. */
     fun ofShear(scenario: Scenario, filling: Double): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
-        if (scenario.boundary !is BoundarySpec.LeesEdwards ||
-            scenario.particles?.sizes !is SizesSpec.Equal
-        ) {
+        if (scenario.boundary !is BoundarySpec.LeesEdwards || scenario.particles?.sizes !is SizesSpec.Equal) {
             return emptyMap()
         }
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()

@@ -32,10 +32,7 @@ internal class RunSection(private val study: Study) : Section {
         /** A directory beside [run], which may be given as `.` and has no name of its own then. */
         fun besides(run: Path): Path {
             val name = run.fileName?.toString().orEmpty()
-            return if (name.isEmpty() ||
-                name == "." ||
-                name == ".."
-            ) {
+            return if (name.isEmpty() || name == "." || name == "..") {
                 Path.of("again")
             } else {
                 run.resolveSibling("$name-again")

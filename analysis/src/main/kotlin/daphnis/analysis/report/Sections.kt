@@ -53,9 +53,7 @@ internal class Sections(private val study: Study) {
     private fun pictures(page: ReportPage) {
         val last = study.last
         val picture = PatchPicture(last, study.units.length)
-        val part = if (last.boundary.box.length(1) >
-            4 * last.boundary.box.length(0)
-        ) {
+        val part = if (last.boundary.box.length(1) > 4 * last.boundary.box.length(0)) {
             " The first part of its length."
         } else {
             ""

@@ -26,9 +26,7 @@ internal class StreamlineSection(
 
     fun write(page: ReportPage, last: State) {
         val n = last.population.size
-        val groups = if (options.groups >
-            0
-        ) {
+        val groups = if (options.groups > 0) {
             options.groups
         } else {
             Math.sqrt(n / PARTICLES_A_GROUP / 4).toInt().coerceIn(4, 40)

@@ -46,9 +46,7 @@ internal class StructureSections(
             "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of particles without correlation. Spheres one above the other are nearer " +
                 "than contact in this view, so that g is not 0 there."
         } else {
-            val from = if (pairs.nearest >
-                0
-            ) {
+            val from = if (pairs.nearest > 0) {
                 " Bins begin at the contact of the smallest spheres, ${UnitNames.amount(
                     ReportText.short(pairs.nearest),
                     units.length,
@@ -171,9 +169,7 @@ internal class StructureSections(
 
     private fun depthRow(transmission: BlockAverage): NumberRow {
         val what = "normal optical depth −sin B · ln T"
-        if (transmission.mean <=
-            0
-        ) {
+        if (transmission.mean <= 0) {
             return NumberRow(what, Double.NaN, Double.NaN, "", note = "opaque: no ray comes through")
         }
         val depth = measures.rays.depth(transmission)

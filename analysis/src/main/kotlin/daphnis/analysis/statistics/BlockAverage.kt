@@ -37,9 +37,7 @@ public class BlockAverage(
     public fun root(): BlockAverage = sqrt(mean).let {
         BlockAverage(
             it,
-            if (error ==
-                0.0
-            ) {
+            if (error == 0.0) {
                 0.0
             } else {
                 error / (2 * it)

@@ -50,9 +50,7 @@ public class Steadiness private constructor(
 
         /** Of [series], evenly spaced in time. */
         public fun of(series: DoubleArray): Steadiness {
-            if (series.size < FEWEST ||
-                series.any { !it.isFinite() }
-            ) {
+            if (series.size < FEWEST || series.any { !it.isFinite() }) {
                 return Steadiness(Double.NaN, Double.NaN, Verdict.TOO_SHORT)
             }
             var y = series
@@ -67,9 +65,7 @@ public class Steadiness private constructor(
             return Steadiness(
                 change,
                 significance,
-                if (abs(significance) >
-                    SIGNIFICANT
-                ) {
+                if (abs(significance) > SIGNIFICANT) {
                     Verdict.DRIFTING
                 } else {
                     Verdict.STEADY

@@ -268,9 +268,7 @@ public class Streamlines private constructor(
                 val k = order.order[rank]
                 if (state.isParticle(k)) members[start[slab(k) + 1]++] = k
             }
-            val period = if (state.boundary.contactFaces(0) ==
-                ContactFaces.PERIODIC
-            ) {
+            val period = if (state.boundary.contactFaces(0) == ContactFaces.PERIODIC) {
                 state.boundary.box.length(0)
             } else {
                 Double.POSITIVE_INFINITY

@@ -45,9 +45,7 @@ internal object NumberColumns {
         return names.indices.associate { names[it] to columns[it].copyOf(rows) }
     }
 
-    private fun number(cell: String, needed: Boolean): Double? = if (cell.isEmpty() &&
-        !needed
-    ) {
+    private fun number(cell: String, needed: Boolean): Double? = if (cell.isEmpty() && !needed) {
         Double.NaN
     } else {
         cell.toDoubleOrNull()

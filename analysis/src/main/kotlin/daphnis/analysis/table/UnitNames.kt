@@ -51,18 +51,14 @@ public class UnitNames(units: UnitsSpec?) {
         private val TIMES = listOf(1.0 to "s")
         private val MASSES = listOf(0.001 to "g", 1.0 to "kg")
 
-        private fun nameOf(inSi: Double?, known: List<Pair<Double, String>>) = if (inSi ==
-            null
-        ) {
+        private fun nameOf(inSi: Double?, known: List<Pair<Double, String>>) = if (inSi == null) {
             null
         } else {
             known.find { abs(inSi / it.first - 1) < CLOSE }?.second
         }
 
         /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `5 m`. */
-        public fun amount(number: String, unit: String): String = if (number == "1" &&
-            unit.startsWith(UNITS_OF)
-        ) {
+        public fun amount(number: String, unit: String): String = if (number == "1" && unit.startsWith(UNITS_OF)) {
             "1 unit of ${unit.removePrefix(UNITS_OF)}"
         } else {
             "$number $unit"

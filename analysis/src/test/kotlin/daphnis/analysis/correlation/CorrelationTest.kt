@@ -99,11 +99,7 @@ class CorrelationTest {
                     for (x in -2..2) {
                         for (y in -2..2) {
                             for (z in -1..1) {
-                                if (x != 0 &&
-                                    boundary.contactFaces(0) != ContactFaces.PERIODIC ||
-                                    z != 0 &&
-                                    inPlane
-                                ) {
+                                if (x != 0 && boundary.contactFaces(0) != ContactFaces.PERIODIC || z != 0 && inPlane) {
                                     continue
                                 }
                                 val code = Images.code(x, y, z)

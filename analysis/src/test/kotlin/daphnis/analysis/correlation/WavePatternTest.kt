@@ -140,9 +140,7 @@ class WavePatternTest {
             for (k in 0 until 3000) {
                 do {
                     y[k] = random.nextDouble(-36.0, 36.0)
-                } while (random.nextDouble() * 2 >
-                    1 + cos(2 * PI / 72 * 5 * y[k])
-                )
+                } while (random.nextDouble() * 2 > 1 + cos(2 * PI / 72 * 5 * y[k]))
             }
             SurfaceMap.of(state(x, y, box, 0.0), 2.5).autocorrelation(12, 14)
         }
@@ -177,17 +175,13 @@ class WavePatternTest {
             for (k in 0 until 2000) {
                 val centre = k - k % 20
                 x[k] =
-                    if (k ==
-                        centre
-                    ) {
+                    if (k == centre) {
                         random.nextDouble(-30.0, 30.0)
                     } else {
                         within(x[centre] + 1.5 * random.nextGaussian(), 60.0)
                     }
                 y[k] =
-                    if (k ==
-                        centre
-                    ) {
+                    if (k == centre) {
                         random.nextDouble(-36.0, 36.0)
                     } else {
                         within(y[centre] + 1.5 * random.nextGaussian(), 72.0)

@@ -33,17 +33,10 @@ class BlockAverageTest {
                 if (given > REALISATIONS * 2 / 3) assertTrue(covered.toDouble() / given in 0.60..0.75) { what }
                 // Nothing is missed often: neither where errors are given as a rule nor where they slip through.
                 assertTrue(given - covered < 0.4 * REALISATIONS) { what }
-                if (n < BlockAverage.FEWEST_NUMBERS ||
-                    memory > 0 &&
-                    n < 5 * memory
-                ) {
+                if (n < BlockAverage.FEWEST_NUMBERS || memory > 0 && n < 5 * memory) {
                     assertTrue(given < 0.16 * REALISATIONS) { what }
                 }
-                if (memory == 0.0 &&
-                    n >= 20 ||
-                    n >= 40 * memory &&
-                    n >= 100
-                ) {
+                if (memory == 0.0 && n >= 20 || n >= 40 * memory && n >= 100) {
                     assertTrue(given > 0.9 * REALISATIONS) { what }
                 }
             }

@@ -96,9 +96,7 @@ class SteadinessTest {
             DoubleArray(0),
             DoubleArray(23) { it * 1.0 },
             DoubleArray(50) {
-                if (it ==
-                    3
-                ) {
+                if (it == 3) {
                     Double.NaN
                 } else {
                     1.0

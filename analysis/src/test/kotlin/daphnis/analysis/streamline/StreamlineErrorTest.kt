@@ -71,9 +71,7 @@ class StreamlineErrorTest {
                     assertEquals(
                         1.0,
                         sum / measured / truth,
-                        if (perGroup ==
-                            4
-                        ) {
+                        if (perGroup == 4) {
                             0.04
                         } else {
                             0.015

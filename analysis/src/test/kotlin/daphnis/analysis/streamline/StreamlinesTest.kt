@@ -47,9 +47,7 @@ class StreamlinesTest {
                 assertEquals(0.5 * 0.4, lines.q[k], 0.025)
                 // dx/dX = 1 + e (dφ/dX) sin φ.
                 assertEquals(0.5 * (1 + 0.2 * Math.sin(phase)), lines.spacing[k], 0.2)
-                if (slab >
-                    2
-                ) {
+                if (slab > 2) {
                     assertEquals(2 * PI * 4 / 200, lines.phase[k] - lines.phase[lines.at(slab - 1, group)], 0.04)
                 }
             }

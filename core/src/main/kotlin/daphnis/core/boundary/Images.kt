@@ -34,9 +34,7 @@ public class Images {
     }
 
     /** Velocity along [axis] against the original. */
-    public fun slide(code: Int, axis: Int): Double = if (code != 0 &&
-        axis == slideAxis
-    ) {
+    public fun slide(code: Int, axis: Int): Double = if (code != 0 && axis == slideAxis) {
         component(code, normalAxis) * velocity
     } else {
         0.0

@@ -76,9 +76,7 @@ internal class NeighbourSearch(
                 val b = dx * ux + dy * uy + dz * uz
                 val s = radius + state[q + RADIUS]
                 val c = dx * dx + dy * dy + dz * dz - s * s
-                if (c <= b * closing &&
-                    b < 0.0
-                ) {
+                if (c <= b * closing && b < 0.0) {
                     queueIfInTime(slot, q / STRIDE, image, 0.0, b, c, ux * ux + uy * uy + uz * uz)
                 }
                 q += STRIDE
@@ -126,10 +124,7 @@ internal class NeighbourSearch(
                 val s = radius + state[q + RADIUS]
                 val c = dx * dx + dy * dy + dz * dz - s * s
                 // The sphere itself is in one of the runs; against itself b is 0.
-                if (c <= b * closing &&
-                    b < 0.0 &&
-                    q != exceptRow
-                ) {
+                if (c <= b * closing && b < 0.0 && q != exceptRow) {
                     queueIfInTime(slot, q / STRIDE, image, time, b, c, ux * ux + uy * uy + uz * uz)
                 }
                 q += STRIDE

@@ -29,9 +29,7 @@ public class BodyGravity(
     private val images = Images()
     private val sum = OrderedSum()
     private val length = DoubleArray(3) {
-        if (boundary.contactFaces(it) ==
-            ContactFaces.PERIODIC
-        ) {
+        if (boundary.contactFaces(it) == ContactFaces.PERIODIC) {
             boundary.box.length(it)
         } else {
             0.0
@@ -95,9 +93,7 @@ public class BodyGravity(
             d[slide] -= boxes * images.shearOffset
         }
         for (axis in 0..2) {
-            if (axis != normal &&
-                length[axis] > 0
-            ) {
+            if (axis != normal && length[axis] > 0) {
                 d[axis] -= Math.rint(d[axis] / length[axis]) * length[axis]
             }
         }

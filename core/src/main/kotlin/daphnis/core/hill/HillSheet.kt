@@ -52,10 +52,7 @@ public class HillSheet(override val box: Box, public val omega: Double, public v
 
     override val meanFlow: MeanFlow = MeanFlow(normalAxis = 0, flowAxis = 1, rate = -1.5 * omega)
 
-    override fun contactFaces(axis: Int): ContactFaces = if (axis == 1 ||
-        axis == 0 &&
-        !radiallyOpen
-    ) {
+    override fun contactFaces(axis: Int): ContactFaces = if (axis == 1 || axis == 0 && !radiallyOpen) {
         ContactFaces.PERIODIC
     } else {
         ContactFaces.OPEN

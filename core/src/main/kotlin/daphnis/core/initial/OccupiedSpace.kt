@@ -39,17 +39,13 @@ internal class OccupiedSpace(
          * when [slack] > 0, is known only within the slack across walls. May be −1, the last cell. With one or two
          * cells the neighbours on both sides are the same: visit each once.
          */
-        fun first(axis: Int, position: Double, slack: Double, reach: Double): Int = if (slack > 0 &&
-            walled[axis]
-        ) {
+        fun first(axis: Int, position: Double, slack: Double, reach: Double): Int = if (slack > 0 && walled[axis]) {
             cell(axis, position - reach)
         } else {
             cell(axis, position) - (if (cells[axis] >= 3) 1 else 0)
         }
 
-        fun last(axis: Int, position: Double, slack: Double, reach: Double): Int = if (slack > 0 &&
-            walled[axis]
-        ) {
+        fun last(axis: Int, position: Double, slack: Double, reach: Double): Int = if (slack > 0 && walled[axis]) {
             cell(axis, position + reach)
         } else {
             cell(axis, position) + (if (cells[axis] >= 2) 1 else 0)
@@ -90,9 +86,7 @@ internal class OccupiedSpace(
         val most = maxOf(64.0, 4.0 * next.size)
         val width = maxOf(2 * largest, StrictMath.cbrt(box.volume / most))
         val cells = IntArray(3) { (lengths[it] / width).coerceIn(1.0, 1e6).toInt() }
-        while (cells[0].toDouble() * cells[1] * cells[2] >
-            8 * most
-        ) {
+        while (cells[0].toDouble() * cells[1] * cells[2] > 8 * most) {
             for (k in 0..2) cells[k] = ceil(cells[k] / 2.0).toInt()
         }
         return Octave(largest, cells)

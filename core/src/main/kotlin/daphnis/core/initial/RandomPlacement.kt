@@ -84,9 +84,7 @@ public class RandomPlacement internal constructor(
                     if (++tries == mostTries) {
                         refuse("no free place found for a sphere of radius ${space.radius(rank)} in $mostTries tries")
                     }
-                    if (++vain ==
-                        mostVain
-                    ) {
+                    if (++vain == mostVain) {
                         refuse("$rank of $spheres spheres found a place in $mostVain tries and more")
                     }
                 }

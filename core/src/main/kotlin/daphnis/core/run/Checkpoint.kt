@@ -93,9 +93,7 @@ internal class Checkpoint(val head: Head, val population: Population) {
             records.doubles("LAST").copyInto(population.lastCollision)
             for ((axis, name) in IMAGES.withIndex()) {
                 records.integers(name).forEachIndexed { k, boxes ->
-                    if (boxes !=
-                        0
-                    ) {
+                    if (boxes != 0) {
                         population.addCrossing(k, axis, boxes)
                     }
                 }

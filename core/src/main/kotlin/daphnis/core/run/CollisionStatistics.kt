@@ -72,9 +72,7 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
         count++
         sumSpeed += speed
         sumSpeedSquared += speed * speed
-        if (speed >
-            0
-        ) {
+        if (speed > 0) {
             speeds[((StrictMath.log10(speed) - LEAST_DECADE) * BINS_A_DECADE).toInt().coerceIn(0, BINS - 1)]++
         }
         // impulse = μ (1 + ε) v_n, so the loss ½ μ (1 − ε²) v_n² is half of impulse · (1 − ε) · v_n.

@@ -71,10 +71,7 @@ public class Run internal constructor(
                     observer.afterStep(simulation, until, seconds())
                     finished = isDone()
                     val every = scenario.output.checkpointEvery
-                    if (!finished &&
-                        every > 0 &&
-                        simulation.step % every == 0L
-                    ) {
+                    if (!finished && every > 0 && simulation.step % every == 0L) {
                         checkpoint(outputs, secondsBefore + seconds())
                     }
                 }

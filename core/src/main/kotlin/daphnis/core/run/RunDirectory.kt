@@ -71,9 +71,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         } catch (e: FormatException) {
             throw FormatException("${e.message}; take the file away to go on without this snapshot")
         }
-        if (frame.step !=
-            step
-        ) {
+        if (frame.step != step) {
             throw FormatException("$file: holds the state after step ${frame.step}; its name says $step")
         }
         return frame

@@ -31,9 +31,7 @@ internal class RunOutputs(
     private val beginnings = beginnings.orEmpty()
     private val files = directory.files
     private val series = appended(directory.series, SERIES_HEADER, clock)
-    private val transportFile = if (transport !=
-        null
-    ) {
+    private val transportFile = if (transport != null) {
         appended(directory.transport, TransportRows.HEADER, clock)
     } else {
         null

@@ -16,9 +16,7 @@ import daphnis.core.scenario.ScenarioSetup
 internal class RunParts(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory) {
     val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, setup.scenario.firstBody ?: Int.MAX_VALUE)
     val transport: TransportRows? =
-        if (setup.scenario.output.transportEvery ==
-            0
-        ) {
+        if (setup.scenario.output.transportEvery == 0) {
             null
         } else {
             TransportRows(setup.forces.filterIsInstance<SelfGravity>().firstOrNull())
@@ -27,9 +25,7 @@ internal class RunParts(setup: ScenarioSetup, meta: CheckpointMeta?, source: Str
     val simulation: Simulation = simulation(setup, meta, source, engines)
 
     init {
-        if (meta != null &&
-            meta.collisionSums.isNotEmpty()
-        ) {
+        if (meta != null && meta.collisionSums.isNotEmpty()) {
             statistics.restore(meta.collisionSums, meta.impactSpeeds.toLongArray())
         }
     }

@@ -20,10 +20,7 @@ public class RunRecord private constructor(
     public fun problems(vararg files: Path): List<String> {
         val meta = head?.meta ?: return emptyList()
         // While a run goes on, impacts are written before the checkpoint that knows them.
-        val whole = if (isLast &&
-            RunDirectory.SUMMARY in meta.whole &&
-            Files.exists(directory.summary)
-        ) {
+        val whole = if (isLast && RunDirectory.SUMMARY in meta.whole && Files.exists(directory.summary)) {
             meta.whole
         } else {
             emptyMap()

@@ -50,9 +50,7 @@ internal class FileState(
     private fun frame(frames: List<Snapshot>): Snapshot {
         check.that(KEY, spec.path, frames.isNotEmpty()) { "holds no state" }
         val step = spec.step ?: return checked(frames.last())
-        val steps = if (frames.size <=
-            MOST_NAMED
-        ) {
+        val steps = if (frames.size <= MOST_NAMED) {
             frames.joinToString { "${it.step}" }
         } else {
             "${frames.first().step} to ${frames.last().step}"
@@ -89,9 +87,7 @@ internal class FileState(
             }
             return frame
         }
-        if (spec.density ==
-            null
-        ) {
+        if (spec.density == null) {
             notices += "${spec.path} has no masses: a density of 1 is taken; placement.density says another"
         }
         val density = spec.density ?: 1.0

@@ -69,9 +69,7 @@ internal class InitialState(
 
     private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
 
-    private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice ==
-        LatticeName.CUBIC
-    ) {
+    private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice == LatticeName.CUBIC) {
         Lattice.SIMPLE_CUBIC
     } else {
         Lattice.FACE_CENTRED_CUBIC

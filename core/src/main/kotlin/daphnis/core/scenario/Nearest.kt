@@ -29,11 +29,7 @@ public object Nearest {
             for (j in 1..b.length) {
                 val change = if (same(i - 1, j - 1)) 0 else 1
                 var least = minOf(rows[i - 1][j - 1] + change, rows[i - 1][j] + 1, rows[i][j - 1] + 1)
-                if (i > 1 &&
-                    j > 1 &&
-                    same(i - 1, j - 2) &&
-                    same(i - 2, j - 1)
-                ) {
+                if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
                     least = minOf(least, rows[i - 2][j - 2] + 1)
                 }
                 rows[i][j] = least

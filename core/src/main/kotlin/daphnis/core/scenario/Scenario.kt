@@ -274,9 +274,7 @@ public sealed interface TimeStepSpec {
 @Serializable
 public class EngineSpec(public val name: String = "islands", public val threads: Int = 0) {
     /** Threads to make and check the initial state on: those of the engine, of which the serial one has one. */
-    internal val threadsAtStart: Int get() = if (name ==
-        "serial"
-    ) {
+    internal val threadsAtStart: Int get() = if (name == "serial") {
         1
     } else {
         minOf(EngineFactory.threadsOrAll(threads), ThreadHandler.MOST)

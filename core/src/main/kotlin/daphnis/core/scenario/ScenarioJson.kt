@@ -42,9 +42,7 @@ public object ScenarioJson {
     /** Reads the file [path]. */
     public fun read(path: Path, settings: List<String> = emptyList()): Scenario {
         val text = try {
-            if (Files.size(path) >
-                LARGEST
-            ) {
+            if (Files.size(path) > LARGEST) {
                 throw InputException(path.toString(), null, "is larger than $LARGEST bytes, which is no scenario")
             }
             Files.readString(path)

@@ -184,9 +184,7 @@ public class ScenarioSetup private constructor(
          * elastic at low speed.
          */
         private fun defaultGuard(restitution: RestitutionSpec): GuardSpec =
-            if (restitution is RestitutionSpec.Constant &&
-                restitution.coefficient < 1
-            ) {
+            if (restitution is RestitutionSpec.Constant && restitution.coefficient < 1) {
                 GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR)
             } else {
                 GuardSpec.None()
@@ -218,9 +216,7 @@ public class ScenarioSetup private constructor(
 
         /** A cell that was left out becomes the mean distance between spheres. */
         private fun resolve(spec: TimeStepSpec, box: Box, population: Population): TimeStepSpec =
-            if (spec !is TimeStepSpec.CellCrossing ||
-                spec.cell != null
-            ) {
+            if (spec !is TimeStepSpec.CellCrossing || spec.cell != null) {
                 spec
             } else {
                 TimeStepSpec.CellCrossing(spec.fraction, StrictMath.cbrt(box.volume / population.size), spec.longest)

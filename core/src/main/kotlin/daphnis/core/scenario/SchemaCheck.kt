@@ -55,9 +55,7 @@ internal class SchemaCheck(private val source: String) {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val known = descriptor.names()
         for (key in element.keys) {
-            if (key !in known &&
-                key !in alsoAllowed
-            ) {
+            if (key !in known && key !in alsoAllowed) {
                 fail(join(path, brief(key)), "unknown key; ${choices(key, known)}")
             }
         }
@@ -78,9 +76,7 @@ internal class SchemaCheck(private val source: String) {
         val type =
             element["type"] ?: fail(join(path, "type"), "is missing; it must be one of ${types.names().joinToString()}")
         val name = (type as? JsonPrimitive)?.takeIf { it.isString }?.content
-        if (name == null ||
-            name !in types.names()
-        ) {
+        if (name == null || name !in types.names()) {
             fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
         }
         checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, setOf("type"))

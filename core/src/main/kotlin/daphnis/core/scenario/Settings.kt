@@ -16,9 +16,7 @@ internal object Settings {
     fun apply(tree: JsonElement, settings: List<String>): JsonElement {
         var changed = tree
         val keys = settings.map { it.substringBefore('=') }
-        if (UNTIL in keys &&
-            ORBITS in keys
-        ) {
+        if (UNTIL in keys && ORBITS in keys) {
             throw InputException("--set", ORBITS, "is given together with $UNTIL; one of the two is enough")
         }
         for (setting in settings) {
@@ -32,9 +30,7 @@ internal object Settings {
 
     private fun set(tree: JsonElement, setting: String): JsonElement {
         val path = setting.substringBefore('=')
-        if ('=' !in setting ||
-            path.isBlank()
-        ) {
+        if ('=' !in setting || path.isBlank()) {
             throw InputException("--set", setting, "must have the form path=value, such as timeStep.dt=0.05")
         }
         return put(tree, steps(path, setting), 0, value(path, setting.substringAfter('=')), setting)
@@ -42,10 +38,7 @@ internal object Settings {
 
     private fun value(path: String, text: String): JsonElement = try {
         Json.parseToJsonElement(text).let {
-            if (it is JsonPrimitive &&
-                !it.isString &&
-                !isLiteral(it.content)
-            ) {
+            if (it is JsonPrimitive && !it.isString && !isLiteral(it.content)) {
                 JsonPrimitive(text)
             } else {
                 it
@@ -89,9 +82,7 @@ internal object Settings {
                 ?: throw InputException("--set", setting, "$here has ${entries(list.size)}, so it has no $step")
             return JsonArray(
                 list.mapIndexed { i, entry ->
-                    if (i ==
-                        k
-                    ) {
+                    if (i == k) {
                         put(entry, steps, at + 1, value, setting)
                     } else {
                         entry
@@ -106,9 +97,7 @@ internal object Settings {
                 "$here is a list; write $here[0] for its first entry",
             )
         }
-        if (tree != null &&
-            tree !is JsonObject
-        ) {
+        if (tree != null && tree !is JsonObject) {
             throw InputException("--set", setting, "'$step' is looked for inside something that is no object")
         }
         val fields = tree ?: JsonObject(emptyMap())

@@ -36,9 +36,7 @@ internal class StartCheck(
                     "is $length; it is thinner than the largest sphere, ${2 * largest}"
                 }
             }
-            if (boundary.contactFaces(axis) != ContactFaces.OPEN ||
-                scenario.boundary !is BoundarySpec.HillSheet
-            ) {
+            if (boundary.contactFaces(axis) != ContactFaces.OPEN || scenario.boundary !is BoundarySpec.HillSheet) {
                 checkInside(axis)
             }
         }

@@ -88,9 +88,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
         var last = most[0]
         val bounds = bounds
-        if (bounds !=
-            null
-        ) {
+        if (bounds != null) {
             last =
                 if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
         }
@@ -201,9 +199,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
             addRun(
                 starts[rowStart + from],
                 starts[rowStart + to + 1],
-                if (image1 or image2 ==
-                    0
-                ) {
+                if (image1 or image2 == 0) {
                     0
                 } else {
                     code(0, image1, image2)

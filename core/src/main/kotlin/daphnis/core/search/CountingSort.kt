@@ -68,9 +68,7 @@ internal class CountingSort : CellSort {
 
     private fun count(n: Int, into: CellOrder, part: Int, parts: Int) {
         val length = high[part] - low[part] + 1
-        if (counts[part].size <
-            length
-        ) {
+        if (counts[part].size < length) {
             counts[part] = IntArray(length + length / 4)
         } else {
             counts[part].fill(0, 0, length)

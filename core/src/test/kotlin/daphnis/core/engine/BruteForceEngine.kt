@@ -82,9 +82,7 @@ class BruteForceEngine : CollisionEngine {
         val shear = step.boundary.shear
         val far = IntArray(3) { axis ->
             if (step.boundary.contactFaces(axis) != ContactFaces.PERIODIC) return@IntArray 0
-            val slide = if (shear != null &&
-                shear.slideAxis == axis
-            ) {
+            val slide = if (shear != null && shear.slideAxis == axis) {
                 2 + abs(shear.velocity) * step.duration * 4 / step.boundary.box.length(axis)
             } else {
                 0.0

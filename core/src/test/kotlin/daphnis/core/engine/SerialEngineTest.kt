@@ -235,9 +235,7 @@ class SerialEngineTest {
                 places.x[k],
                 places.y[k],
                 places.z[k],
-                vx = if (odd ==
-                    1
-                ) {
+                vx = if (odd == 1) {
                     1.0
                 } else {
                     -1.0

@@ -188,9 +188,7 @@ class GravityTest {
         val random = SeededRandom(12)
         val n = 600
         fun place() = DoubleArray(n) {
-            if (it % 2 ==
-                0
-            ) {
+            if (it % 2 == 0) {
                 random.nextDouble(-400.0, 400.0)
             } else {
                 390 + random.nextDouble()

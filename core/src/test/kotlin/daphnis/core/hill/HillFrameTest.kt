@@ -35,9 +35,7 @@ class HillFrameTest {
                     -0.5,
                     0.8,
                     0.3,
-                    if (verticalFactor ==
-                        0.0
-                    ) {
+                    if (verticalFactor == 0.0) {
                         0.0
                     } else {
                         0.4

@@ -93,9 +93,7 @@ private class SequentialSpace(
         val most = maxOf(64.0, 4.0 * radii.size)
         width = maxOf(width, StrictMath.cbrt(box.volume / most))
         val cells = IntArray(3) { (box.length(it) / width).coerceIn(1.0, 1e6).toInt() }
-        while (cells[0].toDouble() * cells[1] * cells[2] >
-            8 * most
-        ) {
+        while (cells[0].toDouble() * cells[1] * cells[2] > 8 * most) {
             for (k in 0..2) cells[k] = ceil(cells[k] / 2.0).toInt()
         }
         return Octave(largest, cells, IntArray(cells[0] * cells[1] * cells[2]) { -1 })

@@ -49,9 +49,7 @@ class SetupTest {
         }
     }
 
-    private fun integral(power: Double): Double = if (power ==
-        -1.0
-    ) {
+    private fun integral(power: Double): Double = if (power == -1.0) {
         Math.log(10.0)
     } else {
         (1 - Math.pow(0.1, power + 1)) / (power + 1)

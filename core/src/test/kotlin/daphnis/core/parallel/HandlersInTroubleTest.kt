@@ -151,9 +151,7 @@ class HandlersInTroubleTest {
             fun startUpTo(): (Thread) -> Unit {
                 val starts = AtomicInteger()
                 return {
-                    if (starts.incrementAndGet() >=
-                        n
-                    ) {
+                    if (starts.incrementAndGet() >= n) {
                         throw OutOfMemoryError("unable to create native thread")
                     } else {
                         it.start()

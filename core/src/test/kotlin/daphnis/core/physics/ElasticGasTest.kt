@@ -74,9 +74,7 @@ class ElasticGasTest {
             var middle = 0.0
             while (simulation.time < start + span) {
                 simulation.advance()
-                if (middle == 0.0 &&
-                    simulation.time >= start + span / 2
-                ) {
+                if (middle == 0.0 && simulation.time >= start + span / 2) {
                     middle =
                         displacement.meanSquare().also { middleTime = simulation.time }
                 }
@@ -155,9 +153,7 @@ class ElasticGasTest {
         var deepest = 0.0
         while (simulation.collisions.counters.collisions < collisions + wanted) {
             simulation.advance()
-            if (simulation.step % 5 ==
-                0L
-            ) {
+            if (simulation.step % 5 == 0L) {
                 deepest =
                     maxOf(deepest, Overlap.deepest(simulation.population, simulation.boundary, simulation.time).depth)
             }

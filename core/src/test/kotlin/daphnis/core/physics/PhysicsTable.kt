@@ -29,9 +29,7 @@ fun assertPhysics(what: String, target: Double, measured: Double, bound: Double,
         target,
         measured,
         limit,
-        if (deviation <=
-            bound
-        ) {
+        if (deviation <= bound) {
             "ok"
         } else {
             "FAILED"

@@ -81,9 +81,7 @@ class GranularTemperatureTest {
             assertUnbiased("in shear", count, flow) { _, y -> doubleArrayOf(0.7 * y + 3, 1.0, 0.0) }
             assertUnbiased("in Hill's sheet", count, hill) { x, _ -> doubleArrayOf(0.0, -1.5 * x, 0.0) }
             // The flow may have another rate than the boundary's, if there are spheres enough to measure it.
-            if (count >
-                2
-            ) {
+            if (count > 2) {
                 assertUnbiased("slower than driven", count, flow) { _, y -> doubleArrayOf(0.2 * y, 0.0, 0.0) }
             }
         }

@@ -106,9 +106,7 @@ class EventQueueTest {
             }
             val rest = duration - slow.time
             val now = slow.time
-            if (popped <
-                2000
-            ) {
+            if (popped < 2000) {
                 repeat(random.nextInt(4)) {
                     add(
                         slow,

@@ -104,9 +104,7 @@ class ResumeTest {
                 assertTrue(notices.any { table in it && ("lost" in it || "as they are" in it) }) { notices.toString() }
                 assertEquals(whole["digest"], results(directory)["digest"])
                 for ((other, text) in whole) {
-                    if (other !=
-                        table
-                    ) {
+                    if (other != table) {
                         assertEquals(text, results(directory)[other]) { "$other beside a $name $table" }
                     }
                 }

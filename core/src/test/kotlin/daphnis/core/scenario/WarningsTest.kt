@@ -64,9 +64,7 @@ class WarningsTest {
                 warningsOf(
                     BuiltIn.scenario(
                         name,
-                        if (name ==
-                            "moonlet"
-                        ) {
+                        if (name == "moonlet") {
                             listOf("box.lengths=[200,400,40]")
                         } else {
                             emptyList()

@@ -25,9 +25,7 @@ class GridTest {
     }
 
     /** Seen from the lower id; two images of one sphere from the one with the positive code. */
-    private fun canonical(a: Int, b: Int, code: Int) = if (a < b ||
-        (a == b && code >= Images.negated(code))
-    ) {
+    private fun canonical(a: Int, b: Int, code: Int) = if (a < b || (a == b && code >= Images.negated(code))) {
         Pair(a, b, code)
     } else {
         Pair(b, a, Images.negated(code))

@@ -77,9 +77,7 @@ internal class Hints : EventSink {
         private const val LOW = 0xffffffffL
 
         /** Last moment of [slice] in a step of [duration]. */
-        fun endOf(slice: Int, duration: Double): Double = if (slice ==
-            SLICES - 1
-        ) {
+        fun endOf(slice: Int, duration: Double): Double = if (slice == SLICES - 1) {
             duration
         } else {
             (slice + 1) * (duration / SLICES)

@@ -108,9 +108,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         val seeds = field.seeds
         for (worker in workers) {
             for (s in worker!!.seeder.borderFrom until worker.seeder.borderTo) {
-                if (seeds.second[s] >=
-                    0
-                ) {
+                if (seeds.second[s] >= 0) {
                     field.union(seeds.first[s], seeds.second[s])
                 }
             }

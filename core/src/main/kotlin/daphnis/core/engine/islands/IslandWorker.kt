@@ -167,9 +167,7 @@ public class IslandWorker internal constructor(
         }
         var collisions = 0L
         while (queue.pop()) {
-            if (++collisions >
-                field.limits.collisions
-            ) {
+            if (++collisions > field.limits.collisions) {
                 throw IslandsTooLargeException("collisions of one island", field.limits.collisions)
             }
             if (field.stopped || !collide()) return false
@@ -341,9 +339,7 @@ public class IslandWorker internal constructor(
     }
 
     /** One past the last row of attempt [index]. */
-    internal fun endOfRows(index: Int): Int = if (index + 1 <
-        attempts.size
-    ) {
+    internal fun endOfRows(index: Int): Int = if (index + 1 < attempts.size) {
         attempts.firstRow(index + 1)
     } else {
         local.size

@@ -197,9 +197,7 @@ internal class PoolWorker(
         // Or it was with one of the two that collide now, hence before.
         if (left == time && precedes(trails.partner[q / STRIDE])) return false
         // What came before the path left last is not known; then it is taken for a hit if it could be one.
-        val isKnown = if (left ==
-            0.0
-        ) {
+        val isKnown = if (left == 0.0) {
             trails.atZero[q / STRIDE] == ONCE
         } else {
             trails.rows[q + TIME] < time || time == 0.0

@@ -55,9 +55,7 @@ class ThreadPoolEngineTest {
         var strangerTaken = java.util.concurrent.CountDownLatch(1)
         var isBroken = true
         val slow = Restitution { speed ->
-            if (isBroken &&
-                Thread.currentThread().stackTrace.any { it.className == SerialEngine::class.java.name }
-            ) {
+            if (isBroken && Thread.currentThread().stackTrace.any { it.className == SerialEngine::class.java.name }) {
                 throw ArithmeticException("on purpose")
             }
             if (speed > 5) {
