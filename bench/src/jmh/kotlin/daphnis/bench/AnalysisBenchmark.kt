@@ -1,6 +1,6 @@
 package daphnis.bench
 
-import daphnis.analysis.insitu.State
+import daphnis.analysis.insitu.State as Patch
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
 import daphnis.analysis.streamline.Streamlines
@@ -38,7 +38,7 @@ open class AnalysisBenchmark {
     @Param("1000000", "10000000")
     var count: Int = 0
 
-    private lateinit var state: State
+    private lateinit var state: Patch
     private lateinit var sorted: RadialOrder
 
     @Setup(Level.Trial)
@@ -56,7 +56,7 @@ open class AnalysisBenchmark {
             DoubleArray(count) { 0.5 },
             DoubleArray(count) { 1.0 },
         )
-        state = State(population, HillSheet(Box.centred(2000.0, 10000.0, 10.0), 1.0), 0.0, 1.0)
+        state = Patch(population, HillSheet(Box.centred(2000.0, 10000.0, 10.0), 1.0), 0.0, 1.0)
         sorted = RadialOrder().sort(state, RadialKey.X)
     }
 
