@@ -46,14 +46,12 @@ public class Region(public val number: Int, private val map: RegionMap, private 
             Phase.PROPOSE -> crew.propose(number)
             Phase.WORK -> {
                 worker.group()
-                worker.processOwn()
-                return RegionReply(number, command.phase, worker.givenUp.copyOf(worker.givenUpCount * 2))
+                return RegionReply(number, command.phase, worker.processOwn())
             }
             Phase.GRANT -> {
                 locked = command.locked
                 worker.claimRule = lockedSpheres
-                worker.process(command.islands, command.islands.size)
-                return RegionReply(number, command.phase, worker.givenUp.copyOf(worker.givenUpCount * 2))
+                return RegionReply(number, command.phase, worker.process(command.islands))
             }
             Phase.CHECK -> worker.check()
             Phase.COMMIT -> worker.commit()

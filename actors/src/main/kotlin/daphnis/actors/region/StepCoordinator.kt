@@ -111,14 +111,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     private fun follow(reply: RegionReply) {
         when (reply.phase) {
             Phase.WORK -> for (k in 0 until reply.border.size / 2) {
-                border.add(
-                    reply.border[2 * k],
-                    reply.border[
-                        2 * k +
-                            1,
-                    ],
-                    null,
-                )
+                border.add(reply.border[2 * k], reply.border[2 * k + 1], null)
             }
             Phase.GRANT -> {
                 border.returned(reply)
@@ -163,13 +156,13 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
             Phase.SEARCH -> openWindow()
             Phase.PROPOSE -> {
                 crew.joinBorders()
-                for (k in 0 until crew.rootCount) border.add(crew.roots[k], NOBODY, null)
+                for (k in 0 until crew.rootCount) border.add(crew.root(k), NOBODY, null)
                 sendAll(Phase.WORK)
             }
             Phase.WORK, Phase.GRANT -> if (border.isEmpty) sendAll(Phase.CHECK) else grant()
             Phase.CHECK ->
                 if (crew.mergeConflicts()) {
-                    for (k in 0 until crew.rootCount) border.add(crew.roots[k], NOBODY, null)
+                    for (k in 0 until crew.rootCount) border.add(crew.root(k), NOBODY, null)
                     grant()
                 } else {
                     sendAll(Phase.COMMIT)

@@ -1,9 +1,11 @@
 package daphnis.core.queue
 
+import daphnis.core.queue.EventStore.Companion.NONE
+
 /**
  * The fast [EventQueue]. All events of a step lie in [0, duration], so a calendar needs no overflow list: the step is
  * cut into buckets of equal width, about two events each; a bucket is an unsorted linked list until its time comes,
- * then it is drained into a small binary heap that holds the exact order.
+ * then it is drained into a small heap, which holds the exact order.
  *
  * ```
  *   time 0 ─────────────────────────────────────────▶ duration
@@ -11,31 +13,23 @@ package daphnis.core.queue
  *                    ▲ current: in the heap    later ones: linked lists, newest first
  * ```
  *
- * Removal is lazy. Events are numbered in the order of their insertion; `validFrom[slot]` is the number of the first
- * event that came after the last [removeAllOf] of this slot, so an event is dead when its number is below that of
- * either of its spheres. When the store is full, the dead are squeezed out before it grows. Adding and popping cost
- * O(1) on average; nothing is allocated once the store has its size.
+ * Removal is lazy, see [EventHeap]. When the store is full, the dead are squeezed out before it grows. Adding and
+ * popping cost O(1) on average; nothing is allocated once the store has its size.
  */
 public class BucketEventQueue : EventQueue {
-    override var time: Double = 0.0
-        private set
-    override var first: Int = -1
-        private set
-    override var second: Int = -1
-        private set
-    override var image: Int = 0
-        private set
+    /** The events of the current bucket; its store holds those of all buckets. */
+    private val heap = EventHeap(INITIAL)
+    private val store = heap.store
 
-    private var ids = IntArray(0)
-    private var slots = 0
-    private var validFrom = IntArray(0)
+    override val time: Double get() = heap.time
+    override val first: Int get() = heap.first
+    override val second: Int get() = heap.second
+    override val image: Int get() = heap.image
 
-    // The store, three longs an event in order of insertion, so that one event is one or two cache lines:
-    // time as bits | first, second | image, next event of the bucket.
-    private var store = LongArray(INITIAL * WIDTH)
-    private var capacity = INITIAL
-    private var count = 0
-    private var added = 0
+    /** Events of this step that have been squeezed out of the store. */
+    private var squeezed = 0
+
+    /** Events of the busiest of the last steps; fades by an eighth per step. */
     private var busiest = 0
 
     private var heads = IntArray(1)
@@ -43,60 +37,31 @@ public class BucketEventQueue : EventQueue {
     private var bucketsPerTime = 0.0
     private var current = 0
 
-    private var heap = IntArray(INITIAL)
-    private var heapSize = 0
-
     override fun reset(duration: Double, ids: IntArray, count: Int) {
-        this.ids = ids
-        slots = count
-        if (validFrom.size < count) validFrom = IntArray(count) else validFrom.fill(0, 0, count)
+        busiest = maxOf(squeezed + store.size, busiest - busiest / 8)
+        squeezed = 0
+        heap.reset(duration, ids, count)
         // As many buckets as half the events of a step like the last one.
-        busiest = maxOf(added + this.count, busiest - busiest / 8)
         buckets = (busiest / 2).coerceIn(1, MOST_BUCKETS)
         if (heads.size < buckets) heads = IntArray(buckets + buckets / 4)
         heads.fill(NONE, 0, buckets)
         bucketsPerTime = buckets / duration
-        this.count = 0
-        added = 0
         current = -1
-        heapSize = 0
     }
 
     override fun add(time: Double, first: Int, second: Int, image: Int) {
-        if (count == capacity) squeezeOrGrow()
-        val e = count++
-        val p = e * WIDTH
-        store[p] = time.toRawBits()
-        store[p + 1] = pack(first, second)
-        store[p + 2] = pack(image, NONE)
-        file(e)
+        if (store.size == store.capacity) squeezeOrGrow()
+        store.add(time, first, second, image)
+        file(store.size - 1)
     }
 
     override fun pop(): Boolean {
-        while (true) {
-            if (heapSize == 0 && !fillHeap()) return false
-            val e = takeLeast()
-            val p = e * WIDTH
-            val pair = store[p + 1]
-            if (isDead(e, pair)) continue
-            time = Double.fromBits(store[p])
-            first = high(pair)
-            second = low(pair)
-            image = high(store[p + 2])
-            // A popped event must not come back when the store is squeezed.
-            store[p + 1] = pack(NONE, NONE)
-            return true
-        }
+        while (!heap.pop()) if (!fillHeap()) return false
+        return true
     }
 
     override fun removeAllOf(slot: Int) {
-        validFrom[slot] = count
-    }
-
-    private fun isDead(e: Int, pair: Long): Boolean {
-        val a = high(pair)
-        val b = low(pair)
-        return a < 0 || e < validFrom[a] || (b >= 0 && e < validFrom[b])
+        heap.removeAllOf(slot)
     }
 
     private fun bucketOf(time: Double): Int {
@@ -105,115 +70,43 @@ public class BucketEventQueue : EventQueue {
     }
 
     private fun file(e: Int) {
-        val p = e * WIDTH
-        val b = bucketOf(Double.fromBits(store[p]))
+        val b = bucketOf(store.time(e))
         if (b <= current) {
-            push(e)
+            heap.push(e)
         } else {
-            store[p + 2] = pack(high(store[p + 2]), heads[b])
+            store.link(e, heads[b])
             heads[b] = e
         }
     }
 
+    /** Drains the next bucket that holds any event into the heap, which is empty; false when there is none. */
     private fun fillHeap(): Boolean {
-        var b = current
-        while (heapSize == 0) {
-            b++
-            if (b >= buckets) {
-                current = buckets - 1
-                return false
-            }
+        for (b in current + 1 until buckets) {
             var e = heads[b]
+            if (e == NONE) continue
+            current = b
             while (e != NONE) {
-                if (!isDead(e, store[e * WIDTH + 1])) push(e)
-                e = low(store[e * WIDTH + 2])
+                if (!heap.isDead(e)) heap.push(e)
+                e = store.link(e)
             }
+            return true
         }
-        current = b
-        return true
+        current = buckets - 1
+        return false
     }
 
     private fun squeezeOrGrow() {
-        var kept = 0
-        for (e in 0 until count) {
-            if (isDead(e, store[e * WIDTH + 1])) continue
-            store.copyInto(store, kept * WIDTH, e * WIDTH, (e + 1) * WIDTH)
-            kept++
-        }
-        if (kept > capacity / 4) {
-            capacity *= 2
-            store = store.copyOf(capacity * WIDTH)
-            heap = heap.copyOf(capacity)
-        }
-        // Numbers have changed: all that is left is alive, and everything is filed anew.
-        validFrom.fill(0, 0, slots)
-        added += count - kept
-        count = kept
-        heapSize = 0
+        val before = store.size
+        heap.squeeze()
+        squeezed += before - store.size
+        if (store.size > store.capacity / 4) store.grow()
+        // Numbers have changed: everything is filed anew.
         heads.fill(NONE, 0, buckets)
-        for (e in 0 until kept) file(e)
-    }
-
-    private fun isEarlier(a: Int, b: Int): Boolean {
-        val s = Double.fromBits(store[a * WIDTH])
-        val t = Double.fromBits(store[b * WIDTH])
-        if (s != t) return s < t
-        val p = store[a * WIDTH + 1]
-        val q = store[b * WIDTH + 1]
-        return compareTied(
-            ids,
-            high(p),
-            low(p),
-            high(store[a * WIDTH + 2]),
-            high(q),
-            low(q),
-            high(store[b * WIDTH + 2]),
-        ) <
-            0
-    }
-
-    private fun pack(high: Int, low: Int): Long = (high.toLong() shl 32) or (low.toLong() and 0xffffffffL)
-
-    private fun high(packed: Long): Int = (packed shr 32).toInt()
-
-    private fun low(packed: Long): Int = packed.toInt()
-
-    private fun push(e: Int) {
-        val heap = heap
-        var k = heapSize++
-        while (k > 0) {
-            val parent = (k - 1) shr 1
-            if (!isEarlier(e, heap[parent])) break
-            heap[k] = heap[parent]
-            k = parent
-        }
-        heap[k] = e
-    }
-
-    private fun takeLeast(): Int {
-        val heap = heap
-        val least = heap[0]
-        val n = --heapSize
-        if (n > 0) {
-            val e = heap[n]
-            var k = 0
-            while (true) {
-                var child = 2 * k + 1
-                if (child >= n) break
-                if (child + 1 < n && isEarlier(heap[child + 1], heap[child])) child++
-                if (!isEarlier(heap[child], e)) break
-                heap[k] = heap[child]
-                k = child
-            }
-            heap[k] = e
-        }
-        return least
+        for (e in 0 until store.size) file(e)
     }
 
     private companion object {
-        const val NONE = -1
         const val INITIAL = 1024
-        const val WIDTH = 3
         const val MOST_BUCKETS = 1 shl 20
     }
 }

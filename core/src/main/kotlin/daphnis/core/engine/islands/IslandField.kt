@@ -11,8 +11,6 @@ import daphnis.core.population.Population
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
 import daphnis.core.search.RowBounds
-import java.lang.invoke.MethodHandles
-import java.lang.invoke.VarHandle
 
 /**
  * What the workers of a step share when collisions are processed by islands. An **island** is a set of spheres that
@@ -49,25 +47,21 @@ import java.lang.invoke.VarHandle
  *    touch. Copies are dropped, nothing has to be restored.
  * 4. *Commit*: copies become the state.
  *
- * Phases are separated by barriers or messages; within a phase the columns of a sphere are written by the one who owns
- * it.
+ * Phases are separated by barriers or messages; within a phase the columns of a sphere are written by its owner only,
+ * see [IslandBoard].
  */
-public class IslandField(private val workers: Int) {
+public class IslandField(workers: Int) {
     /** The grid of this step. */
     public val grid: Grid = Grid()
 
     /**
      * The state at the start of the window. Written by [prepare] and when islands are committed; read by all. The local
-     * time of a sphere that has been taken into an island is NaN, see [IslandWorker].
+     * time of a sphere that has been taken into an island is NaN.
      */
     public val rows: StepRows = StepRows()
 
-    /** Four numbers a slot, [PARENT], [OWNER], [ATTEMPT], [PLACE]. */
-    internal var ticket = IntArray(0)
-
-    /** First seed of the island with this root, −1 when there is none. */
-    internal var seedHead = IntArray(0)
-    internal val seeds = Seeds()
+    /** Which island every sphere belongs to. */
+    internal val board = IslandBoard(rows, workers)
 
     internal val walls = WallContact()
     internal val reach = Reach()
@@ -89,19 +83,18 @@ public class IslandField(private val workers: Int) {
      * done again.
      */
     @Volatile
-    internal var outrunner = FREE
+    private var outrunner = NOBODY
     private var outrunRows = rows
     private var enlarged = 0
 
     /** Whether somebody has given up: processing goes on no further. */
     @Volatile
     internal var stopped = false
-    private var clean = false
 
     /**
      * Whether a sphere outran the bound, so that the attempt at the step is void: call [enlarge] and [prepare] again.
      */
-    public val isOutrun: Boolean get() = outrunner != FREE
+    public val isOutrun: Boolean get() = outrunner != NOBODY
 
     /** Number of spheres. */
     public val size: Int get() = rows.size
@@ -125,7 +118,7 @@ public class IslandField(private val workers: Int) {
      */
     public fun enlarge() {
         check(++enlarged <= MOST_ENLARGED) { "false paths outrun every bound" }
-        reach.enlarge(outrunRows, outrunner, FREE, population, duration)
+        reach.enlarge(outrunRows, outrunner, NOBODY, population, duration)
     }
 
     /** Notes that row [k] of [local] outruns the bound, and tells all workers to stop. */
@@ -145,120 +138,30 @@ public class IslandField(private val workers: Int) {
         records = step.record != null
         stepLimits.start(population.size, start)
         limits = IslandLimits(population.size)
-        outrunner = FREE
+        outrunner = NOBODY
         stopped = false
         walls.prepare(step.boundary)
         grid.build(population, step.boundary, start, duration, reach.bound, loop, step.search)
         rows.load(population, grid.order, duration, law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, duration, loop)
-        if (seedHead.size < rows.size) {
-            ticket = IntArray(rows.size * TICKET)
-            seedHead = IntArray(rows.size)
-            clean = false
-        }
-        if (!clean) forget()
-        clean = false
+        board.prepare(rows.size)
     }
 
     /** Brings every sphere to the end of the step and writes all back. */
     public fun store(step: CollisionStep, loop: RangeLoop = InlineLoop) {
         rows.store(step.population, step.duration, loop)
-        // All islands were committed, which left everything as it was.
-        clean = true
+        board.leaveClean()
     }
-
-    private fun forget() {
-        for (slot in seedHead.indices) release(slot)
-    }
-
-    /** Makes [slot] one that belongs to nobody and has no seeds. */
-    internal fun release(slot: Int) {
-        val p = slot * TICKET
-        ticket[p + PARENT] = slot
-        ticket[p + OWNER] = FREE
-        ticket[p + ATTEMPT] = 0
-        ticket[p + PLACE] = FREE
-        seedHead[slot] = FREE
-    }
-
-    /** Whether [slot] takes part in a seed of this window. */
-    internal fun isSeeded(slot: Int): Boolean = seedHead[slot] != FREE || ticket[slot * TICKET + PARENT] != slot
-
-    internal fun owner(slot: Int): Int = ticket[slot * TICKET + OWNER]
-
-    internal fun attempt(slot: Int): Int = ticket[slot * TICKET + ATTEMPT]
-
-    internal fun place(slot: Int): Int = ticket[slot * TICKET + PLACE]
 
     /** Tells all workers to stop: the step has failed or is void. */
     public fun stop() {
         stopped = true
     }
 
-    internal fun find(slot: Int): Int {
-        var k = slot
-        while (true) {
-            val p = ticket[k * TICKET + PARENT]
-            if (p == k) return k
-            val q = ticket[p * TICKET + PARENT]
-            // Only ever from an ancestor to a higher one, so that writes of several workers do no harm.
-            if (q != p) ticket[k * TICKET + PARENT] = q
-            k = q
-        }
-    }
-
-    /** Puts the islands of two spheres into one. Any number of workers at once. */
-    internal fun union(a: Int, b: Int) {
-        while (true) {
-            val p = find(a)
-            val q = find(b)
-            if (p == q) return
-            val low = minOf(p, q)
-            val high = maxOf(p, q)
-            if (ENTRY.compareAndSet(ticket, high * TICKET + PARENT, high, low)) return
-        }
-    }
-
-    /**
-     * Takes a sphere that belongs to nobody for the island [root]; false when another was quicker. Any number of
-     * workers at once.
-     */
-    internal fun claim(slot: Int, root: Int): Boolean = ENTRY.compareAndSet(ticket, slot * TICKET + OWNER, FREE, root)
-
-    /** Hangs [seed] into the list of [root]; true for the first one. Any number of workers at once. */
-    internal fun hang(seed: Int, root: Int): Boolean {
-        val before = ENTRY.getAndSet(seedHead, root, seed) as Int
-        seeds.next[seed] = before
-        return before == FREE
-    }
-
-    /** The worker that made [attempt], and which of its attempts that is. */
-    internal fun workerOf(attempt: Int): Int = (attempt - 1) % workers
-
-    internal fun indexOf(attempt: Int): Int = (attempt - 1) / workers
-
-    internal fun attemptNumber(worker: Int, index: Int): Int = index * workers + worker + 1
-
-    internal companion object {
-        const val FREE = -1
+    private companion object {
+        const val NOBODY = -1
 
         /** Times that a step is begun again with a larger bound. */
-        private const val MOST_ENLARGED = 30
-
-        const val TICKET = 4
-
-        /** Union-find: the island that the sphere's seeds put it into; itself outside of windows. */
-        const val PARENT = 0
-
-        /** Root of the island that owns the sphere, [FREE] when none does. */
-        const val OWNER = 1
-
-        /** The attempt that has a copy of the sphere, 0 when none has. Written by the owner. */
-        const val ATTEMPT = 2
-
-        /** Where in its worker's rows that copy is. Written by the owner. */
-        const val PLACE = 3
-
-        private val ENTRY: VarHandle = MethodHandles.arrayElementVarHandle(IntArray::class.java)
+        const val MOST_ENLARGED = 30
     }
 }

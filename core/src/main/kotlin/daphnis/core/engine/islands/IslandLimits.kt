@@ -18,6 +18,16 @@ internal class IslandLimits(spheres: Int) {
     /** Collisions of one attempt at an island: beyond it the path is a false one, or most spheres hang together. */
     val collisions: Long = LEAST_COLLISIONS + COLLISIONS_A_SPHERE * spheres
 
+    /**
+     * Looks at an attempt at one island that has had [collisions] and has found [events] potential ones.
+     *
+     * @throws IslandsTooLargeException when either is too many
+     */
+    fun checkIsland(collisions: Long, events: Int) {
+        if (collisions > this.collisions) throw IslandsTooLargeException("collisions of one island", this.collisions)
+        if (events > this.events) throw IslandsTooLargeException("potential collisions of one island", this.events)
+    }
+
     private companion object {
         const val LEAST_COLLISIONS = 4_000L
         const val COLLISIONS_A_SPHERE = 4L

@@ -42,31 +42,21 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
 
     private val alone = SerialEngine()
     private val quicker = QuickerWay()
-    private var deadline = Long.MAX_VALUE
     private var failed = false
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
         if (isQuickerAlone(step)) {
             alone.advance(step)
-            return
-        }
-        if (fewest == 0) {
+        } else if (fewest == 0) {
             if (!grow(step)) goAlone(step)
-            return
-        }
-        val begin = System.nanoTime()
-        fun seconds() = (System.nanoTime() - begin) * 1e-9
-        if (quicker.takeTurnAlone()) {
+        } else if (quicker.choose() == Way.SERIAL) {
             alone.advance(step)
-            quicker.wentAlone(seconds())
-            return
-        }
-        deadline = if (quicker.patience.isInfinite()) Long.MAX_VALUE else begin + (quicker.patience * 1e9).toLong()
-        if (grow(step)) {
-            quicker.grew(seconds())
+            quicker.finish()
+        } else if (grow(step)) {
+            quicker.finish()
         } else {
-            quicker.gaveUp()
+            quicker.giveUp()
             goAlone(step)
         }
     }
@@ -100,14 +90,12 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         var redone = 0
         field.measure(step, loop)
         while (!attempt(step)) {
-            if (isLate()) return LATE
+            if (quicker.isLate) return LATE
             redone++
             field.enlarge()
         }
         return redone
     }
-
-    private fun isLate(): Boolean = deadline != Long.MAX_VALUE && System.nanoTime() - deadline > 0
 
     /** Few spheres are not worth the barriers; on one thread islands have nothing to give but work. */
     private fun isQuickerAlone(step: CollisionStep): Boolean =
@@ -123,7 +111,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
             if (seeds == 0) continue
             // Too few to be worth waking anybody.
             val alone = threads == 1 || seeds < LEAST_IN_PARALLEL
-            if (!window(alone) || isLate()) return false
+            if (!window(alone) || quicker.isLate) return false
         }
         return true
     }
@@ -135,7 +123,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         do {
             if (!process(alone)) return false
             each(alone) { crew[it].check() }
-            if (isLate()) return false
+            if (quicker.isLate) return false
         } while (crew.mergeConflicts())
         each(alone) { crew[it].commit() }
         if (!crew.isLastWindow) each(alone) { crew[it].hintSuspects() }
@@ -152,7 +140,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
 
     private fun processSome(worker: IslandWorker, from: Int, to: Int) {
         try {
-            for (k in from until to) if (!worker.process(crew.roots[k])) return
+            for (k in from until to) if (!worker.process(crew.root(k))) return
         } catch (e: Throwable) {
             // The step has failed; what the others do is in vain.
             field.stop()

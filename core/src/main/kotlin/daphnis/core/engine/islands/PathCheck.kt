@@ -5,36 +5,40 @@ import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.contactTime
 
 /**
- * Compares the paths of one worker's [suspects] when all islands are done, and notes which islands touch.
+ * Compares the paths of one worker's suspects when all islands are done, and notes which islands touch.
  *
- * @param membersOf the members of any worker
+ * @param membersOf the members of a worker, by its number
  */
 internal class PathCheck(
     private val field: IslandField,
-    private val own: Members,
-    private val attempts: Attempts,
-    private val suspects: Suspects,
+    private val stores: WorkerStores,
     private val membersOf: (Int) -> Members,
 ) {
-    /** Pairs of roots whose islands touch, one after the other; the second is −1 for a sphere of no island. */
-    var conflicts = IntArray(INITIAL)
-        private set
+    private val board = field.board
+    private val suspects = stores.suspects
+    private val own = stores.members
+    private val islands = IntList()
+    private val others = IntList()
 
-    /** Number of pairs. */
-    var count = 0
-        private set
+    /** Number of pairs of islands that touch. */
+    val count: Int get() = islands.size
+
+    /** Root of the one island of pair [k]. */
+    fun island(k: Int): Int = islands[k]
+
+    /** Root of the other island of pair [k]; −1 for a sphere of no island. */
+    fun other(k: Int): Int = others[k]
 
     fun run() {
-        count = 0
+        islands.clear()
+        others.clear()
         for (k in 0 until suspects.size) {
-            if (!attempts.isAlive(suspects.attempt(k))) continue
+            if (!stores.attempts.isAlive(suspects.attempt(k))) continue
             val slot = suspects.slot(k)
             val other = suspects.other(k)
-            if (!pathsTouch(field.place(slot), other, suspects.image(k))) continue
-            if (count * 2 == conflicts.size) conflicts = conflicts.copyOf(conflicts.size * 2)
-            conflicts[count * 2] = field.owner(slot)
-            conflicts[count * 2 + 1] = field.owner(other)
-            count++
+            if (!pathsTouch(board.place(slot), other, suspects.image(k))) continue
+            islands.add(board.owner(slot))
+            others.add(board.owner(other))
         }
     }
 
@@ -62,7 +66,7 @@ internal class PathCheck(
     }
 
     // The other's newest piece that has begun before the own piece at hand ends; who belongs to no island has but one.
-    private var others: Members? = null
+    private var otherMembers: Members? = null
     private var otherState = DoubleArray(0)
     private var otherRow = 0
     private var otherEnd = 0.0
@@ -70,16 +74,16 @@ internal class PathCheck(
 
     private fun begin(other: Int) {
         otherEnd = field.windowEnd
-        val attempt = field.attempt(other)
+        val attempt = board.attempt(other)
         if (attempt == 0) {
-            others = null
+            otherMembers = null
             otherState = field.rows.state
             otherRow = other * STRIDE
             otherOlder = PathLog.NONE
         } else {
-            val members = membersOf(field.workerOf(attempt))
-            val place = field.place(other)
-            others = members
+            val members = membersOf(board.workerOf(attempt))
+            val place = board.place(other)
+            otherMembers = members
             otherState = members.rows.state
             otherRow = place * STRIDE
             otherOlder = members.older(place)
@@ -95,7 +99,7 @@ internal class PathCheck(
         while (otherState[otherRow + TIME] > end) {
             val older = otherOlder
             if (older == PathLog.NONE) return false
-            val paths = others!!.paths
+            val paths = otherMembers!!.paths
             otherEnd = otherState[otherRow + TIME]
             otherState = paths.rows()
             otherRow = PathLog.offset(older)
@@ -112,13 +116,9 @@ internal class PathCheck(
             if (older == PathLog.NONE) return false
             endThere = b[q + TIME]
             if (endThere < begin) return false
-            b = others!!.paths.rows()
+            b = otherMembers!!.paths.rows()
             q = PathLog.offset(older)
-            older = others!!.paths.older(older)
+            older = otherMembers!!.paths.older(older)
         }
-    }
-
-    private companion object {
-        const val INITIAL = 64
     }
 }

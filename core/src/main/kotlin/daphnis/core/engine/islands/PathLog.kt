@@ -20,8 +20,8 @@ internal class PathLog {
 
     /** Keeps the row at [p] of [state], which came after the piece [older]; its name. */
     fun add(state: DoubleArray, p: Int, older: Int): Int {
+        if (size >= most) throw IslandsTooLargeException("pieces of path", most)
         if (size == links.size) {
-            if (size >= most) throw IslandsTooLargeException("pieces of path", most)
             links = links.copyOf(size * 2)
             rows = rows.copyOf(size * 2 * STRIDE)
         }

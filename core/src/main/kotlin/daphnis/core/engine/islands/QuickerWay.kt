@@ -1,5 +1,10 @@
 package daphnis.core.engine.islands
 
+import java.util.function.LongSupplier
+
+/** How a step is taken. */
+internal enum class Way { SERIAL, ISLANDS }
+
 /**
  * Whether islands are worth growing, found out by trying: both ways give the same bits, so nothing but the time hangs
  * on it. Where most collisions hang together, as around a moonlet on which particles lie, all are one island and the
@@ -8,63 +13,80 @@ package daphnis.core.engine.islands
  * The serial way is tried now and then and compared with the quickest of the islands' steps since the last trial, since
  * what the machine does beside makes single steps slow, never quick. When the serial way has clearly won, islands rest,
  * the longer the more they had lost.
+ *
+ * A step begins with [choose] and ends with [finish], with [giveUp], or with neither when it fails.
+ *
+ * @param clock in nanoseconds, from any moment
  */
-internal class QuickerWay {
+internal class QuickerWay(private val clock: LongSupplier = LongSupplier { System.nanoTime() }) {
     private var steps = 0L
-    private var grown = Double.POSITIVE_INFINITY
-    private var alone = Double.NaN
-    private var aloneUntil = 0L
+    private var way = Way.ISLANDS
+    private var begin = 0L
 
-    /** Whether to go the serial way in the step that begins. */
-    fun takeTurnAlone(): Boolean {
+    /** Nanoseconds of the quickest step in islands since the last trial of the serial way. */
+    private var islands = NONE
+
+    /** Nanoseconds of the last trial of the serial way, or of the quickest step of the rest that followed. */
+    private var serial = NONE
+    private var restUntil = 0L
+
+    /** Nanoseconds after which a step in islands is to be given up, [NONE] when never. */
+    private var patience = NONE
+
+    /** Begins a step; says how it is to be taken. */
+    fun choose(): Way {
         val step = steps++
-        return step < aloneUntil || step % STEPS_A_LOOK == LOOK
+        way = if (step < restUntil || step % STEPS_PER_TRIAL == TRIAL) Way.SERIAL else Way.ISLANDS
+        patience = if (way == Way.SERIAL || serial == NONE) NONE else maxOf(serial * MOST_LOSS, LEAST_PATIENCE)
+        begin = clock.asLong
+        return way
     }
 
-    /** Seconds after which growing islands in this step is to be given up. */
-    val patience: Double get() = if (alone.isNaN()) {
-        Double.POSITIVE_INFINITY
-    } else {
-        maxOf(
-            alone * MOST_LOSS,
-            LEAST_PATIENCE,
-        )
-    }
+    /** Whether growing islands in the step at hand takes so long that it is to be given up. */
+    val isLate: Boolean get() = patience != NONE && clock.asLong - begin > patience
 
-    /** A step was done the serial way in [seconds]. */
-    fun wentAlone(seconds: Double) {
-        if (steps <= aloneUntil) {
+    /** Ends a step that was taken as [choose] has said. */
+    fun finish() {
+        val time = clock.asLong - begin
+        if (way == Way.ISLANDS) {
+            islands = minOf(islands, time)
+        } else if (steps <= restUntil) {
             // At rest: the quickest of these steps is what the next trial of islands is given as patience.
-            alone = minOf(alone, seconds)
-            return
+            serial = minOf(serial, time)
+        } else {
+            serial = time
+            if (islands != NONE && islands > serial * CLEARLY) rest(islands.toDouble() / serial)
+            islands = NONE
         }
-        alone = seconds
-        if (grown.isFinite() && grown > alone * CLEARLY) rest(grown / alone)
-        grown = Double.POSITIVE_INFINITY
     }
 
-    /** A step was done in islands in [seconds]. */
-    fun grew(seconds: Double) {
-        grown = minOf(grown, seconds)
-    }
-
-    /** Islands took so long that they were given up. */
-    fun gaveUp() {
-        rest(MOST_LOSS)
-        grown = Double.POSITIVE_INFINITY
+    /** Ends a step in which islands were given up. */
+    fun giveUp() {
+        rest(MOST_LOSS.toDouble())
+        islands = NONE
     }
 
     private fun rest(worse: Double) {
-        aloneUntil = steps + (STEPS_A_LOOK * minOf(worse, MOST_LOSS)).toLong()
+        restUntil = steps + (STEPS_PER_TRIAL * minOf(worse, MOST_LOSS.toDouble())).toLong()
     }
 
-    private companion object {
-        const val STEPS_A_LOOK = 64L
+    companion object {
+        /** No time was measured. */
+        private const val NONE = Long.MAX_VALUE
 
-        /** The step of each such stretch in which the serial way is tried. */
-        const val LOOK = 8L
-        const val CLEARLY = 1.25
-        const val MOST_LOSS = 4.0
-        const val LEAST_PATIENCE = 0.02
+        /** Of so many steps one is taken the serial way to try it. */
+        const val STEPS_PER_TRIAL = 64L
+
+        /** Which of them that is. */
+        const val TRIAL = 8L
+
+        /** How much slower islands may be than the serial way before they rest. */
+        private const val CLEARLY = 1.25
+
+        /** In units of the serial way's time; islands that take longer are given up. */
+        private const val MOST_LOSS = 4L
+
+        /** Nanoseconds. */
+        const val LEAST_PATIENCE = 20_000_000L
     }
 }

@@ -6,6 +6,7 @@ import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.population.Population
+import daphnis.core.queue.EventStore
 import daphnis.core.search.Grid
 import kotlin.math.abs
 
@@ -27,15 +28,12 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     private var slideAxis = -1
     private lateinit var population: Population
 
-    /** Slots of the pairs that are busy, the second negative for a wall. */
-    private var first = IntArray(16)
-    private var second = IntArray(16)
-    private var time = DoubleArray(16)
-    private var size = 0
+    /** The collisions that are busy, in no order. */
+    private val pairs = EventStore()
 
     fun prepare(population: Population, boundary: BoundaryConditions) {
         this.population = population
-        size = 0
+        pairs.clear()
         normalAxis = boundary.shear?.normalAxis ?: -1
         slideAxis = boundary.shear?.slideAxis ?: -1
         several = grid.classes > 1
@@ -46,23 +44,16 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     }
 
     fun add(a: Int, b: Int, t: Double) {
-        if (size == first.size) {
-            first = first.copyOf(size * 2)
-            second = second.copyOf(size * 2)
-            time = time.copyOf(size * 2)
-        }
-        first[size] = a
-        second[size] = b
-        time[size++] = t
+        pairs.add(t, a, b, 0)
     }
 
+    /** Removes the collision of [a] with [b], which is there. */
     fun remove(a: Int, b: Int) {
         var k = 0
-        while (first[k] != a || second[k] != b) k++
-        size--
-        first[k] = first[size]
-        second[k] = second[size]
-        time[k] = time[size]
+        while (pairs.first(k) != a || pairs.second(k) != b) k++
+        val last = pairs.size - 1
+        pairs.copy(last, k)
+        pairs.truncate(last)
     }
 
     /**
@@ -70,17 +61,19 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
      * after the other, in their order.
      */
     fun areFree(a: Int, b: Int, t: Double): Boolean {
-        for (k in 0 until size) {
-            if (t == time[k]) return false
-            if (isNear(a, first[k]) || isNear(a, second[k])) return false
-            if (b >= 0 && (isNear(b, first[k]) || isNear(b, second[k]))) return false
+        for (k in 0 until pairs.size) {
+            val first = pairs.first(k)
+            val second = pairs.second(k)
+            if (t == pairs.time(k)) return false
+            if (isNear(a, first) || isNear(a, second)) return false
+            if (b >= 0 && (isNear(b, first) || isNear(b, second))) return false
         }
         return true
     }
 
     /** Whether any that is busy comes before [t]. */
     fun hasBefore(t: Double): Boolean {
-        for (k in 0 until size) if (time[k] < t) return true
+        for (k in 0 until pairs.size) if (pairs.time(k) < t) return true
         return false
     }
 

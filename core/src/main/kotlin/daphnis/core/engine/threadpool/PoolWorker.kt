@@ -12,6 +12,7 @@ import daphnis.core.collision.contactTime
 import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.NeighbourSearch
 import daphnis.core.engine.StepLimits
+import daphnis.core.queue.EventStore
 import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
@@ -60,7 +61,7 @@ internal class PoolWorker(
     private val trails: Trails,
     private val limits: StepLimits,
 ) {
-    val found = EventList()
+    val found = EventStore()
     val taken = Taken()
     val record = CollisionRecord()
     var collisions = 0L

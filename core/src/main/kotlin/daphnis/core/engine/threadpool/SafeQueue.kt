@@ -2,6 +2,7 @@ package daphnis.core.engine.threadpool
 
 import daphnis.core.engine.StepLimits
 import daphnis.core.queue.BucketEventQueue
+import daphnis.core.queue.EventStore
 
 /** The potential collision that a worker has taken. */
 internal class Taken {
@@ -29,7 +30,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
 
     /** Latest time of those that were taken early. */
     private var latestEarly = NONE_TAKEN
-    private val passedOver = Array(MOST_PASSED_OVER) { Taken() }
+    private val passedOver = EventStore(MOST_PASSED_OVER)
 
     /** Counts changes that may have made a collision safe. */
     @Volatile
@@ -49,7 +50,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
     }
 
     /** Adds all of [found]; only while nobody works. */
-    fun addAll(found: EventList) {
+    fun addAll(found: EventStore) {
         for (k in 0 until found.size) queue.add(found.time(k), found.first(k), found.second(k), found.image(k))
     }
 
@@ -73,7 +74,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
     }
 
     /** Returns [taken], which has been processed and led to [found]. */
-    fun finish(taken: Taken, found: EventList) {
+    fun finish(taken: Taken, found: EventStore) {
         lock.use {
             queue.removeAllOf(taken.first)
             if (taken.second >= 0) queue.removeAllOf(taken.second)
@@ -86,27 +87,13 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
 
     private fun takeLocked(taken: Taken): Boolean {
         if (isOver) return false
-        var passed = 0
-        var isTaken = false
-        while (passed < MOST_PASSED_OVER && queue.pop()) {
-            if (busy.areFree(queue.first, queue.second, queue.time)) {
-                copyTo(taken)
-                isTaken = true
-                break
-            }
-            // Nothing near it may be taken before it.
-            busy.add(queue.first, queue.second, queue.time)
-            copyTo(passedOver[passed++])
-        }
+        val isTaken = passOverTo(taken)
         // Whatever is busy now and comes before it, being processed or passed over.
         if (isTaken) taken.isEarly = busy.hasBefore(taken.time)
-        for (k in 0 until passed) {
-            val event = passedOver[k]
-            busy.remove(event.first, event.second)
-            queue.add(event.time, event.first, event.second, event.image)
-        }
+        for (k in 0 until passedOver.size) busy.remove(passedOver.first(k), passedOver.second(k))
+        addAll(passedOver)
         if (!isTaken) {
-            if (working == 0 && passed == 0) isOver = true
+            if (working == 0 && passedOver.size == 0) isOver = true
             return false
         }
         limits.checkWork(++takenInStep)
@@ -117,11 +104,22 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
         return true
     }
 
-    private fun copyTo(event: Taken) {
-        event.time = queue.time
-        event.first = queue.first
-        event.second = queue.second
-        event.image = queue.image
+    /** Copies the first safe collision of the queue to [taken]; those before it are [passedOver], and busy. */
+    private fun passOverTo(taken: Taken): Boolean {
+        passedOver.clear()
+        while (passedOver.size < MOST_PASSED_OVER && queue.pop()) {
+            if (busy.areFree(queue.first, queue.second, queue.time)) {
+                taken.time = queue.time
+                taken.first = queue.first
+                taken.second = queue.second
+                taken.image = queue.image
+                return true
+            }
+            // Nothing near it may be taken before it.
+            busy.add(queue.first, queue.second, queue.time)
+            passedOver.add(queue.time, queue.first, queue.second, queue.image)
+        }
+        return false
     }
 
     private companion object {

@@ -4,13 +4,9 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.CollisionCounters
-import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollapseException
-import daphnis.core.engine.CollisionStep
 import daphnis.core.parallel.FixedPool
-import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
@@ -75,51 +71,5 @@ class IslandsEngineTest {
         val q = populationOf(Sphere(x = -5.0, vx = 10.0), Sphere(x = 5.0, vx = -10.0))
         simulationOf(q, Open, 1.0, engine = engine).use { it.advance() }
         assertEquals(-7.0, q.x[q.indexOf(0)], 1e-14)
-    }
-
-    private fun stepOf(p: Population) =
-        CollisionStep(p, Open, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters()).also {
-            it.duration =
-                1.0
-        }
-
-    @Test
-    fun `of many claims on one sphere one succeeds, whoever is quicker`() {
-        val p = populationOf(*Array(64) { Sphere(x = 3.0 * it) })
-        val field = IslandField(4)
-        val step = stepOf(p)
-        FixedPool(4).use { pool ->
-            repeat(300) {
-                field.measure(step)
-                field.prepare(step)
-                val won = Array(4) { IntArray(64) }
-                pool.run { worker -> for (slot in 0 until 64) if (field.claim(slot, worker)) won[worker][slot] = 1 }
-                for (slot in 0 until 64) assertEquals(1, won.sumOf { it[slot] })
-                for (slot in 0 until 64) field.release(slot)
-            }
-        }
-    }
-
-    @Test
-    fun `unions from all threads at once join what they should and nothing else`() {
-        val n = 1000
-        val p = populationOf(*Array(n) { Sphere(x = 3.0 * it) })
-        val field = IslandField(4)
-        val step = stepOf(p)
-        FixedPool(4).use { pool ->
-            repeat(100) { round ->
-                field.measure(step)
-                field.prepare(step)
-                // Classes modulo 7, joined link by link by four workers in different orders.
-                pool.run { worker ->
-                    for (k in 0 until n - 7) {
-                        val slot = (k * 37 + worker * 251 + round) % (n - 7)
-                        field.union(slot, slot + 7)
-                    }
-                }
-                for (slot in 0 until n) assertEquals(slot % 7, field.find(slot))
-                for (slot in 0 until n) field.release(slot)
-            }
-        }
     }
 }

@@ -1,0 +1,35 @@
+package daphnis.core.engine.islands
+
+import daphnis.core.collision.CollisionRecord
+
+/** What one worker keeps for itself: hints for the step, all else for the window at hand. */
+internal class WorkerStores {
+    val hints = Hints()
+    val attempts = Attempts()
+    val suspects = Suspects()
+    val members = Members()
+
+    /** Collisions of all attempts, the dropped ones included. */
+    val tried = CollisionRecord()
+
+    /** For a new attempt at the step. */
+    fun prepare(duration: Double, limits: IslandLimits) {
+        hints.reset(duration, limits)
+        clearWindow(limits)
+    }
+
+    fun clearWindow(limits: IslandLimits) {
+        attempts.clear()
+        suspects.clear()
+        members.clear(limits)
+        tried.clear()
+    }
+
+    /** One past the last row of attempt [index]. */
+    fun endOfRows(index: Int): Int =
+        if (index + 1 < attempts.size) attempts.firstRow(index + 1) else members.size
+
+    /** One past the last collision of attempt [index] in [tried]. */
+    fun endOfRecord(index: Int): Int =
+        if (index + 1 < attempts.size) attempts.firstRecord(index + 1) else tried.size
+}

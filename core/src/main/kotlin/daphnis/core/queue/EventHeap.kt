@@ -1,0 +1,125 @@
+package daphnis.core.queue
+
+/**
+ * The [EventQueue] for a few events at a time, such as those of an island: a binary heap of the numbers of the events
+ * in its [store].
+ *
+ * Removal is lazy. `validFrom[slot]` is the number of the first event that came after the last [removeAllOf] of this
+ * slot, so an event is dead when its number is below that of either of its spheres. The dead stay in the store until
+ * [reset] or [squeeze]. Nothing is allocated once the arrays have their size.
+ *
+ * @param capacity events for which there is room at first, at least 1
+ */
+internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
+    /** All events added since the last [reset] or [squeeze], the dead included. */
+    val store = EventStore(capacity)
+
+    override var time = 0.0
+        private set
+    override var first = -1
+        private set
+    override var second = -1
+        private set
+    override var image = 0
+        private set
+
+    private var ids = IntArray(0)
+    private var validFrom = IntArray(capacity)
+    private var heap = IntArray(capacity)
+    private var size = 0
+
+    override fun reset(duration: Double, ids: IntArray, count: Int) {
+        this.ids = ids
+        if (validFrom.size < count) validFrom = IntArray(count) else validFrom.fill(0, 0, count)
+        store.clear()
+        size = 0
+    }
+
+    /** Makes [slot] known after the [reset]; its id is `ids[slot]`, those of the slots known before stay the same. */
+    fun include(slot: Int, ids: IntArray) {
+        this.ids = ids
+        if (slot >= validFrom.size) validFrom = validFrom.copyOf(maxOf(slot + 1, validFrom.size * 2))
+        validFrom[slot] = 0
+    }
+
+    override fun add(time: Double, first: Int, second: Int, image: Int) {
+        store.add(time, first, second, image)
+        push(store.size - 1)
+    }
+
+    override fun pop(): Boolean {
+        while (size > 0) {
+            val e = takeLeast()
+            if (isDead(e)) continue
+            time = store.time(e)
+            first = store.first(e)
+            second = store.second(e)
+            image = store.image(e)
+            // It must not come back when the store is squeezed.
+            store.take(e)
+            return true
+        }
+        return false
+    }
+
+    override fun removeAllOf(slot: Int) {
+        validFrom[slot] = store.size
+    }
+
+    /** Whether event [e] was removed or handed out. */
+    fun isDead(e: Int): Boolean {
+        val a = store.first(e)
+        val b = store.second(e)
+        return a < 0 || e < validFrom[a] || (b >= 0 && e < validFrom[b])
+    }
+
+    /** Forgets the dead and gives the events that are alive new numbers, in the same order. The heap is empty then. */
+    fun squeeze() {
+        var kept = 0
+        for (e in 0 until store.size) if (!isDead(e)) store.copy(e, kept++)
+        store.truncate(kept)
+        validFrom.fill(0)
+        size = 0
+    }
+
+    /** Puts event [e] of the store into the heap. */
+    fun push(e: Int) {
+        if (size == heap.size) heap = heap.copyOf(size * 2)
+        val heap = heap
+        var k = size++
+        while (k > 0) {
+            val parent = (k - 1) shr 1
+            if (!store.precedes(e, heap[parent], ids)) break
+            heap[k] = heap[parent]
+            k = parent
+        }
+        heap[k] = e
+    }
+
+    private fun takeLeast(): Int {
+        val heap = heap
+        val least = heap[0]
+        val n = --size
+        if (n > 0) sink(heap[n], n)
+        return least
+    }
+
+    /** Puts [e] where it belongs among the first [n] entries, of which the one on top is free. */
+    private fun sink(e: Int, n: Int) {
+        val heap = heap
+        var k = 0
+        while (true) {
+            var child = 2 * k + 1
+            if (child >= n) break
+            if (child + 1 < n && store.precedes(heap[child + 1], heap[child], ids)) child++
+            if (!store.precedes(heap[child], e, ids)) break
+            heap[k] = heap[child]
+            k = child
+        }
+        heap[k] = e
+    }
+
+    private companion object {
+        const val INITIAL = 64
+    }
+}
