@@ -94,12 +94,4 @@ class StepCoordinatorTest {
         assertTrue(coordinator.isFinished && coordinator.isCancelled)
         assertEquals(before, stateDigest(p))
     }
-
-    @Test
-    fun `stretches hold equally many spheres, and every slot belongs to one region`() {
-        val layout = RegionLayout.of(100_000, 4)
-        assertEquals(8, layout.count)
-        assertEquals(1, RegionLayout.of(10, 64).count)
-        assertEquals(12, RegionLayout.Blocks(2, 3, 2).count)
-    }
 }

@@ -67,11 +67,18 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
         var spins = 0
         while (!isOver) {
             val seen = changes
-            if (lock.use { takeLocked(taken) }) return true
+            if (tryTake(taken)) return true
             while (seen == changes && !isOver) SpinLock.relax(spins++)
         }
         return false
     }
+
+    /**
+     * Takes the next safe collision into [taken]; false when there is none now.
+     *
+     * @throws IllegalArgumentException when there have been too many
+     */
+    fun tryTake(taken: Taken): Boolean = lock.use { takeLocked(taken) }
 
     /** Returns [taken], which has been processed and led to [found]. */
     fun finish(taken: Taken, found: EventStore) {

@@ -43,21 +43,28 @@ class IslandsEngineTest {
 
     @Test
     fun `windows of any length give the same bits`() {
-        // Dense enough that islands of whole steps would grow into one another: many windows and merges.
+        // Dense enough that islands of whole steps grow into one another.
         val boundary = Periodic(Box.centred(14.0, 14.0, 14.0))
-        val p = randomSpheres(700, boundary, 5, 1.0) { 0.8 }
-        val q = p.copy()
-        val engine = IslandsEngine(FixedPool(3), fewest = 0)
-        val fast = simulationOf(p, boundary, 0.5, engine = engine)
-        val slow = simulationOf(q, boundary, 0.5)
-        fast.use {
-            repeat(6) { _ ->
-                it.advance()
-                slow.advance()
-                assertEquals(stateDigest(q), stateDigest(p))
+        val start = randomSpheres(700, boundary, 5, 1.0) { 0.8 }
+        val slow = start.copy()
+        val digests = simulationOf(slow, boundary, 0.5).use { List(2) { _ -> it.advance().let { stateDigest(slow) } } }
+        // As shares of all spheres: a window per slice, some lengths between, the one that is learnt, one window.
+        val lengths = listOf(0.0, 0.003, 0.02, 0.1, 0.4, null, 1000.0)
+        val windows = lengths.map { share ->
+            val p = start.copy()
+            val engine = IslandsEngine(FixedPool(3), fewest = 0)
+            if (share != null) engine.crew.window = WindowLength(share, share, leastSeeds = 0)
+            simulationOf(p, boundary, 0.5, engine = engine).use {
+                for (digest in digests) {
+                    it.advance()
+                    assertEquals(digest, stateDigest(p)) { "windows of $share of all spheres" }
+                }
             }
+            engine.crew.windows
         }
-        assertTrue(engine.crew.windows > 20) { "only ${engine.crew.windows} windows" }
+        // A step that is begun again counts its windows again.
+        assertTrue(windows.first() >= 2 * Hints.SLICES && windows.last() in 2..10) { "windows were $windows" }
+        assertEquals(windows.size, windows.toSet().size) { "windows were $windows: lengths did not vary" }
     }
 
     @Test

@@ -121,7 +121,7 @@ class MarkFenceSearchTest {
 
     private companion object {
         const val PAIRS = 20_000
-        const val ROUNDS = 15
+        const val ROUNDS = 5
 
         /** Numbers between two that different threads write, so that they lie in different cache lines. */
         const val APART = 64
