@@ -46,18 +46,35 @@ class IslandBoardTest {
     }
 
     @Test
-    fun `of many claims on one sphere one succeeds, whoever is quicker`() {
-        val board = boardOf(64)
-        FixedPool(4).use { pool ->
-            repeat(300) {
-                board.prepare(64)
-                val won = Array(4) { IntArray(64) }
-                pool.run { worker -> for (slot in 0 until 64) if (board.claim(slot, worker)) won[worker][slot] = 1 }
-                for (slot in 0 until 64) {
-                    assertEquals(1, won.sumOf { it[slot] })
-                    assertEquals(1, won[board.owner(slot)][slot])
-                }
-            }
+    fun `of two claims on a sphere at once one succeeds`() {
+        val board = boardOf(TURNS)
+        val won = Array(2) { BooleanArray(TURNS) }
+        inStep(TURNS) { worker, slot -> won[worker][slot] = board.claim(slot, worker) }
+        for (slot in 0 until TURNS) {
+            assertTrue(won[0][slot] != won[1][slot]) { "slot $slot" }
+            assertTrue(won[board.owner(slot)][slot]) { "slot $slot" }
+        }
+    }
+
+    @Test
+    fun `of two unions of a sphere at once both hold`() {
+        val board = boardOf(3 * TURNS)
+        inStep(TURNS) { worker, turn -> board.union(3 * turn + 2, 3 * turn + worker) }
+        for (slot in 0 until 3 * TURNS) assertEquals(slot - slot % 3, board.find(slot))
+    }
+
+    @Test
+    fun `of two seeds hung at once both are in the list, and one was the first`() {
+        val board = boardOf(TURNS)
+        board.seeds.reset(2 * TURNS)
+        val first = Array(2) { BooleanArray(TURNS) }
+        inStep(TURNS) { worker, root ->
+            board.seeds.store.put(2 * root + worker, 0.5, root, -1, 0)
+            first[worker][root] = board.hang(2 * root + worker, root)
+        }
+        for (root in 0 until TURNS) {
+            assertEquals(setOf(2 * root, 2 * root + 1), board.seedsOf(root))
+            assertTrue(first[0][root] != first[1][root]) { "root $root" }
         }
     }
 
@@ -76,30 +93,6 @@ class IslandBoardTest {
                     }
                 }
                 for (slot in 0 until n) assertEquals(slot % 7, board.find(slot))
-            }
-        }
-    }
-
-    @Test
-    fun `seeds hung by all threads at once are each in one list, once`() {
-        val n = 400
-        val board = boardOf(n)
-        FixedPool(4).use { pool ->
-            repeat(100) { round ->
-                board.prepare(n)
-                board.seeds.reset(n)
-                val firsts = IntArray(n)
-                pool.run { worker ->
-                    for (s in worker until n step 4) {
-                        val root = (s * 31 + round) % 5
-                        board.seeds.store.put(s, 0.5, root, -1, 0)
-                        if (board.hang(s, root)) synchronized(firsts) { firsts[root]++ }
-                    }
-                }
-                for (root in 0 until 5) {
-                    assertEquals((0 until n).filter { (it * 31 + round) % 5 == root }.toSet(), board.seedsOf(root))
-                    assertEquals(1, firsts[root])
-                }
             }
         }
     }
@@ -196,5 +189,9 @@ class IslandBoardTest {
         board.take(0, 0, board.attemptNumber(2, 0), 0)
         refused { board.release(0, 1) }
         board.release(0, 2)
+    }
+
+    private companion object {
+        const val TURNS = 30_000
     }
 }

@@ -4,13 +4,11 @@ import daphnis.core.Sphere
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
-import daphnis.core.parallel.FixedPool
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
-import java.util.concurrent.atomic.AtomicIntegerArray
 
 /**
  * Of two islands that mark their spheres, announce them and then search, at least one sees the mark of the other: the
@@ -25,32 +23,20 @@ class MarkFenceSearchTest {
             load(populationOf(*Array(n) { Sphere(x = 3.0 * it) }), IntArray(n) { it }, 1.0, false)
         }
         val board = IslandBoard(rows, 2)
-        FixedPool(2).use { pool ->
-            repeat(ROUNDS) { round ->
-                board.prepare(n)
-                for (slot in 0 until n) {
-                    rows.state[slot * STRIDE + TIME] = 0.0
-                    board.claim(slot, slot % 2)
-                }
-                val seen = Array(2) { BooleanArray(PAIRS) }
-                val turns = AtomicIntegerArray(2 * APART)
-                pool.run { worker -> meet(board, rows, worker, turns, seen[worker]) }
-                val missed = (0 until PAIRS).filter { !seen[0][it] && !seen[1][it] }
-                assertEquals(emptyList<Int>(), missed) { "round $round: pairs of which neither saw the other" }
+        repeat(ROUNDS) { round ->
+            board.prepare(n)
+            for (slot in 0 until n) {
+                rows.state[slot * STRIDE + TIME] = 0.0
+                board.claim(slot, slot % 2)
             }
-        }
-    }
-
-    /** Takes the worker's sphere of each pair, in step with the other worker, and looks at the other sphere. */
-    private fun meet(board: IslandBoard, rows: StepRows, worker: Int, turns: AtomicIntegerArray, seen: BooleanArray) {
-        val attempt = board.attemptNumber(worker, 0)
-        for (pair in 0 until PAIRS) {
-            turns.set(worker * APART, pair + 1)
-            var spins = 0
-            while (turns.get((1 - worker) * APART) <= pair) if (++spins % SPINS == 0) Thread.yield()
-            board.take(2 * pair + worker, worker, attempt, pair)
-            board.announce()
-            seen[pair] = rows.state[(2 * pair + 1 - worker) * STRIDE + TIME].isNaN()
+            val seen = Array(2) { BooleanArray(PAIRS) }
+            inStep(PAIRS) { worker, pair ->
+                board.take(2 * pair + worker, worker, board.attemptNumber(worker, 0), pair)
+                board.announce()
+                seen[worker][pair] = rows.state[(2 * pair + 1 - worker) * STRIDE + TIME].isNaN()
+            }
+            val missed = (0 until PAIRS).filter { !seen[0][it] && !seen[1][it] }
+            assertEquals(emptyList<Int>(), missed) { "round $round: pairs of which neither saw the other" }
         }
     }
 
@@ -122,9 +108,5 @@ class MarkFenceSearchTest {
     private companion object {
         const val PAIRS = 20_000
         const val ROUNDS = 5
-
-        /** Numbers between two that different threads write, so that they lie in different cache lines. */
-        const val APART = 64
-        const val SPINS = 2000
     }
 }
