@@ -67,9 +67,9 @@ class IslandBoardTest {
     fun `of two seeds hung at once both are in the list, and one was the first`() {
         val board = boardOf(TURNS)
         board.seeds.reset(2 * TURNS)
+        for (s in 0 until 2 * TURNS) board.seeds.store.put(s, 0.5, s / 2, -1, 0)
         val first = Array(2) { BooleanArray(TURNS) }
         inStep(TURNS) { worker, root ->
-            board.seeds.store.put(2 * root + worker, 0.5, root, -1, 0)
             first[worker][root] = board.hang(2 * root + worker, root)
         }
         for (root in 0 until TURNS) {
@@ -192,6 +192,6 @@ class IslandBoardTest {
     }
 
     private companion object {
-        const val TURNS = 30_000
+        const val TURNS = 60_000
     }
 }
