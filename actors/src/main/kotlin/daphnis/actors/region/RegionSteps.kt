@@ -1,9 +1,9 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.step.CollisionStep
 import java.util.concurrent.CancellationException
 import java.util.concurrent.Semaphore
 import java.util.concurrent.locks.LockSupport

@@ -1,10 +1,10 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.islands.IslandCrew
 import daphnis.core.engine.islands.IslandField
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.step.CollisionStep
 
 /**
  * The coordinator of a step as a state machine, without any framework: tells what to send and is told what comes back.

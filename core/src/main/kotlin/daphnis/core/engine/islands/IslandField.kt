@@ -1,16 +1,13 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
-import daphnis.core.engine.CollisionStep
-import daphnis.core.engine.StepLimits
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
-import daphnis.core.search.RowBounds
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.PreparedStep
+import daphnis.core.step.StepLimits
 import java.lang.invoke.MethodHandles
 import java.lang.invoke.VarHandle
 
@@ -52,15 +49,15 @@ import java.lang.invoke.VarHandle
  * Phases are separated by barriers or messages; within a phase the columns of a sphere are written by the one who owns
  * it.
  */
-public class IslandField(private val workers: Int) {
+public class IslandField(private val workers: Int, internal val prepared: PreparedStep = PreparedStep()) {
     /** The grid of this step. */
-    public val grid: Grid = Grid()
+    public val grid: Grid get() = prepared.grid
 
     /**
      * The state at the start of the window. Written by [prepare] and when islands are committed; read by all. The local
      * time of a sphere that has been taken into an island is NaN, see [IslandWorker].
      */
-    public val rows: StepRows = StepRows()
+    public val rows: StepRows = prepared.rows
 
     /** Four numbers a slot, [PARENT], [OWNER], [ATTEMPT], [PLACE]. */
     internal var ticket = IntArray(0)
@@ -69,16 +66,10 @@ public class IslandField(private val workers: Int) {
     internal var seedHead = IntArray(0)
     internal val seeds = Seeds()
 
-    internal val walls = WallContact()
-    internal val reach = Reach()
-    internal val bounds = RowBounds()
-    internal val stepLimits = StepLimits()
+    internal val stepLimits: StepLimits get() = prepared.limits
     internal var limits = IslandLimits(0)
         private set
-    internal lateinit var population: Population
-    internal lateinit var law: CollisionLaw
-    internal var start = 0.0
-    internal var duration = 0.0
+    internal val duration: Double get() = prepared.duration
     internal var records = false
 
     /** End of the window at hand, from the start of the step. */
@@ -113,7 +104,7 @@ public class IslandField(private val workers: Int) {
      */
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
         enlarged = 0
-        reach.measure(step.population, step.boundary, step.duration, loop)
+        prepared.measure(step, loop)
     }
 
     /**
@@ -125,7 +116,7 @@ public class IslandField(private val workers: Int) {
      */
     public fun enlarge() {
         check(++enlarged <= MOST_ENLARGED) { "false paths outrun every bound" }
-        reach.enlarge(outrunRows, outrunner, FREE, population, duration)
+        prepared.enlarge(outrunRows, outrunner, FREE)
     }
 
     /** Notes that row [k] of [local] outruns the bound, and tells all workers to stop. */
@@ -138,19 +129,11 @@ public class IslandField(private val workers: Int) {
 
     /** Sorts the spheres into the grid and copies them; nobody belongs to an island. */
     public fun prepare(step: CollisionStep, loop: RangeLoop = InlineLoop) {
-        population = step.population
-        law = step.law
-        start = step.start
-        duration = step.duration
         records = step.record != null
-        stepLimits.start(population.size, start)
-        limits = IslandLimits(population.size)
+        limits = IslandLimits(step.population.size)
         outrunner = FREE
         stopped = false
-        walls.prepare(step.boundary)
-        grid.build(population, step.boundary, start, duration, reach.bound, loop, step.search)
-        rows.load(population, grid.order, duration, law.guard.needsLastCollision, loop)
-        bounds.measure(grid, rows, duration, loop)
+        prepared.prepare(loop)
         if (seedHead.size < rows.size) {
             ticket = IntArray(rows.size * TICKET)
             seedHead = IntArray(rows.size)
@@ -162,7 +145,7 @@ public class IslandField(private val workers: Int) {
 
     /** Brings every sphere to the end of the step and writes all back. */
     public fun store(step: CollisionStep, loop: RangeLoop = InlineLoop) {
-        rows.store(step.population, step.duration, loop)
+        prepared.store(loop)
         // All islands were committed, which left everything as it was.
         clean = true
     }

@@ -1,22 +1,18 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
-import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
-import daphnis.core.collision.timeToContact
-import daphnis.core.engine.NeighbourSearch
 import daphnis.core.engine.islands.IslandField.Companion.ATTEMPT
 import daphnis.core.engine.islands.IslandField.Companion.FREE
 import daphnis.core.engine.islands.IslandField.Companion.OWNER
 import daphnis.core.engine.islands.IslandField.Companion.PLACE
 import daphnis.core.engine.islands.IslandField.Companion.TICKET
-import daphnis.core.search.CellRuns
+import daphnis.core.queue.EventSink
 import java.lang.invoke.VarHandle
 
 /** Says which spheres a worker may take into its islands. */
@@ -42,16 +38,15 @@ public class IslandWorker internal constructor(
     /** Collisions of committed islands, in no order. */
     internal val record = CollisionRecord()
     private val tried = CollisionRecord()
-    private val start = NeighbourSearch(field.rows, field.grid, hints, field.bounds)
-    private val near = CellRuns(field.grid, field.bounds)
+    private val candidates = field.prepared.candidates()
+    private val meetings = Meetings()
 
     private val members = Members()
     private val local = members.rows
     internal val seeder = Seeder(field, hints)
     internal val paths = PathCheck(field, members, attempts, suspects) { crew[it]!!.members }
     private val queue = IslandQueue(local)
-    private var sourceLaw: CollisionLaw? = null
-    private var law = CollisionLaw({ 1.0 })
+    private val outcome = CollisionOutcome()
 
     /** Which spheres may join; null for any. */
     public var claimRule: ClaimRule? = null
@@ -68,13 +63,8 @@ public class IslandWorker internal constructor(
     /** For a new attempt at the step. */
     internal fun prepare() {
         hints.reset(field.duration, field.limits)
-        start.prepare(field.duration)
         record.clear()
         clearWindow()
-        if (sourceLaw !== field.law) {
-            sourceLaw = field.law
-            law = field.law.forAnotherWorker()
-        }
     }
 
     private fun clearWindow() {
@@ -86,14 +76,7 @@ public class IslandWorker internal constructor(
 
     /** Finds every potential collision of the step that spheres [from] until [to] can have as they are at its start. */
     public fun searchStart(from: Int, to: Int) {
-        start.queueStart(from, to)
-        if (!field.walls.present) return
-        for (slot in from until to) {
-            for (face in 0 until WallContact.FACES) {
-                val t = field.walls.time(field.rows, slot, face)
-                if (t <= field.duration) hints.add(t, slot, WallContact.partner(face), 0)
-            }
-        }
+        candidates.start(from, to, hints)
     }
 
     /**
@@ -202,17 +185,17 @@ public class IslandWorker internal constructor(
         val second = queue.second
         members.leaveBehind(first)
         if (second < 0) {
-            field.walls.reflect(local, first, WallContact.face(second), time)
+            field.prepared.walls.reflect(local, first, WallContact.face(second), time)
             attempts.count(attemptIndex, Attempts.WALL_COLLISIONS)
             queue.removeAllOf(first)
             field.stepLimits.checkProgress(local, first, second, time)
             return goOn(first, NOBODY)
         }
         members.leaveBehind(second)
-        if (law.collide(local, first, second, queue.image, field.grid.images, time)) {
+        if (field.prepared.step.law.collide(local, first, second, queue.image, field.grid.images, time, outcome)) {
             attempts.count(attemptIndex, Attempts.COLLISIONS)
-            if (law.guarded) attempts.count(attemptIndex, Attempts.GUARDED)
-            if (field.records) tried.add(time, local.id[first], local.id[second], law)
+            if (outcome.guarded) attempts.count(attemptIndex, Attempts.GUARDED)
+            if (field.records) tried.add(time, local.id[first], local.id[second], outcome)
         }
         queue.removeAllOf(first)
         queue.removeAllOf(second)
@@ -222,105 +205,34 @@ public class IslandWorker internal constructor(
     }
 
     private fun goOn(k: Int, except: Int): Boolean {
-        if (field.reach.isOutrun(local, k, field.population, field.duration)) {
+        if (field.prepared.isOutrun(local, k)) {
             field.outran(local, k)
             return false
         }
-        field.bounds.include(members.slot(k), local, k)
+        field.prepared.bounds.include(members.slot(k), local, k)
         // What is read of others from here on is not older than the marks on this island's spheres and the bounds
         // widened for them.
         VarHandle.fullFence()
-        searchAround(k, except)
-        if (field.walls.present) {
-            for (face in 0 until WallContact.FACES) {
-                val t = field.walls.time(local, k, face)
-                val partner = WallContact.partner(face)
-                if (t <= field.windowEnd) {
-                    queue.add(t, k, partner, 0)
-                } else if (t <= field.duration) {
-                    hints.add(t, members.slot(k), partner, 0)
-                }
-            }
-        }
+        candidates.around(local, k, except, meetings)
         return true
     }
 
-    /** Like [NeighbourSearch.queueAll]. Who is in an island has NaN for a local time, which no comparison dismisses. */
-    private fun searchAround(k: Int, except: Int) {
-        val own = local.state
-        val state = field.rows.state
-        val images = field.grid.images
-        val p = k * STRIDE
-        val time = own[p + TIME]
-        val x = own[p]
-        val y = own[p + 1]
-        val z = own[p + 2]
-        val vx = own[p + VX]
-        val vy = own[p + VX + 1]
-        val vz = own[p + VX + 2]
-        val radius = own[p + RADIUS]
-        val rest = field.duration - time
-        val closing = -2.0 * (rest + field.duration * ROUNDING)
-        val runs = near.around(x, y, z, vx * rest, vy * rest, vz * rest, radius, time)
-        for (r in 0 until runs) {
-            val image = near.image[r]
-            val wx = images.slide(image, 0)
-            val wy = images.slide(image, 1)
-            val sx = images.shift(image, 0) + wx * time
-            val sy = images.shift(image, 1) + wy * time
-            val sz = images.shift(image, 2)
-            var q = near.from[r] * STRIDE
-            val end = near.to[r] * STRIDE
-            while (q < end) {
-                val vqx = state[q + VX]
-                val vqy = state[q + VX + 1]
-                val vqz = state[q + VX + 2]
-                val elapsed = time - state[q + TIME]
-                val ux = vqx - vx + wx
-                val uy = vqy - vy + wy
-                val uz = vqz - vz
-                val dx = (state[q] + vqx * elapsed) - x + sx
-                val dy = (state[q + 1] + vqy * elapsed) - y + sy
-                val dz = (state[q + 2] + vqz * elapsed) - z + sz
-                val b = dx * ux + dy * uy + dz * uz
-                val s = radius + state[q + RADIUS]
-                val c = dx * dx + dy * dy + dz * dz - s * s
-                if (!(c > b * closing || b >= 0.0)) {
-                    meet(
-                        k,
-                        q / STRIDE,
-                        except,
-                        image,
-                        time,
-                        timeToContact(dx, dy, dz, ux, uy, uz, s),
-                        b,
-                    )
-                }
-                q += STRIDE
+    /** What a sphere at a place of this island can have: the time is NaN when the other belongs to an island. */
+    private inner class Meetings : EventSink {
+        override fun add(time: Double, first: Int, second: Int, image: Int) {
+            if (time.isNaN()) {
+                meetOwned(first, second, image)
+            } else if (time > field.windowEnd) {
+                hints.add(time, members.slot(first), second, image)
+            } else if (second < 0) {
+                queue.add(time, first, second, image)
+            } else if (claimRule?.mayClaim(second) == false) {
+                refused = second
+            } else if (field.claim(second, root)) {
+                queue.add(time, first, join(second), image)
+            } else {
+                suspects.add(members.slot(first), second, image, attemptIndex)
             }
-        }
-    }
-
-    /**
-     * The sphere at place [k] may touch [other] after [wait]; if [other] belongs to an island, [b] is NaN and nothing
-     * is known.
-     */
-    private fun meet(k: Int, other: Int, except: Int, image: Int, time: Double, wait: Double, b: Double) {
-        if (other == except) return
-        if (b.isNaN()) {
-            meetOwned(k, other, image)
-            return
-        }
-        val t = time + wait
-        if (t > field.duration) return
-        if (t > field.windowEnd) {
-            hints.add(t, members.slot(k), other, image)
-        } else if (claimRule?.mayClaim(other) == false) {
-            refused = other
-        } else if (field.claim(other, root)) {
-            queue.add(t, k, join(other), image)
-        } else {
-            suspects.add(members.slot(k), other, image, attemptIndex)
         }
     }
 
@@ -397,7 +309,6 @@ public class IslandWorker internal constructor(
 
     private companion object {
         const val NOBODY = -1
-        const val ROUNDING = 1e-12
         const val INITIAL = 256
     }
 }

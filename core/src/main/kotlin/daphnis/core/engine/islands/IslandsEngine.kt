@@ -1,7 +1,6 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
@@ -9,6 +8,8 @@ import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.PreparedStep
 
 /**
  * The fast engine: islands of spheres that meet nobody else within a window of time, each processed alone by one worker
@@ -35,12 +36,13 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
     override val loop: RangeLoop get() = gate
 
-    private val field = IslandField(threads)
+    private val prepared = PreparedStep()
+    private val field = IslandField(threads, prepared)
 
     /** For figures on how windows and islands come out. */
     public val crew: IslandCrew = IslandCrew(field, threads)
 
-    private val alone = SerialEngine()
+    private val alone = SerialEngine(prepared = prepared)
     private val quicker = QuickerWay()
     private var deadline = Long.MAX_VALUE
     private var failed = false

@@ -59,7 +59,7 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
     }
 
     private fun timeOf(first: Int, second: Int, image: Int): Double = if (second < 0) {
-        field.walls.time(field.rows, first, WallContact.face(second))
+        field.prepared.walls.time(field.rows, first, WallContact.face(second))
     } else {
         contactTime(field.rows, first, second, image, field.grid.images)
     }

@@ -1,16 +1,30 @@
 package daphnis.core.engine.threadpool
 
-import daphnis.core.queue.EventSink
+import daphnis.core.queue.Schedule
 
-/** What one worker has found and not yet queued. */
-internal class EventList : EventSink {
+/**
+ * What one worker wants changed in the queue: the spheres that have collided, whose potential collisions are to be
+ * dropped first, and those that it has found.
+ */
+internal class EventList : Schedule {
     var size = 0
         private set
     private var times = DoubleArray(INITIAL)
     private var data = IntArray(INITIAL * WIDTH)
 
+    /** Slots of the spheres that have collided, the first [changedCount]. */
+    val changed = IntArray(2)
+    var changedCount = 0
+        private set
+
     fun clear() {
         size = 0
+        changedCount = 0
+    }
+
+    /** Only before any [add] since [clear]. */
+    override fun removeAllOf(slot: Int) {
+        changed[changedCount++] = slot
     }
 
     override fun add(time: Double, first: Int, second: Int, image: Int) {

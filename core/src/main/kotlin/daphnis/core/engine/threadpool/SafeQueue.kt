@@ -1,7 +1,7 @@
 package daphnis.core.engine.threadpool
 
-import daphnis.core.engine.StepLimits
 import daphnis.core.queue.BucketEventQueue
+import daphnis.core.step.StepLimits
 
 /** The potential collision that a worker has taken. */
 internal class Taken {
@@ -75,8 +75,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
     /** Returns [taken], which has been processed and led to [found]. */
     fun finish(taken: Taken, found: EventList) {
         lock.use {
-            queue.removeAllOf(taken.first)
-            if (taken.second >= 0) queue.removeAllOf(taken.second)
+            for (k in 0 until found.changedCount) queue.removeAllOf(found.changed[k])
             addAll(found)
             busy.remove(taken.first, taken.second)
             working--
