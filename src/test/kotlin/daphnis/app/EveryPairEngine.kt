@@ -2,13 +2,14 @@ package daphnis.app
 
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
+import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.population.Population
 import daphnis.core.queue.BucketEventQueue
+import daphnis.core.step.CollisionStep
 import kotlin.math.abs
 import kotlin.math.ceil
 
@@ -25,6 +26,7 @@ class EveryPairEngine : CollisionEngine {
     private val walls = WallContact()
     private val queue = BucketEventQueue()
     private var codes = IntArray(0)
+    private val outcome = CollisionOutcome()
 
     /** Whether [population] moves over few enough images of [case] to ask them all. */
     fun canDo(case: Case, population: Population, dt: Double): Boolean =
@@ -69,10 +71,10 @@ class EveryPairEngine : CollisionEngine {
             step.counters.wallCollisions++
         } else {
             queue.removeAllOf(b)
-            if (step.law.collide(rows, a, b, queue.image, images, time)) {
+            if (step.law.collide(rows, a, b, queue.image, images, time, outcome)) {
                 step.counters.collisions++
-                if (step.law.guarded) step.counters.guardActivations++
-                step.record?.add(time, rows.id[a], rows.id[b], step.law)
+                if (outcome.guarded) step.counters.guardActivations++
+                step.record?.add(time, rows.id[a], rows.id[b], outcome)
             }
             search(step, b) { it != a && it != b }
         }

@@ -3,13 +3,13 @@ package daphnis.drills
 import daphnis.app.allEngines
 import daphnis.app.daphnis
 import daphnis.core.Simulation
-import daphnis.core.engine.CollapseException
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.run.engineOf
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.step.CollapseException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject

@@ -7,8 +7,8 @@ import daphnis.actors.pekko.PekkoEngine
 import daphnis.actors.region.Phase
 import daphnis.actors.region.RegionCommand
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.population.stateDigest
+import daphnis.core.step.CollisionStep
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job

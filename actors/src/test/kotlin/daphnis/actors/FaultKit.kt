@@ -13,9 +13,9 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.stateDigest
+import daphnis.core.step.CollisionStep
 import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -6,7 +6,6 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
@@ -17,6 +16,7 @@ import daphnis.core.parallel.ThreadHandler
 import daphnis.core.parallel.WorkerTask
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -6,13 +6,13 @@ import daphnis.actors.region.RegionSteps
 import daphnis.actors.region.StepCoordinator
 import daphnis.actors.region.StepExchange
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy.DYNAMIC
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
+import daphnis.core.step.CollisionStep
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job

@@ -5,13 +5,13 @@ import daphnis.actors.region.RegionLayout
 import daphnis.actors.region.RegionSteps
 import daphnis.actors.region.StepCoordinator
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy.DYNAMIC
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
+import daphnis.core.step.CollisionStep
 import org.apache.pekko.actor.typed.ActorSystem
 import java.util.concurrent.CancellationException
 

@@ -1,9 +1,9 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.step.CollisionStep
 import java.util.concurrent.CancellationException
 import java.util.concurrent.Semaphore
 import java.util.concurrent.locks.LockSupport
@@ -35,7 +35,6 @@ internal class RegionSteps(
 ) : AutoCloseable {
     /** Held while a step is under way, or the engine is being taken down. */
     private val stepping = Semaphore(1)
-    private val judge = SerialEngine()
     private var exchange: StepExchange? = null
 
     @Volatile
@@ -124,7 +123,7 @@ internal class RegionSteps(
                 throw CancellationException(if (gate.isClosed) CLOSED else "the step was cancelled")
             lost != null -> throw lost
             failure != null -> {
-                judge.advance(step)
+                SerialEngine(prepared = exchange.coordinator.prepared).advance(step)
                 step.counters.causalityReplays++
             }
         }

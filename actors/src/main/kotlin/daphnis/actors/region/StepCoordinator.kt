@@ -1,10 +1,11 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.islands.IslandCrew
 import daphnis.core.engine.islands.IslandField
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.PreparedStep
 
 /**
  * The coordinator of a step as a state machine, without any framework: tells what to send and is told what comes back.
@@ -28,7 +29,9 @@ import daphnis.core.parallel.RangeLoop
  * Single-threaded: calls come one after the other, each happening after the one before.
  */
 public class StepCoordinator(public val map: RegionMap, private val loop: RangeLoop = InlineLoop) {
-    private val field = IslandField(map.count)
+    /** The step at hand; for the serial engine too, once no region is at work. */
+    internal val prepared: PreparedStep = PreparedStep()
+    private val field = IslandField(map.count, prepared)
     private val crew = IslandCrew(field, map.count)
     private val border = BorderIslands(map, crew)
     private val outbox = ArrayDeque<RegionCommand>()
@@ -77,7 +80,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
 
     private fun attempt() {
         val step = step!!
-        field.prepare(step, loop)
+        field.prepare(loop)
         crew.prepare()
         map.prepare(field.rows, field.grid, step.boundary)
         border.clear()
@@ -196,7 +199,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     private fun finish(step: CollisionStep) {
         crew.writeTo(step.record)
         if (!cancelled) {
-            field.store(step, loop)
+            field.store(loop)
             isStored = true
             step.counters.redoneSteps += redone
             crew.addTo(step.counters)

@@ -1,6 +1,6 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.CollisionStep
+import daphnis.core.step.CollisionStep
 
 /**
  * The coordinator's loop, a [turn] at a time, on the thread or coroutine that takes the step: commands out to the

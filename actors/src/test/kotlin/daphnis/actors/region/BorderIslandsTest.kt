@@ -4,10 +4,10 @@ import daphnis.actors.gas
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.islands.IslandCrew
 import daphnis.core.engine.islands.IslandField
 import daphnis.core.initial.SeededRandom
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -30,7 +30,7 @@ class BorderIslandsTest {
             val step = CollisionStep(p, boundary, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters())
             step.duration = 0.1
             field.measure(step)
-            field.prepare(step)
+            field.prepare()
             crew.prepare()
             map.prepare(field.rows, field.grid, boundary)
             val regions = List(count) { Region(it, map, crew) }

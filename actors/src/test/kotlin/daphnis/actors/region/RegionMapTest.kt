@@ -7,9 +7,9 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.StepRows.Companion.STRIDE
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.islands.IslandField
 import daphnis.core.population.Population
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -22,7 +22,7 @@ class RegionMapTest {
         step.duration = duration
         return IslandField(1).apply {
             measure(step)
-            prepare(step)
+            prepare()
         }
     }
 

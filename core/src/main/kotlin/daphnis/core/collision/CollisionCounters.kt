@@ -25,6 +25,23 @@ public class CollisionCounters {
      */
     public var causalityReplays: Long = 0
 
+    /** Adds what [other] counts. */
+    internal fun add(other: CollisionCounters) {
+        collisions += other.collisions
+        wallCollisions += other.wallCollisions
+        guardActivations += other.guardActivations
+        redoneSteps += other.redoneSteps
+        causalityReplays += other.causalityReplays
+    }
+
+    internal fun clear() {
+        collisions = 0
+        wallCollisions = 0
+        guardActivations = 0
+        redoneSteps = 0
+        causalityReplays = 0
+    }
+
     /** Takes over all that [other] counts. */
     internal fun set(other: CollisionCounters) {
         collisions = other.collisions

@@ -48,24 +48,24 @@ public class CollisionRecord {
         size = 0
     }
 
-    /** Appends the collision that [law] has just processed between the spheres with ids [first] and [second]. */
-    public fun add(time: Double, first: Int, second: Int, law: CollisionLaw) {
+    /** Appends a collision between the spheres with ids [first] and [second] that went as [outcome] says. */
+    public fun add(time: Double, first: Int, second: Int, outcome: CollisionOutcome) {
         if (size == this.time.size) grow()
         val k = size++
         val swap = first > second
         this.time[k] = time
-        rank[k] = law.rank
+        rank[k] = outcome.rank
         lower[k] = if (swap) second else first
         higher[k] = if (swap) first else second
         val p = k * WIDTH
         val sign = if (swap) -1.0 else 1.0
-        data[p] = law.impactSpeed
-        data[p + 1] = law.coefficient
-        data[p + 2] = law.impulse
+        data[p] = outcome.impactSpeed
+        data[p + 1] = outcome.coefficient
+        data[p + 2] = outcome.impulse
         // 0.0 for zeros of either sign, whichever sphere was named first.
-        data[p + 3] = sign * law.separationX + 0.0
-        data[p + 4] = sign * law.separationY + 0.0
-        data[p + 5] = sign * law.separationZ + 0.0
+        data[p + 3] = sign * outcome.separationX + 0.0
+        data[p + 4] = sign * outcome.separationY + 0.0
+        data[p + 5] = sign * outcome.separationZ + 0.0
     }
 
     /** Appends entries [from] until [to] of [other]. */

@@ -9,6 +9,7 @@ import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
+import daphnis.core.step.CollisionStep
 
 /**
  * The collisional forcing: moves the population through a step with every collision in time order.

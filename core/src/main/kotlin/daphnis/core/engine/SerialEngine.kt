@@ -1,15 +1,14 @@
 package daphnis.core.engine
 
-import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.queue.BucketEventQueue
 import daphnis.core.queue.EventQueue
-import daphnis.core.search.Grid
-import daphnis.core.search.Reach
-import daphnis.core.search.RowBounds
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.Impact
+import daphnis.core.step.PreparedStep
+import daphnis.core.step.StepLimits
 
 /**
  * The specification: section 2 of Lewis & Massingill on one thread.
@@ -31,119 +30,48 @@ import daphnis.core.search.RowBounds
  *
  * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere
  * sees its collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.
+ *
+ * @param prepared what the step is prepared in; an engine for which this one is the fallback shares its own
  */
-public class SerialEngine(private val queue: EventQueue = BucketEventQueue()) : CollisionEngine {
+public class SerialEngine(
+    private val queue: EventQueue = BucketEventQueue(),
+    private val prepared: PreparedStep = PreparedStep(),
+) : CollisionEngine {
     override val name: String get() = "serial"
     override val threads: Int get() = 1
     private val gate = ClosableLoop(InlineLoop, CollisionEngine.CLOSED)
     override val loop: RangeLoop get() = gate
-
-    private val grid = Grid()
-    private val rows = StepRows()
-    private val reach = Reach()
-    private val walls = WallContact()
-    private val bounds = RowBounds()
-    private val search = NeighbourSearch(rows, grid, queue, bounds)
-    private val limits = StepLimits()
-
-    // Counted within the step, added to the run's counters once it has succeeded.
-    private var collisions = 0L
-    private var wallCollisions = 0L
-    private var guarded = 0L
+    private val impact = Impact(prepared, prepared.rows, queue)
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
-        reach.measure(step.population, step.boundary, step.duration)
-        walls.prepare(step.boundary)
+        prepared.measure(step)
         var redone = 0
         while (!attempt(step)) redone++
         step.record?.sort()
-        rows.store(step.population, step.duration)
-        step.counters.collisions += collisions
-        step.counters.wallCollisions += wallCollisions
-        step.counters.guardActivations += guarded
+        prepared.store()
+        // Counted within the step, and added only now that it has succeeded.
+        step.counters.add(impact.counted)
         step.counters.redoneSteps += redone
     }
 
     /** @return false when somebody outran the bound, which is now larger */
     private fun attempt(step: CollisionStep): Boolean {
-        val population = step.population
-        collisions = 0
-        wallCollisions = 0
-        guarded = 0
-        step.record?.clear()
-        grid.build(population, step.boundary, step.start, step.duration, reach.bound, structure = step.search)
-        rows.load(population, grid.order, step.duration, step.law.guard.needsLastCollision)
-        bounds.measure(grid, rows, step.duration, InlineLoop)
+        prepared.prepare()
+        val rows = prepared.rows
         queue.reset(step.duration, rows.id, rows.size)
-        search.prepare(step.duration)
-        limits.start(rows.size, step.start)
-        search.queueStart()
-        if (walls.present) for (slot in 0 until rows.size) queueWalls(slot, step.duration)
-        while (queue.pop()) if (!process(step)) return false
+        impact.begin(step.record)
+        impact.candidates.start(0, rows.size, queue)
+        while (queue.pop()) {
+            val end = impact.process(queue.time, queue.first, queue.second, queue.image)
+            if (end == Impact.End.DONE) continue
+            prepared.enlarge(rows, queue.first, queue.second)
+            return false
+        }
         return true
-    }
-
-    /** @return false when one of the two outran the bound, which is now larger */
-    private fun process(step: CollisionStep): Boolean {
-        val time = queue.time
-        val first = queue.first
-        val second = queue.second
-        if (second < 0) {
-            walls.reflect(rows, first, WallContact.face(second), time)
-            wallCollisions++
-            queue.removeAllOf(first)
-            if (!isAllowed(step, first, second, time)) return false
-            requeue(step, first, time, NOBODY)
-            return true
-        }
-        val law = step.law
-        if (law.collide(rows, first, second, queue.image, grid.images, time)) {
-            collisions++
-            if (law.guarded) guarded++
-            step.record?.add(time, rows.id[first], rows.id[second], law)
-        }
-        // The pair itself is searched once, from the first; the second leaves it out.
-        queue.removeAllOf(first)
-        queue.removeAllOf(second)
-        if (!isAllowed(step, first, second, time)) return false
-        requeue(step, first, time, NOBODY)
-        requeue(step, second, time, first)
-        return true
-    }
-
-    /** @return false when one of the two outran the bound, which is now larger */
-    private fun isAllowed(step: CollisionStep, first: Int, second: Int, time: Double): Boolean {
-        limits.checkProgress(rows, first, second, time)
-        limits.checkWork(collisions + wallCollisions)
-        val population = step.population
-        val duration = step.duration
-        val isOutrun = reach.isOutrun(rows, first, population, duration) ||
-            second >= 0 &&
-            reach.isOutrun(rows, second, population, duration)
-        if (!isOutrun) return true
-        reach.enlarge(rows, first, second, population, duration)
-        return false
-    }
-
-    private fun requeue(step: CollisionStep, slot: Int, time: Double, except: Int) {
-        bounds.include(slot, rows, slot)
-        search.queueAll(slot, time, except)
-        if (walls.present) queueWalls(slot, step.duration)
-    }
-
-    private fun queueWalls(slot: Int, duration: Double) {
-        for (face in 0 until WallContact.FACES) {
-            val t = walls.time(rows, slot, face)
-            if (t <= duration) queue.add(t, slot, WallContact.partner(face), 0)
-        }
     }
 
     override fun close() {
         gate.close()
-    }
-
-    private companion object {
-        const val NOBODY = -1
     }
 }

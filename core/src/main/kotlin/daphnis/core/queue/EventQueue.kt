@@ -14,7 +14,7 @@ public interface EventSink {
  * added while another is processed is not earlier than that one. Spheres are addressed by slot; ids only break ties.
  * Single-threaded.
  */
-public interface EventQueue : EventSink {
+public interface EventQueue : Schedule {
     /** Time of the event that [pop] handed out, from the start of the step. */
     public val time: Double
 
@@ -32,7 +32,4 @@ public interface EventQueue : EventSink {
 
     /** Removes the earliest event and puts it into [time], [first], [second], [image]; false when none is left. */
     public fun pop(): Boolean
-
-    /** Drops every queued event that involves [slot]. */
-    public fun removeAllOf(slot: Int)
 }

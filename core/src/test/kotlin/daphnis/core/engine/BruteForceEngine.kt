@@ -2,10 +2,12 @@ package daphnis.core.engine
 
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
+import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
 import daphnis.core.queue.ReferenceEventQueue
+import daphnis.core.step.CollisionStep
 import kotlin.math.abs
 import kotlin.math.ceil
 
@@ -22,6 +24,7 @@ class BruteForceEngine : CollisionEngine {
     private val walls = WallContact()
     private val queue = ReferenceEventQueue()
     private var codes = IntArray(0)
+    private val outcome = CollisionOutcome()
 
     override fun advance(step: CollisionStep) {
         val n = step.population.size
@@ -45,10 +48,10 @@ class BruteForceEngine : CollisionEngine {
                 step.counters.wallCollisions++
             } else {
                 queue.removeAllOf(b)
-                if (step.law.collide(rows, a, b, queue.image, images, time)) {
+                if (step.law.collide(rows, a, b, queue.image, images, time, outcome)) {
                     step.counters.collisions++
-                    if (step.law.guarded) step.counters.guardActivations++
-                    step.record?.add(time, rows.id[a], rows.id[b], step.law)
+                    if (outcome.guarded) step.counters.guardActivations++
+                    step.record?.add(time, rows.id[a], rows.id[b], outcome)
                 }
                 for (c in 0 until n) if (c != a && c != b) codes.forEach { queue(step, b, c, it) }
                 queueWalls(step, b)

@@ -25,6 +25,7 @@ import daphnis.core.populationOf
 import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
+import daphnis.core.step.CollapseException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

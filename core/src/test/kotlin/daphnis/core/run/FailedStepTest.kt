@@ -1,11 +1,11 @@
 package daphnis.core.run
 
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,7 +1,6 @@
 package daphnis.core.run
 
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.scenario.BuiltIn
@@ -9,6 +8,7 @@ import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

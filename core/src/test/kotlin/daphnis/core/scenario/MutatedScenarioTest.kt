@@ -1,9 +1,9 @@
 package daphnis.core.scenario
 
 import daphnis.core.Simulation
-import daphnis.core.engine.CollapseException
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
+import daphnis.core.step.CollapseException
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.fail

@@ -1,38 +1,51 @@
 package daphnis.core.engine.islands
 
+import daphnis.core.collision.CollisionCounters
+
 /**
- * What one worker did in a window: its attempts at islands, and for each the spheres that took part and what was
- * counted. An attempt is alive until it turns out that its island has met another one.
+ * The attempts at islands that one worker has made in a window. The worker's stores are filled in order, so an attempt
+ * is known by where these stood when it began; it ends where the next one begins. An attempt is alive until it turns
+ * out that its island has met another one.
  */
 internal class Attempts {
     var size = 0
         private set
-    private var columns = IntArray(INITIAL * WIDTH)
+
+    /** One row of [WIDTH] numbers per attempt, and one for the end of the last. */
+    private var marks = LongArray(INITIAL * WIDTH)
     private var alive = BooleanArray(INITIAL)
 
     fun clear() {
         size = 0
     }
 
-    /** Begins an attempt; [rows] and [record] are where the worker's rows and its record of collisions end. */
-    fun begin(rows: Int, record: Int): Int {
-        if (size == alive.size) {
+    /**
+     * Begins an attempt; its number. The worker has as many [rows] and as many collisions in its [record] now, and has
+     * [counted] so much.
+     */
+    fun begin(rows: Int, record: Int, counted: CollisionCounters): Int {
+        if (size + 1 == alive.size) {
             alive = alive.copyOf(size * 2)
-            columns = columns.copyOf(size * 2 * WIDTH)
+            marks = marks.copyOf(alive.size * WIDTH)
         }
-        val k = size++
-        alive[k] = true
-        columns.fill(0, k * WIDTH, (k + 1) * WIDTH)
-        columns[k * WIDTH + FROM] = rows
-        columns[k * WIDTH + RECORD] = record
-        return k
+        mark(size, rows, record, counted)
+        alive[size] = true
+        return size++
     }
 
-    fun count(attempt: Int, column: Int) {
-        columns[attempt * WIDTH + column]++
+    /** Ends the last attempt, see [begin]. */
+    fun end(rows: Int, record: Int, counted: CollisionCounters) {
+        mark(size, rows, record, counted)
     }
 
-    fun counted(attempt: Int, column: Int): Int = columns[attempt * WIDTH + column]
+    private fun mark(attempt: Int, rows: Int, record: Int, counted: CollisionCounters) {
+        val p = attempt * WIDTH
+        marks[p + ROWS] = rows.toLong()
+        marks[p + RECORD] = record.toLong()
+        marks[p + COLLISIONS] = counted.collisions
+        marks[p + WALL_COLLISIONS] = counted.wallCollisions
+        marks[p + GUARDED] = counted.guardActivations
+    }
 
     fun isAlive(attempt: Int): Boolean = alive[attempt]
 
@@ -40,19 +53,38 @@ internal class Attempts {
         alive[attempt] = false
     }
 
-    /** The first of its rows among the worker's; they end where those of the next attempt begin. */
-    fun firstRow(attempt: Int): Int = columns[attempt * WIDTH + FROM]
+    /** The first of its rows among the worker's. */
+    fun firstRow(attempt: Int): Int = marks[attempt * WIDTH + ROWS].toInt()
 
-    /** Place in the worker's record of collisions where this attempt began. */
-    fun firstRecord(attempt: Int): Int = columns[attempt * WIDTH + RECORD]
+    /** One past the last of its rows. */
+    fun endOfRows(attempt: Int): Int = firstRow(attempt + 1)
 
-    companion object {
-        const val COLLISIONS = 0
-        const val WALL_COLLISIONS = 1
-        const val GUARDED = 2
-        private const val FROM = 3
-        private const val RECORD = 4
-        private const val WIDTH = 5
-        private const val INITIAL = 256
+    /** Place of its first collision in the worker's record. */
+    fun firstRecord(attempt: Int): Int = marks[attempt * WIDTH + RECORD].toInt()
+
+    /** One past its last collision there. */
+    fun endOfRecord(attempt: Int): Int = firstRecord(attempt + 1)
+
+    /** Adds what the attempts that are alive have counted. */
+    fun addTo(counters: CollisionCounters) {
+        for (k in 0 until size) {
+            if (!alive[k]) continue
+            counters.collisions += counted(k, COLLISIONS)
+            counters.wallCollisions += counted(k, WALL_COLLISIONS)
+            counters.guardActivations += counted(k, GUARDED)
+        }
+    }
+
+    private fun counted(attempt: Int, column: Int): Long =
+        marks[(attempt + 1) * WIDTH + column] - marks[attempt * WIDTH + column]
+
+    private companion object {
+        const val ROWS = 0
+        const val RECORD = 1
+        const val COLLISIONS = 2
+        const val WALL_COLLISIONS = 3
+        const val GUARDED = 4
+        const val WIDTH = 5
+        const val INITIAL = 256
     }
 }

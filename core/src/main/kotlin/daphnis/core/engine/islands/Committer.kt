@@ -1,6 +1,5 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.contactTime
 
@@ -16,15 +15,14 @@ internal class Committer(private val field: IslandField, private val number: Int
     /** Takes the results of the islands that are alive over into the state. */
     fun commit() {
         val members = stores.members
-        for (index in 0 until stores.attempts.size) {
-            if (!stores.attempts.isAlive(index)) continue
-            for (k in stores.attempts.firstRow(index) until stores.endOfRows(index)) {
+        val attempts = stores.attempts
+        for (index in 0 until attempts.size) {
+            if (!attempts.isAlive(index)) continue
+            for (k in attempts.firstRow(index) until attempts.endOfRows(index)) {
                 field.rows.put(members.slot(k), members.rows, k)
                 field.board.release(members.slot(k), number)
             }
-            if (field.records) {
-                record.addAll(stores.tried, stores.attempts.firstRecord(index), stores.endOfRecord(index))
-            }
+            record.addAll(stores.tried, attempts.firstRecord(index), attempts.endOfRecord(index))
         }
     }
 
@@ -39,18 +37,7 @@ internal class Committer(private val field: IslandField, private val number: Int
             val slot = suspects.slot(k)
             val other = suspects.other(k)
             val t = contactTime(field.rows, slot, other, suspects.image(k), field.grid.images)
-            if (t > field.windowEnd && t <= field.duration) stores.hints.add(t, slot, other, suspects.image(k))
-        }
-    }
-
-    /** Adds what the islands that are alive have counted. */
-    fun addTo(counters: CollisionCounters) {
-        val attempts = stores.attempts
-        for (k in 0 until attempts.size) {
-            if (!attempts.isAlive(k)) continue
-            counters.collisions += attempts.counted(k, Attempts.COLLISIONS)
-            counters.wallCollisions += attempts.counted(k, Attempts.WALL_COLLISIONS)
-            counters.guardActivations += attempts.counted(k, Attempts.GUARDED)
+            if (t > field.windowEnd && t <= field.prepared.duration) stores.hints.add(t, slot, other, suspects.image(k))
         }
     }
 }

@@ -62,9 +62,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     /** For a new attempt at a step, after the field was prepared. */
     public fun prepare() {
         for (worker in workers) worker.prepare()
-        counted.collisions = 0
-        counted.wallCollisions = 0
-        counted.guardActivations = 0
+        counted.clear()
         lastSlice = -1
     }
 
@@ -87,7 +85,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
             slice++
         }
         lastSlice = slice - 1
-        field.windowEnd = Hints.endOf(lastSlice, field.duration)
+        field.windowEnd = Hints.endOf(lastSlice, field.prepared.duration)
         board.seeds.reset(total)
         redoneInWindow = 0
         windows++
@@ -197,10 +195,10 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     public fun closeWindow() {
         var islandsInWindow = 0
         for (worker in workers) {
-            worker.committer.addTo(counted)
+            worker.stores.attempts.addTo(counted)
             islandsInWindow += worker.stores.attempts.size
         }
-        field.stepLimits.checkWork(counted.collisions + counted.wallCollisions)
+        field.prepared.limits.checkWork(counted.collisions + counted.wallCollisions)
         islands += islandsInWindow
         redone += redoneInWindow
         window.learn(islandsInWindow, redoneInWindow)
@@ -208,9 +206,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
 
     /** Adds what the step did to [counters]: last of all, once nothing can fail any more. */
     public fun addTo(counters: CollisionCounters) {
-        counters.collisions += counted.collisions
-        counters.wallCollisions += counted.wallCollisions
-        counters.guardActivations += counted.guardActivations
+        counters.add(counted)
     }
 
     /**

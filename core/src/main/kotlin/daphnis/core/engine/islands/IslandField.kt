@@ -1,16 +1,12 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
-import daphnis.core.engine.CollisionStep
-import daphnis.core.engine.StepLimits
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
-import daphnis.core.search.RowBounds
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.PreparedStep
 
 /**
  * What the workers of a step share when collisions are processed by islands. An **island** is a set of spheres that
@@ -50,51 +46,39 @@ import daphnis.core.search.RowBounds
  * Phases are separated by barriers or messages; within a phase the columns of a sphere are written by its owner only,
  * see [IslandBoard].
  */
-public class IslandField(workers: Int) {
+public class IslandField(workers: Int, internal val prepared: PreparedStep = PreparedStep()) {
     /** The grid of this step. */
-    public val grid: Grid = Grid()
+    public val grid: Grid get() = prepared.grid
 
     /**
      * The state at the start of the window. Written by [prepare] and when islands are committed; read by all. The local
      * time of a sphere that has been taken into an island is NaN.
      */
-    public val rows: StepRows = StepRows()
+    public val rows: StepRows = prepared.rows
 
     /** Which island every sphere belongs to. */
     internal val board = IslandBoard(rows, workers)
 
-    internal val walls = WallContact()
-    internal val reach = Reach()
-    internal val bounds = RowBounds()
-    internal val stepLimits = StepLimits()
     internal var limits = IslandLimits(0)
         private set
-    internal lateinit var population: Population
-    internal lateinit var law: CollisionLaw
-    internal var start = 0.0
-    internal var duration = 0.0
-    internal var records = false
 
     /** End of the window at hand, from the start of the step. */
     internal var windowEnd = 0.0
 
-    /**
-     * Row of a sphere that outran the bound on its reach: in [outrunRows], −1 when none did; then the step has to be
-     * done again.
-     */
+    /** Whether a sphere outran the bound, so that the attempt at the step is void: call [enlarge], then [prepare]. */
     @Volatile
-    private var outrunner = NOBODY
+    public var isOutrun: Boolean = false
+        private set
+
+    // Where the two stand whose collision made one of them outrun the bound.
     private var outrunRows = rows
+    private var outrunFirst = NOBODY
+    private var outrunSecond = NOBODY
     private var enlarged = 0
 
     /** Whether somebody has given up: processing goes on no further. */
     @Volatile
     internal var stopped = false
-
-    /**
-     * Whether a sphere outran the bound, so that the attempt at the step is void: call [enlarge] and [prepare] again.
-     */
-    public val isOutrun: Boolean get() = outrunner != NOBODY
 
     /** Number of spheres. */
     public val size: Int get() = rows.size
@@ -106,7 +90,7 @@ public class IslandField(workers: Int) {
      */
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
         enlarged = 0
-        reach.measure(step.population, step.boundary, step.duration, loop)
+        prepared.measure(step, loop)
     }
 
     /**
@@ -118,38 +102,34 @@ public class IslandField(workers: Int) {
      */
     public fun enlarge() {
         check(++enlarged <= MOST_ENLARGED) { "false paths outrun every bound" }
-        reach.enlarge(outrunRows, outrunner, NOBODY, population, duration)
+        prepared.enlarge(outrunRows, outrunFirst, outrunSecond)
     }
 
-    /** Notes that row [k] of [local] outruns the bound, and tells all workers to stop. */
+    /**
+     * Notes that at place [first] or [second] (negative for none) of [local] a sphere outruns the bound, and tells all
+     * workers to stop.
+     */
     @Synchronized
-    internal fun outran(local: StepRows, k: Int) {
+    internal fun outran(local: StepRows, first: Int, second: Int) {
         outrunRows = local
-        outrunner = k
+        outrunFirst = first
+        outrunSecond = second
+        isOutrun = true
         stopped = true
     }
 
     /** Sorts the spheres into the grid and copies them; nobody belongs to an island. */
-    public fun prepare(step: CollisionStep, loop: RangeLoop = InlineLoop) {
-        population = step.population
-        law = step.law
-        start = step.start
-        duration = step.duration
-        records = step.record != null
-        stepLimits.start(population.size, start)
-        limits = IslandLimits(population.size)
-        outrunner = NOBODY
+    public fun prepare(loop: RangeLoop = InlineLoop) {
+        isOutrun = false
         stopped = false
-        walls.prepare(step.boundary)
-        grid.build(population, step.boundary, start, duration, reach.bound, loop, step.search)
-        rows.load(population, grid.order, duration, law.guard.needsLastCollision, loop)
-        bounds.measure(grid, rows, duration, loop)
+        prepared.prepare(loop)
+        limits = IslandLimits(rows.size)
         board.prepare(rows.size)
     }
 
     /** Brings every sphere to the end of the step and writes all back. */
-    public fun store(step: CollisionStep, loop: RangeLoop = InlineLoop) {
-        rows.store(step.population, step.duration, loop)
+    public fun store(loop: RangeLoop = InlineLoop) {
+        prepared.store(loop)
         board.leaveClean()
     }
 

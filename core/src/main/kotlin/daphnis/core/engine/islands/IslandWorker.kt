@@ -1,8 +1,5 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.WallContact
-import daphnis.core.engine.NeighbourSearch
-
 /** Says which spheres a worker may take into its islands. */
 public fun interface ClaimRule {
     public fun mayClaim(slot: Int): Boolean
@@ -26,37 +23,30 @@ public class IslandWorker internal constructor(
 ) {
     internal val stores = WorkerStores()
     internal val seeder = Seeder(field, stores.hints)
-    internal val grower = Grower(field, number, stores)
+    private val island = Island(field, number, stores)
+    internal val grower = Grower(field, stores, island)
     internal val paths = PathCheck(field, stores, membersOf)
     internal val committer = Committer(field, number, stores)
-    private val start = NeighbourSearch(field.rows, field.grid, stores.hints, field.bounds)
     private val givenUp = IntList()
 
     /** Which spheres may join; null for any. */
     public var claimRule: ClaimRule?
-        get() = grower.claimRule
+        get() = island.claimRule
         set(rule) {
-            grower.claimRule = rule
+            island.claimRule = rule
         }
 
     /** For a new attempt at the step. */
     internal fun prepare() {
-        stores.prepare(field.duration, field.limits)
-        start.prepare(field.duration)
+        val isRecorded = field.prepared.step.record != null
+        stores.prepare(field.prepared.duration, field.limits)
+        grower.begin(if (isRecorded) stores.tried else null)
         committer.record.clear()
-        grower.prepare()
     }
 
     /** Finds every potential collision of the step that spheres [from] until [to] can have as they are at its start. */
     public fun searchStart(from: Int, to: Int) {
-        start.queueStart(from, to)
-        if (!field.walls.present) return
-        for (slot in from until to) {
-            for (face in 0 until WallContact.FACES) {
-                val t = field.walls.time(field.rows, slot, face)
-                if (t <= field.duration) stores.hints.add(t, slot, WallContact.partner(face), 0)
-            }
-        }
+        grower.candidates.start(from, to, stores.hints)
     }
 
     /** Makes seeds of the own hints of slices [from] to [to], and joins the islands that share one. */
@@ -76,7 +66,7 @@ public class IslandWorker internal constructor(
      * @return false when it was given up: the step is void or has failed, or the island needs a sphere that [claimRule]
      *   refuses; in that case it is as if it had not been tried
      */
-    public fun process(root: Int): Boolean = grower.process(root)
+    public fun process(root: Int): Boolean = grower.grow(root)
 
     /**
      * Processes the islands that [group] found here first.
@@ -97,10 +87,10 @@ public class IslandWorker internal constructor(
         givenUp.clear()
         for (k in 0 until count) {
             val root = rootAt(k)
-            if (grower.process(root)) continue
+            if (grower.grow(root)) continue
             if (field.stopped) break
             givenUp.add(root)
-            givenUp.add(grower.refused)
+            givenUp.add(island.refused)
         }
         return givenUp.toArray()
     }

@@ -1,7 +1,6 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
@@ -9,6 +8,8 @@ import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.PreparedStep
 
 /**
  * The fast engine: islands of spheres that meet nobody else within a window of time, each processed alone by one worker
@@ -35,12 +36,13 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
     override val loop: RangeLoop get() = gate
 
-    private val field = IslandField(threads)
+    private val prepared = PreparedStep()
+    private val field = IslandField(threads, prepared)
 
     /** For figures on how windows and islands come out. */
     public val crew: IslandCrew = IslandCrew(field, threads)
 
-    private val alone = SerialEngine()
+    private val alone = SerialEngine(prepared = prepared)
     private val quicker = QuickerWay()
     private var failed = false
 
@@ -79,7 +81,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         }
         if (redone == LATE) return false
         crew.writeTo(step.record)
-        field.store(step, loop)
+        field.store(loop)
         step.counters.redoneSteps += redone
         crew.addTo(step.counters)
         return true
@@ -89,7 +91,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private fun growUntilNobodyOutruns(step: CollisionStep): Int {
         var redone = 0
         field.measure(step, loop)
-        while (!attempt(step)) {
+        while (!attempt()) {
             if (quicker.isLate) return LATE
             redone++
             field.enlarge()
@@ -102,8 +104,8 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         fewest != 0 && (threads == 1 || step.population.size < fewest)
 
     /** @return false when somebody outran the bound, or when it is late */
-    private fun attempt(step: CollisionStep): Boolean {
-        field.prepare(step, loop)
+    private fun attempt(): Boolean {
+        field.prepare(loop)
         crew.prepare()
         loop.run(field.size, SPHERES_A_PIECE) { worker, from, to -> crew[worker].searchStart(from, to) }
         while (!crew.isLastWindow) {

@@ -24,12 +24,4 @@ internal class WorkerStores {
         members.clear(limits)
         tried.clear()
     }
-
-    /** One past the last row of attempt [index]. */
-    fun endOfRows(index: Int): Int =
-        if (index + 1 < attempts.size) attempts.firstRow(index + 1) else members.size
-
-    /** One past the last collision of attempt [index] in [tried]. */
-    fun endOfRecord(index: Int): Int =
-        if (index + 1 < attempts.size) attempts.firstRecord(index + 1) else tried.size
 }

@@ -1,8 +1,8 @@
 package daphnis.core.engine.threadpool
 
-import daphnis.core.engine.StepLimits
 import daphnis.core.queue.BucketEventQueue
 import daphnis.core.queue.EventStore
+import daphnis.core.step.StepLimits
 
 /** The potential collision that a worker has taken. */
 internal class Taken {

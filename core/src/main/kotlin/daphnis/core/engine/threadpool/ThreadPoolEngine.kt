@@ -1,23 +1,19 @@
 package daphnis.core.engine.threadpool
 
-import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionStep
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.StepLimits
-import daphnis.core.engine.threadpool.PoolWorker.Outcome
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
-import daphnis.core.search.Grid
 import daphnis.core.search.GridSort
-import daphnis.core.search.Reach
-import daphnis.core.search.RowBounds
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.Impact.End
+import daphnis.core.step.PreparedStep
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicReference
 
 /**
  * Section 4 of Lewis & Massingill: a thread handler runs the loops of a step in parallel, and then one loop a worker
@@ -65,19 +61,14 @@ public class ThreadPoolEngine(
     override val loop: RangeLoop get() = gate
     private val dynamic = ParallelLoop(handler, LoopStrategy.DYNAMIC)
 
-    private val grid = Grid(gridSort)
-    private val rows = StepRows()
-    private val reach = Reach()
-    private val bounds = RowBounds()
-    private val walls = WallContact()
-    private val busy = BusyCells(rows, grid)
-    private val limits = StepLimits()
-    private val queue = SafeQueue(busy, limits)
+    private val prepared = PreparedStep(gridSort)
+    private val busy = BusyCells(prepared.rows, prepared.grid)
+    private val queue = SafeQueue(busy, prepared.limits)
     private val trails = Trails()
-    private val workers = Array(threads) { PoolWorker(rows, grid, bounds, walls, reach, trails, limits) }
-    private val replay = SerialEngine()
+    private val workers = Array(threads) { PoolWorker(prepared, trails) }
+    private val replay = SerialEngine(prepared = prepared)
 
-    private val failedWith = AtomicInteger(Outcome.DONE.ordinal)
+    private val failedWith = AtomicReference(End.DONE)
     private val failedWorker = AtomicInteger()
 
     private var redone = 0
@@ -102,28 +93,24 @@ public class ThreadPoolEngine(
 
     /** @return false when the step is void; the population has not been written */
     private fun advanceTogether(step: CollisionStep): Boolean {
-        reach.measure(step.population, step.boundary, step.duration, loop)
-        walls.prepare(step.boundary)
+        prepared.measure(step, loop)
         while (true) {
             when (attempt(step)) {
-                Outcome.DONE -> return true
-                Outcome.OUTRUN -> {
+                End.DONE -> return true
+                End.VOID -> return false
+                End.OUTRUN -> {
                     if (++redone > MOST_REDONE) return false
-                    reach.enlarge(rows, workers[failedWorker.get()].outrunner, NOBODY, step.population, step.duration)
+                    val outran = workers[failedWorker.get()].taken
+                    prepared.enlarge(prepared.rows, outran.first, outran.second)
                 }
-                Outcome.TOO_LATE -> return false
             }
         }
     }
 
     private fun finish(step: CollisionStep) {
         writeRecord(step)
-        rows.store(step.population, step.duration, loop)
-        for (worker in workers) {
-            step.counters.collisions += worker.collisions
-            step.counters.wallCollisions += worker.wallCollisions
-            step.counters.guardActivations += worker.guarded
-        }
+        prepared.store(loop)
+        for (worker in workers) step.counters.add(worker.counted)
     }
 
     private fun writeRecord(step: CollisionStep) {
@@ -133,34 +120,30 @@ public class ThreadPoolEngine(
         record.sort()
     }
 
-    private fun attempt(step: CollisionStep): Outcome {
-        failedWith.set(Outcome.DONE.ordinal)
-        grid.build(step.population, step.boundary, step.start, step.duration, reach.bound, loop, step.search)
-        rows.load(step.population, grid.order, step.duration, step.law.guard.needsLastCollision, loop)
-        bounds.measure(grid, rows, step.duration, loop)
+    private fun attempt(step: CollisionStep): End {
+        failedWith.set(End.DONE)
+        prepared.prepare(loop)
+        val rows = prepared.rows
         busy.prepare(step.population, step.boundary)
-        limits.start(rows.size, step.start)
         queue.reset(step.duration, rows.id, rows.size)
         trails.reset(rows.size)
-        for (worker in workers) worker.prepare(step)
-        dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to ->
-            workers[worker].searchStart(from, to, step.duration)
-        }
-        for (worker in workers) queue.addAll(worker.found)
-        handler.run { worker -> processSafe(step, worker) }
-        return Outcome.entries[failedWith.get()]
+        for (worker in workers) worker.begin(if (step.record == null) null else worker.record)
+        dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to -> workers[worker].searchStart(from, to) }
+        for (worker in workers) queue.addAll(worker.found.events)
+        handler.run { worker -> processSafe(worker) }
+        return failedWith.get()
     }
 
     /** The loop of one worker. */
-    private fun processSafe(step: CollisionStep, number: Int) {
+    private fun processSafe(number: Int) {
         val worker = workers[number]
         try {
             while (queue.take(worker.taken)) {
-                val outcome = worker.process(step)
-                if (outcome == Outcome.DONE) {
-                    queue.finish(worker.taken, worker.found)
+                val end = worker.processTaken()
+                if (end == End.DONE) {
+                    queue.finish(worker.taken, worker.found.events)
                 } else {
-                    if (failedWith.compareAndSet(Outcome.DONE.ordinal, outcome.ordinal)) failedWorker.set(number)
+                    if (failedWith.compareAndSet(End.DONE, end)) failedWorker.set(number)
                     queue.stop()
                 }
             }
@@ -179,6 +162,5 @@ public class ThreadPoolEngine(
     private companion object {
         const val SPHERES_A_PIECE = 512
         const val MOST_REDONE = 30
-        const val NOBODY = -1
     }
 }

@@ -5,9 +5,9 @@ import daphnis.core.boundary.Open
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.engine.CollisionStep
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
+import daphnis.core.step.CollisionStep
 import java.util.concurrent.atomic.AtomicIntegerArray
 
 /** A step of unit length with elastic collisions. */
@@ -21,7 +21,7 @@ internal fun fieldOf(population: Population, boundary: BoundaryConditions = Open
     val step = stepOf(population, boundary)
     return IslandField(workers).apply {
         measure(step)
-        prepare(step)
+        prepare()
         windowEnd = 1.0
     }
 }

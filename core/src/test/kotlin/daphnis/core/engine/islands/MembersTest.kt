@@ -1,13 +1,12 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.Sphere
+import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** What one worker keeps of its islands: members with their paths, and attempts. */
@@ -61,34 +60,28 @@ class MembersTest {
     }
 
     @Test
-    fun `attempts keep their counts and where they begin, and begin at nothing after they were forgotten`() {
+    fun `an attempt has what came between its beginning and the next one's, beyond the first room`() {
         val attempts = Attempts()
         repeat(2) {
+            val counted = CollisionCounters().apply { collisions = 5_000_000_000 }
             for (k in 0 until 600) {
-                assertEquals(k, attempts.begin(rows = 3 * k, record = 2 * k))
-                repeat(k % 4) { attempts.count(k, Attempts.COLLISIONS) }
-                if (k % 3 == 0) attempts.count(k, Attempts.WALL_COLLISIONS)
-                if (k % 7 == 0) attempts.drop(k)
+                assertEquals(k, attempts.begin(rows = 3 * k, record = 2 * k, counted))
+                counted.collisions += 2
+                counted.wallCollisions++
+                counted.guardActivations += 3
             }
-            for (k in 0 until 600) {
-                assertEquals(3 * k to 2 * k, attempts.firstRow(k) to attempts.firstRecord(k))
-                assertEquals(k % 4, attempts.counted(k, Attempts.COLLISIONS))
-                assertEquals(if (k % 3 == 0) 1 else 0, attempts.counted(k, Attempts.WALL_COLLISIONS))
-                assertEquals(0, attempts.counted(k, Attempts.GUARDED))
-                if (k % 7 == 0) assertFalse(attempts.isAlive(k)) else assertTrue(attempts.isAlive(k))
+            attempts.end(rows = 1799, record = 1198, counted)
+            for (k in 0 until 599) {
+                assertEquals(3 * k to 3 * k + 3, attempts.firstRow(k) to attempts.endOfRows(k))
+                assertEquals(2 * k to 2 * k + 2, attempts.firstRecord(k) to attempts.endOfRecord(k))
             }
+            assertEquals(1797 to 1799, attempts.firstRow(599) to attempts.endOfRows(599))
+            assertEquals(1198 to 1198, attempts.firstRecord(599) to attempts.endOfRecord(599))
+            for (k in 0 until 600 step 3) attempts.drop(k)
+            for (k in 0 until 600) assertEquals(k % 3 != 0, attempts.isAlive(k))
+            val alive = CollisionCounters().also { attempts.addTo(it) }
+            assertEquals(listOf(800L, 400L, 1200L), alive.run { listOf(collisions, wallCollisions, guardActivations) })
             attempts.clear()
         }
-    }
-
-    @Test
-    fun `rows and collisions of an attempt end where those of the next begin`() {
-        val stores = WorkerStores().apply { prepare(1.0, IslandLimits(n)) }
-        for (attempt in 0..2) {
-            stores.attempts.begin(stores.members.size, stores.tried.size)
-            repeat(2 + attempt) { stores.members.take(rows, it) }
-        }
-        assertEquals(listOf(0 to 2, 2 to 5, 5 to 9), List(3) { stores.attempts.firstRow(it) to stores.endOfRows(it) })
-        assertEquals(listOf(0, 0, 0), List(3) { stores.endOfRecord(it) })
     }
 }

@@ -6,6 +6,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
@@ -46,7 +47,7 @@ class PathCheckTest {
             if (worker == 1 && isOtherFree) continue
             field.board.claim(slot, slot)
             val members = stores[worker].members
-            val index = stores[worker].attempts.begin(0, 0)
+            val index = stores[worker].attempts.begin(0, 0, CollisionCounters())
             val k = members.take(field.rows, slot)
             field.board.take(slot, slot, field.board.attemptNumber(worker, index), k)
             for (piece in path.drop(1)) {
@@ -127,7 +128,7 @@ class PathCheckTest {
     fun `an attempt that was dropped has no suspects any more`() {
         val field = fieldOf(populationOf(Sphere(), Sphere(x = 5.0)))
         val stores = WorkerStores().apply { prepare(1.0, field.limits) }
-        stores.attempts.begin(0, 0)
+        stores.attempts.begin(0, 0, CollisionCounters())
         stores.suspects.add(0, 1, 0, 0)
         stores.attempts.drop(0)
         val check = PathCheck(field, stores) { stores.members }

@@ -2,13 +2,13 @@ package daphnis.core.engine.threadpool
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.engine.StepLimits
 import daphnis.core.engine.islands.fieldOf
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.queue.EventStore
 import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.randomSpheres
+import daphnis.core.step.StepLimits
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -1,4 +1,4 @@
-package daphnis.core.engine
+package daphnis.core.step
 
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box

@@ -1,0 +1,38 @@
+package daphnis.core.collision
+
+/**
+ * What the last collision of two spheres was like: filled by [CollisionLaw.collide], which itself keeps nothing. One
+ * object per worker, used again and again.
+ */
+public class CollisionOutcome {
+    /** Normal component of the relative velocity at contact, > 0. */
+    public var impactSpeed: Double = 0.0
+        internal set
+
+    /** Coefficient of restitution that the collision had. */
+    public var coefficient: Double = 1.0
+        internal set
+
+    /** Momentum that the second sphere was given along the normal, ≥ 0; the first was given the opposite. */
+    public var impulse: Double = 0.0
+        internal set
+
+    /**
+     * Vector from the centre of the first to the centre of the second sphere at contact; likewise [separationY],
+     * [separationZ].
+     */
+    public var separationX: Double = 0.0
+        internal set
+    public var separationY: Double = 0.0
+        internal set
+    public var separationZ: Double = 0.0
+        internal set
+
+    /** Place among the collisions at the same time that led to this one, 1 for the first; see [StepRows.rank]. */
+    public var rank: Int = 0
+        internal set
+
+    /** Whether the guard made the collision elastic. */
+    public var guarded: Boolean = false
+        internal set
+}

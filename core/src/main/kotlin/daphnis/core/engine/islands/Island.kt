@@ -1,0 +1,99 @@
+package daphnis.core.engine.islands
+
+import daphnis.core.collision.contactTime
+import daphnis.core.engine.islands.IslandBoard.Companion.FREE
+import daphnis.core.queue.EventHeap
+import daphnis.core.queue.Schedule
+
+/**
+ * The island that a worker is growing: its spheres, addressed by their place among the worker's members, and its queue.
+ * What they can have in this window is queued, and spheres of no island that they can hit join; what lies beyond the
+ * window becomes a hint; who belongs to another island becomes a suspect.
+ *
+ * @param number that of the worker
+ */
+internal class Island(private val field: IslandField, private val number: Int, private val stores: WorkerStores) :
+    Schedule {
+    private val board = field.board
+    private val hints = stores.hints
+    private val members = stores.members
+
+    /** What its spheres can have in this window. */
+    val queue = EventHeap()
+
+    /** Which spheres may join; null for any. */
+    var claimRule: ClaimRule? = null
+
+    /** A sphere that the island needed and [claimRule] refused, −1 when there was none. */
+    var refused = FREE
+        private set
+
+    private var root = FREE
+    private var attempt = 0
+    private var index = 0
+
+    /** Begins with the spheres of the seeds of [root]; this is attempt [index] of the worker. */
+    fun begin(root: Int, index: Int) {
+        this.root = root
+        this.index = index
+        attempt = board.attemptNumber(number, index)
+        refused = FREE
+        queue.reset(field.windowEnd, members.rows.id, 0)
+        val seeds = board.seeds.store
+        var s = board.firstSeed(root)
+        while (s != FREE) {
+            val first = join(seeds.first(s))
+            val second = seeds.second(s)
+            queue.add(seeds.time(s), first, if (second < 0) second else join(second), seeds.image(s))
+            s = seeds.link(s)
+        }
+    }
+
+    /** Takes [slot], which the island owns, into its rows; its place there. */
+    private fun join(slot: Int): Int {
+        if (board.attempt(slot) == attempt) return board.place(slot)
+        val k = members.take(field.rows, slot)
+        board.take(slot, root, attempt, k)
+        queue.include(k, members.rows.id)
+        return k
+    }
+
+    /**
+     * Notes that the sphere at place [first] can touch [second], a slot or a wall's partner number, at [time]: NaN when
+     * that belongs to an island.
+     */
+    override fun add(time: Double, first: Int, second: Int, image: Int) {
+        if (time.isNaN()) {
+            addOwned(first, second, image)
+        } else if (time > field.windowEnd) {
+            hints.add(time, members.slot(first), second, image)
+        } else if (second < 0) {
+            queue.add(time, first, second, image)
+        } else if (claimRule?.mayClaim(second) == false) {
+            refused = second
+        } else if (board.claim(second, root)) {
+            queue.add(time, first, join(second), image)
+        } else {
+            stores.suspects.add(members.slot(first), second, image, index)
+        }
+    }
+
+    /** The same for one that belongs to an island, maybe this one. */
+    private fun addOwned(first: Int, slot: Int, image: Int) {
+        if (board.owner(slot) != root) {
+            stores.suspects.add(members.slot(first), slot, image, index)
+            return
+        }
+        val second = board.place(slot)
+        val t = contactTime(members.rows, first, second, image, field.grid.images)
+        if (t <= field.windowEnd) {
+            queue.add(t, first, second, image)
+        } else if (t <= field.prepared.duration) {
+            hints.add(t, members.slot(first), slot, image)
+        }
+    }
+
+    override fun removeAllOf(slot: Int) {
+        queue.removeAllOf(slot)
+    }
+}

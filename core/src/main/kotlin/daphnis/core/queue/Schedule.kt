@@ -1,0 +1,7 @@
+package daphnis.core.queue
+
+/** Potential collisions to come: takes those that a search finds, and drops those of a sphere that has changed. */
+public interface Schedule : EventSink {
+    /** Drops every potential collision that involves [slot]. */
+    public fun removeAllOf(slot: Int)
+}

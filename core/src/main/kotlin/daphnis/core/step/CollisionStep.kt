@@ -1,0 +1,32 @@
+package daphnis.core.step
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.population.Population
+import daphnis.core.search.SearchStructure
+
+/**
+ * One step's work. The object is reused from step to step.
+ *
+ * @property law the physics of a collision
+ * @property counters where the engine adds what it counted, once the step has succeeded; a step that throws adds
+ *   nothing
+ * @property search how neighbours are found
+ * @property record where collisions are to be written in order, or null when nobody wants them
+ */
+public class CollisionStep(
+    public val population: Population,
+    public val boundary: BoundaryConditions,
+    public val law: CollisionLaw,
+    public val counters: CollisionCounters,
+    public val search: SearchStructure = SearchStructure.AUTO,
+) {
+    /** Time at the start of the step. */
+    public var start: Double = 0.0
+
+    /** Length of the step, > 0. */
+    public var duration: Double = 0.0
+    public var record: CollisionRecord? = null
+}

@@ -1,0 +1,99 @@
+package daphnis.core.step
+
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionOutcome
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.WallContact
+import daphnis.core.queue.Schedule
+
+/**
+ * What an engine does with a potential collision whose time has come: it brings the two to the moment of contact and
+ * changes their velocities, counts, records, drops what the two had queued, looks at the limits and the bounds of the
+ * step, and queues what the two can touch now. Each worker has one of its own.
+ *
+ * @param rows where the spheres are that collide, addressed by place: those of the step, or a worker's copies
+ * @param schedule where potential collisions are queued, by place
+ */
+internal open class Impact(
+    protected val prepared: PreparedStep,
+    protected val rows: StepRows,
+    protected val schedule: Schedule,
+) {
+    /** How an impact ended. */
+    enum class End {
+        DONE,
+
+        /** One of the two outran the bound: the step is to be redone, see [PreparedStep.enlarge]. */
+        OUTRUN,
+
+        /** The search could not go on. */
+        VOID,
+    }
+
+    val candidates: Candidates = prepared.candidates()
+
+    /** What has been counted since [begin]. */
+    val counted = CollisionCounters()
+    private val outcome = CollisionOutcome()
+    private var record: CollisionRecord? = null
+
+    /** For a new attempt at a step, whose collisions are written to [record]; null when nobody wants them. */
+    open fun begin(record: CollisionRecord?) {
+        this.record = record
+        record?.clear()
+        counted.clear()
+    }
+
+    /**
+     * Processes the collision of [first] with [second], a wall's partner number when negative, at [time].
+     *
+     * @throws CollapseException or IllegalArgumentException when the step is beyond its limits, see [StepLimits]
+     */
+    fun process(time: Double, first: Int, second: Int, image: Int): End {
+        val isWall = second < 0
+        if (isWall) {
+            prepared.walls.reflect(rows, first, WallContact.face(second), time)
+            counted.wallCollisions++
+        } else {
+            collide(time, first, second, image)
+        }
+        schedule.removeAllOf(first)
+        if (!isWall) schedule.removeAllOf(second)
+        prepared.limits.checkProgress(rows, first, second, time)
+        prepared.limits.checkWork(counted.collisions + counted.wallCollisions)
+        if (prepared.isOutrun(rows, first) || !isWall && prepared.isOutrun(rows, second)) return End.OUTRUN
+        // The pair itself is searched once, from the first; the second leaves it out.
+        val isDone = goOn(first, NOBODY) && (isWall || goOn(second, slot(first)))
+        return if (isDone) End.DONE else End.VOID
+    }
+
+    private fun collide(time: Double, first: Int, second: Int, image: Int) {
+        if (!prepared.step.law.collide(rows, first, second, image, prepared.images, time, outcome)) return
+        counted.collisions++
+        if (outcome.guarded) counted.guardActivations++
+        record?.add(time, rows.id[first], rows.id[second], outcome)
+    }
+
+    private fun goOn(place: Int, except: Int): Boolean {
+        prepared.bounds.include(slot(place), rows, place)
+        return search(place, except)
+    }
+
+    /** The slot of the step whose sphere is at [place] of the rows. */
+    protected open fun slot(place: Int): Int = place
+
+    /**
+     * Queues what the sphere at [place] can touch now, but for slot [except].
+     *
+     * @return false when the engine cannot go on
+     */
+    protected open fun search(place: Int, except: Int): Boolean {
+        candidates.around(rows, place, except, schedule)
+        return true
+    }
+
+    private companion object {
+        const val NOBODY = -1
+    }
+}

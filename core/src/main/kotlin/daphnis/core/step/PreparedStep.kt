@@ -1,0 +1,103 @@
+package daphnis.core.step
+
+import daphnis.core.boundary.Images
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.WallContact
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.queue.EventSink
+import daphnis.core.search.Grid
+import daphnis.core.search.GridSort
+import daphnis.core.search.Reach
+import daphnis.core.search.RowBounds
+
+/**
+ * A step made ready for its collisions: the one owner of the spheres' order, their rows, the bounds on how far they may
+ * go, the walls and the limits. An engine and its serial fallback work on the same one, one after the other.
+ *
+ * [measure] once per step, then [prepare]; when a sphere outruns the bound, [enlarge] and [prepare] again; at the end
+ * [store]. Between [prepare] and [store] any number of threads may read, each with [candidates] of its own. Who may
+ * write rows is the engine's matter.
+ *
+ * All memory is kept from step to step.
+ *
+ * @param sort how the grid is built; changes nothing but the time it takes
+ */
+public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
+    /** Puts the spheres in cell order. */
+    public val grid: Grid = Grid(sort)
+
+    /** The spheres in that order. */
+    public val rows: StepRows = StepRows()
+
+    internal val reach = Reach()
+    internal val bounds = RowBounds()
+    internal val walls = WallContact()
+    internal val limits = StepLimits()
+
+    /** What is to be done. */
+    internal lateinit var step: CollisionStep
+        private set
+
+    /** Length of the step at hand, at whose end potential collisions end. */
+    public var duration: Double = 0.0
+        private set
+
+    /** Counts the calls of [prepare], so that others can see that what they know of the step is stale. */
+    internal var version = 0L
+        private set
+
+    /** The images of this step. */
+    internal val images: Images get() = grid.images
+
+    /**
+     * Takes [step] over and bounds how far spheres can go in it.
+     *
+     * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
+     */
+    public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
+        this.step = step
+        duration = step.duration
+        reach.measure(step.population, step.boundary, duration, loop)
+        walls.prepare(step.boundary)
+    }
+
+    /** Sorts the spheres into the grid and copies them, as they are at the start of the step. */
+    public fun prepare(loop: RangeLoop = InlineLoop) {
+        val population = step.population
+        grid.build(population, step.boundary, step.start, duration, reach.bound, loop, step.search)
+        rows.load(population, grid.order, duration, step.law.guard.needsLastCollision, loop)
+        bounds.measure(grid, rows, duration, loop)
+        limits.start(rows.size, step.start)
+        version++
+    }
+
+    /** Finds potential collisions of this and all later steps, for one thread. */
+    public fun candidates(): Candidates = GridCandidates(this)
+
+    /** Whether the sphere at [place] of [rows], if nothing more happens to it, ends the step beyond the bound. */
+    internal fun isOutrun(rows: StepRows, place: Int): Boolean = reach.isOutrun(rows, place, step.population, duration)
+
+    /**
+     * Makes room for the spheres at [first] and [second] (negative for none) of [rows], which outran the bound.
+     *
+     * @throws IllegalArgumentException when there is none, see [Reach.enlarge]
+     */
+    public fun enlarge(rows: StepRows, first: Int, second: Int) {
+        reach.enlarge(rows, first, second, step.population, duration)
+    }
+
+    /** Queues the potential collisions of the sphere at [place] of [rows] with walls. */
+    internal fun queueWalls(rows: StepRows, place: Int, sink: EventSink) {
+        if (!walls.present) return
+        for (face in 0 until WallContact.FACES) {
+            val t = walls.time(rows, place, face)
+            if (t <= duration) sink.add(t, place, WallContact.partner(face), 0)
+        }
+    }
+
+    /** Brings every sphere to the end of the step and writes all to the population, see [StepRows.store]. */
+    public fun store(loop: RangeLoop = InlineLoop) {
+        rows.store(step.population, duration, loop)
+    }
+}
