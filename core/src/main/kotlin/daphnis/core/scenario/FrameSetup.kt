@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.BoundaryConditions
+
 /** What a scenario's frame means in its units, and times given in orbits. */
 public object FrameSetup {
     /**
@@ -32,28 +34,20 @@ public object FrameSetup {
 
     /**
      * Radially Hill's frame has no two places alike: what leaves at one side comes in at the other only with the
-     * sheet's shear, so images along x must slide (or there be none); along z the pull towards the midplane turns round
-     * at periodic faces.
+     * frame's shear, so images along x must slide with it (or there be none); along z the pull towards the midplane
+     * turns round at periodic faces.
+     *
+     * @param boundary the [Scenario.boundary], made
      */
-    internal fun checkFaces(scenario: Scenario, check: ValueCheck) {
+    internal fun checkFaces(scenario: Scenario, boundary: BoundaryConditions, omega: Double?, check: ValueCheck) {
         val frame = scenario.frame as? FrameSpec.Hill ?: return
-        val boundary = scenario.boundary
-        if (boundary is BoundarySpec.HillSheet || boundary is BoundarySpec.Open) return
-        val walls = (boundary as? BoundarySpec.Walls)?.axes.orEmpty()
-        val fits = 'x' in walls && ('z' in walls || frame.verticalFactor == 0.0)
-        check.that("boundary.type", typeName(boundary), fits) {
+        val flow = boundary.meanFlow?.takeIf { boundary.shear?.normalAxis == 0 }
+        val fitsRadially = !boundary.repeats(0) || flow?.rate == -1.5 * omega!!
+        val fitsVertically = !boundary.repeats(2) || frame.verticalFactor == 0.0
+        check.that("boundary.type", scenario.boundary, fitsRadially && fitsVertically) {
             "it does not go with a frame of type hill, whose mean flow v_y = -3/2 Ω x is not the same at both faces; " +
                 "it must be hill-sheet or open (or walls across x and z)"
         }
-    }
-
-    private fun typeName(boundary: BoundarySpec): String = when (boundary) {
-        is BoundarySpec.Open -> "open"
-        is BoundarySpec.Periodic -> "periodic"
-        is BoundarySpec.Walls -> "walls with axes ${boundary.axes}"
-        is BoundarySpec.ShearedPeriodic -> "sheared-periodic"
-        is BoundarySpec.LeesEdwards -> "lees-edwards"
-        is BoundarySpec.HillSheet -> "hill-sheet"
     }
 
     /** The scenario with `untilOrbits` and a step given as part of an orbit written out in units of time. */

@@ -71,37 +71,6 @@ public sealed interface FrameSpec {
 @Serializable
 public class BoxSpec(public val lengths: List<Double>)
 
-@Serializable
-public sealed interface BoundarySpec {
-    /** No faces. The box only says where spheres are put at the start. */
-    @Serializable
-    @SerialName("open")
-    public class Open : BoundarySpec
-
-    @Serializable
-    @SerialName("periodic")
-    public class Periodic : BoundarySpec
-
-    /** Reflecting walls across the axes named in [axes]; the other axes are periodic. */
-    @Serializable
-    @SerialName("walls")
-    public class Walls(public val axes: String = "xyz", public val restitution: Double = 1.0) : BoundarySpec
-
-    /** The paper's sheared periodic box. */
-    @Serializable
-    @SerialName("sheared-periodic")
-    public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec
-
-    @Serializable
-    @SerialName("lees-edwards")
-    public class LeesEdwards(public val shearRate: Double) : BoundarySpec
-
-    /** The shearing sheet of Hill's frame, or with [radiallyOpen] a ringlet that repeats along the orbit only. */
-    @Serializable
-    @SerialName("hill-sheet")
-    public class HillSheet(public val radiallyOpen: Boolean = false) : BoundarySpec
-}
-
 /**
  * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² an area of the x-y plane) and [surfaceDensity] (mass
  * an area); masses from [density] unless [mass] gives every sphere the same.

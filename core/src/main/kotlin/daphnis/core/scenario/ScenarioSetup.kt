@@ -5,11 +5,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.LeesEdwards
-import daphnis.core.boundary.Open
-import daphnis.core.boundary.Periodic
-import daphnis.core.boundary.ShearedPeriodic
-import daphnis.core.boundary.Walls
 import daphnis.core.collision.BorderiesRestitution
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.CollapseGuard
@@ -19,7 +14,6 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
-import daphnis.core.hill.HillSheet
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -66,8 +60,8 @@ public class ScenarioSetup private constructor(
             val omega = FrameSetup.angularSpeed(scenario, source)
             checkRun(scenario, check)
             val box = box(scenario, check)
-            val shape = boundary(scenario, box, omega, check)
-            FrameSetup.checkFaces(scenario, check)
+            val shape = scenario.boundary.conditions(box, omega, source)
+            FrameSetup.checkFaces(scenario, shape, omega, check)
             val restitution = restitution(scenario, check)
             val initial = InitialState(scenario, box, shape, check)
             val population = state ?: initial.population()
@@ -137,28 +131,6 @@ public class ScenarioSetup private constructor(
             }
             return box
         }
-
-        private fun boundary(scenario: Scenario, box: Box, omega: Double?, check: ValueCheck): BoundaryConditions =
-            when (val spec = scenario.boundary) {
-                is BoundarySpec.Open -> Open
-                is BoundarySpec.Periodic -> Periodic(box)
-                is BoundarySpec.Walls -> {
-                    val known =
-                        spec.axes.isNotEmpty() &&
-                            spec.axes.all { it in "xyz" } &&
-                            spec.axes.toSet().size == spec.axes.length
-                    check.that("boundary.axes", spec.axes, known) { "must name axes, such as xyz or z" }
-                    check.fraction("boundary.restitution", spec.restitution)
-                    Walls(box, spec.restitution, BooleanArray(3) { "xyz"[it] in spec.axes })
-                }
-                is BoundarySpec.ShearedPeriodic -> ShearedPeriodic(box, spec.velocityJump)
-                is BoundarySpec.LeesEdwards -> LeesEdwards(box, spec.shearRate)
-                is BoundarySpec.HillSheet -> HillSheet(
-                    box,
-                    omega ?: check.fail("boundary", "is a hill-sheet; it needs a frame of type hill"),
-                    spec.radiallyOpen,
-                )
-            }
 
         private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
             val unit = scenario.units.speedInCmPerSecond

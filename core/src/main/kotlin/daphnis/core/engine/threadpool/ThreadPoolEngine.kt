@@ -138,7 +138,7 @@ public class ThreadPoolEngine(
         grid.build(step.population, step.boundary, step.start, step.duration, reach.bound, loop, step.search)
         rows.load(step.population, grid.order, step.duration, step.law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, step.duration, loop)
-        busy.prepare(step.population, step.boundary)
+        busy.prepare(step.population)
         limits.start(rows.size, step.start)
         queue.reset(step.duration, rows.id, rows.size)
         trails.reset(rows.size)
