@@ -98,13 +98,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() = sqrt(
-        granularTemperature(
-            population,
-            setup.boundary.meanFlow,
-            scenario.firstBody ?: Int.MAX_VALUE,
-        ),
-    )
+    private fun dispersion() =
+        sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
 
     private fun collisions() {
         val c = dispersion()
@@ -121,7 +116,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         }
         rows.add("restitution", law)
         when (val guard = scenario.guard) {
-            null, is GuardSpec.None -> rows.add("guard", "none")
+            is GuardSpec.None -> rows.add("guard", "none")
             is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")
             is GuardSpec.ContactDuration -> rows.add(
                 "guard",

@@ -10,7 +10,7 @@ public object FrameSetup {
      * @param source what to call the scenario in messages
      * @throws InputException when the frame is not determined
      */
-    public fun angularSpeed(scenario: Scenario, source: String): Double? {
+    public fun angularSpeed(scenario: ScenarioParts, source: String): Double? {
         val check = ValueCheck(source)
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
         check.must("frame", (frame.angularSpeed == null) != (frame.distanceInKm == null)) {
@@ -50,8 +50,12 @@ public object FrameSetup {
         }
     }
 
-    /** The scenario with `untilOrbits` and a step given as part of an orbit written out in units of time. */
-    public fun withTimes(scenario: Scenario, source: String): Scenario {
+    /**
+     * The end of the run and its steps in units of time, where the scenario may give them in orbits.
+     *
+     * @throws InputException when they are not determined
+     */
+    public fun times(scenario: Scenario, source: String): RunTimes {
         val check = ValueCheck(source)
         val omega = angularSpeed(scenario, source)
         val orbit = if (omega == null) null else 2 * Math.PI / omega
@@ -64,9 +68,16 @@ public object FrameSetup {
         val until = scenario.until ?: scenario.untilOrbits?.let { it * orbit!! }
         val end = until ?: check.fail("until", "is missing; it must be a finite number (or give untilOrbits)")
         val step = scenario.timeStep
-        if (step !is TimeStepSpec.OrbitFraction) return scenario.copy(until = end, untilOrbits = null)
+        if (step !is TimeStepSpec.OrbitFraction) return RunTimes(end, step)
         check.positive("timeStep.steps", step.steps)
         val length = orbit ?: check.fail("timeStep", "is part of an orbit; it needs a frame")
-        return scenario.copy(until = end, untilOrbits = null, timeStep = TimeStepSpec.Fixed(length / step.steps))
+        return RunTimes(end, TimeStepSpec.Fixed(length / step.steps))
     }
 }
+
+/**
+ * When a run ends and how long its steps are, in units of time.
+ *
+ * @property timeStep not an [TimeStepSpec.OrbitFraction]
+ */
+public class RunTimes internal constructor(public val end: Double, public val timeStep: TimeStepSpec)

@@ -26,10 +26,9 @@ import kotlin.math.sqrt
  *
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
  * @property notices what a user should know about the initial state, a line each
- * @property scenario with every default that depends on others written out, so that it means the same again
  */
 public class ScenarioSetup private constructor(
-    public val scenario: Scenario,
+    public val scenario: ResolvedScenario,
     public val population: Population,
     public val boundary: BoundaryConditions,
     public val restitution: Restitution,
@@ -53,54 +52,32 @@ public class ScenarioSetup private constructor(
          * @param state the population to go on with, or null for the initial state that the scenario describes
          * @throws InputException for whatever is wrong
          */
-        public fun of(given: Scenario, source: String, state: Population? = null): ScenarioSetup {
+        public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup {
             val check = ValueCheck(source)
-            checkUnits(given.units, check)
-            val scenario = FrameSetup.withTimes(given, source)
-            val omega = FrameSetup.angularSpeed(scenario, source)
+            val around = Surroundings.of(scenario, source)
             checkRun(scenario, check)
-            val box = box(scenario, check)
-            val shape = scenario.boundary.conditions(box, omega, source)
-            FrameSetup.checkFaces(scenario, shape, omega, check)
             val restitution = restitution(scenario, check)
-            val initial = InitialState(scenario, box, shape, check)
+            val initial = InitialState(scenario, around.box, around.boundary, check)
             val population = state ?: initial.population()
-            val forceSetup = ForceSetup(scenario, omega, check)
-            val forces = forceSetup.forces(shape, scenario.firstBody ?: (population.size - scenario.bodies.size))
+            // Where a run of this file had them says nothing of a new initial state.
+            val firstBody = (if (state == null) scenario.copy(firstBody = null) else scenario).firstBody(population.size)
+            val forceSetup = ForceSetup(scenario, around.angularSpeed, check)
+            val forces = forceSetup.forces(around.boundary, firstBody)
             val boundary = forceSetup.boundary
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
-            val timeStepSpec = resolve(scenario.timeStep, box, population)
+            val timeStepSpec = resolve(around.timeStep, around.box, population)
             val timeStep = timeStep(timeStepSpec, check)
-            checkSteps(scenario, timeStepSpec, check)
+            val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody)
+            checkSteps(resolved, check)
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
-            val firstBody = if (scenario.bodies.isEmpty()) {
-                null
-            } else {
-                scenario.firstBody
-                    ?: (population.size - scenario.bodies.size)
-            }
-            val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec, firstBody = firstBody)
+            val guard = guard(guardSpec, check)
             return ScenarioSetup(
-                resolved, population, boundary, restitution,
-                guard(
-                    guardSpec,
-                    check,
-                ),
-                forces, timeStep, omega, initial.notices,
+                resolved, population, boundary, restitution, guard, forces, timeStep, around.angularSpeed,
+                initial.notices,
             )
         }
 
-        private fun checkUnits(units: UnitsSpec, check: ValueCheck) {
-            check.positive("units.speedInCmPerSecond", units.speedInCmPerSecond)
-            units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
-            check.positive("units.massInKg", units.massInKg)
-        }
-
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
-            val start = scenario.startTime
-            check.that("until", scenario.end, scenario.end > start && scenario.end.isFinite()) {
-                if (start == 0.0) "must be > 0" else "must be later than placement.time, $start, where the run starts"
-            }
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
                 "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
             }
@@ -117,19 +94,6 @@ public class ScenarioSetup private constructor(
             check.that("output.checkpointEvery", output.checkpointEvery, output.checkpointEvery >= 0) {
                 "must be >= 0 (0 for the end only)"
             }
-        }
-
-        private fun box(scenario: Scenario, check: ValueCheck): Box {
-            val lengths = scenario.box.lengths
-            check.that("box.lengths", lengths, lengths.size == 3) {
-                "must be three numbers, the edges along x, y and z"
-            }
-            lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
-            val box = Box.centred(lengths[0], lengths[1], lengths[2])
-            check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) {
-                "give a volume of ${box.volume}; it must be positive and finite"
-            }
-            return box
         }
 
         private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
@@ -210,8 +174,8 @@ public class ScenarioSetup private constructor(
         }
 
         /** Steps are counted, and each must bring the time forward. */
-        private fun checkSteps(scenario: Scenario, spec: TimeStepSpec, check: ValueCheck) {
-            val (key, longest) = when (spec) {
+        private fun checkSteps(scenario: ResolvedScenario, check: ValueCheck) {
+            val (key, longest) = when (val spec = scenario.timeStep) {
                 is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
                 is TimeStepSpec.CellCrossing -> "timeStep.longest" to spec.longest
                 is TimeStepSpec.OrbitFraction -> return
