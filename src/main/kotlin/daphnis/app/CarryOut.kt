@@ -7,7 +7,6 @@ import daphnis.analysis.plot.RunPlot
 import daphnis.app.describe.spheres
 import daphnis.core.run.Run
 import daphnis.core.run.Summary
-import daphnis.core.scenario.ScenarioJson
 import java.util.Locale
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
@@ -53,7 +52,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
 private fun drawPlot(run: Run, summary: Summary) {
     fun none(e: Throwable) = warn("no plot: ${e.message ?: e.javaClass.simpleName}; the run is complete")
     try {
-        val scale = PlotScale.of(ScenarioJson.read(run.directory.scenario), run.simulation.population)
+        val scale = PlotScale.of(run.scenario, run.simulation.population)
         RunPlot.write(run.directory.series, run.directory.plots, summary.scenario, scale)
     } catch (e: Exception) {
         none(e)

@@ -19,6 +19,7 @@ import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.WayOut
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -47,11 +48,7 @@ class ExportCommand : CliktCommand(name = "export") {
         run.requireRun()
         val steps = run.snapshotSteps()
         if (steps.isEmpty()) {
-            throw InputException(
-                directory,
-                null,
-                "has no snapshots; run with --set output.snapshotEvery=10, say",
-            )
+            throw InputException(directory, null, "has no snapshots", WayOut.WRITE_SNAPSHOTS)
         }
         val target = out?.let { pathOf(it, "--out") } ?: run.path.resolve("export")
         Files.createDirectories(target)

@@ -5,12 +5,14 @@ import daphnis.core.format.oneLine
 import daphnis.core.run.RunException
 import daphnis.core.run.reasonOf
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.WayOut
 import java.io.IOException
 import java.nio.file.InvalidPathException
 
 /** Says in one line on the error stream what went wrong. @return the exit code for it */
 internal fun complain(e: Throwable): Int = when (e) {
-    is InputException, is FormatException -> complain(e.message.orEmpty(), EXIT_INPUT)
+    is InputException -> complain(inFlags(e), EXIT_INPUT)
+    is FormatException -> complain(e.message.orEmpty(), EXIT_INPUT)
     is RunException -> complain(e.message.orEmpty(), EXIT_FAILED)
     is InvalidPathException -> {
         val mend = "names beyond ASCII need a locale with UTF-8"
@@ -30,6 +32,24 @@ internal fun complain(e: Throwable): Int = when (e) {
     }
     else -> complain("unexpected ${words(e)}; this is a fault of daphnis, $DEBUG shows where", EXIT_FAILED)
 }
+
+/** The message of [e] in the words of the command line: arguments and ways out are flags. */
+private fun inFlags(e: InputException): String {
+    val source = if (e.isArgument) FLAGS[e.source] ?: "--${e.source}" else e.source
+    return e.message(source, e.wayOut?.let(::inFlags))
+}
+
+private fun inFlags(wayOut: WayOut): String = when (wayOut) {
+    WayOut.ANOTHER_DIRECTORY -> "give another directory with --out"
+    WayOut.REPLACE_RUN -> "give another directory with --out, or --force to replace the run in it"
+    WayOut.ONLY_RUNS_ARE_REPLACED -> "--force replaces runs only"
+    WayOut.RESUME_WITH_LOSS, WayOut.BEGIN_ANEW -> "${wayOut.words}: resume --accept-loss"
+    WayOut.ANALYSE_WITH_LOSS -> "${wayOut.words}: analyze --accept-loss"
+    WayOut.WRITE_SNAPSHOTS -> "run with --set output.snapshotEvery=10, say"
+}
+
+/** Arguments whose flag has another name. */
+private val FLAGS = mapOf("settings" to "--set")
 
 /** [warn]. @return [code] */
 internal fun complain(message: String, code: Int): Int {

@@ -72,11 +72,9 @@ class RunCommand : CliktCommand(name = "run") {
             throw InputException("--steps", null, "is given together with --until; one of the two is enough")
         }
         if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
-        val timed = FrameSetup.withTimes(scenario.copy(until = 1.0), this.scenario)
-        val step =
-            timed.timeStep as? TimeStepSpec.Fixed
-                ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
-        return timed.copy(until = timed.startTime + steps * step.dt)
+        val step = FrameSetup.times(scenario.copy(until = 1.0), this.scenario).timeStep as? TimeStepSpec.Fixed
+            ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
+        return scenario.copy(until = scenario.startTime + steps * step.dt)
     }
 
     /** runs/NAME, or runs/NAME-2, -3, … */

@@ -78,13 +78,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         )
         val area = setup.boundary.box.length(0) * setup.boundary.box.length(1)
         val surface = particles.sumOf { population.mass[it] } / area
-        val dispersion = sqrt(
-            granularTemperature(
-                population,
-                setup.boundary.meanFlow,
-                scenario.firstBody ?: Int.MAX_VALUE,
-            ),
-        )
+        val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
         val wavelength = 4 * Math.PI * Math.PI * g * surface / (omega * omega)
         val q = dispersion * omega / (TOOMRE * g * surface)
         rows.add("Toomre", "critical wavelength ${say.length(wavelength)}, Q = ${number(q)} at the start$off")

@@ -1,9 +1,9 @@
 package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.fillingFactor
 import daphnis.core.population.granularTemperature
-import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
@@ -65,7 +65,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     private fun surroundings() {
-        rows.add("box", "${scenario.box.lengths.joinToString(" x ") { say.length(it) }}, ${faces()}")
+        val edges = scenario.box.lengths.joinToString(" x ") { say.length(it) }
+        rows.add("box", "$edges, ${scenario.boundary.inWords(::number, say::speed)}")
         say.unitOfTime()?.let { rows.add("unit of time", it) }
         val omega = setup.angularSpeed ?: return
         val frame = scenario.frame as FrameSpec.Hill
@@ -79,18 +80,9 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         )
     }
 
-    private fun faces(): String = when (val boundary = scenario.boundary) {
-        is BoundarySpec.Open -> "open: only where spheres are put"
-        is BoundarySpec.Periodic -> "periodic"
-        is BoundarySpec.Walls -> "walls across ${boundary.axes}"
-        is BoundarySpec.ShearedPeriodic -> "sheared-periodic, velocity jump ${say.speed(boundary.velocityJump)}"
-        is BoundarySpec.LeesEdwards -> "lees-edwards, shear rate ${number(boundary.shearRate)} per unit of time"
-        is BoundarySpec.HillSheet -> if (boundary.radiallyOpen) "ringlet, repeats along y" else "shearing sheet, repeats along x and y"
-    }
-
     private fun fullness() {
         val radii = DoubleArray(particles.size) { population.radius[particles[it]] }
-        val open = scenario.boundary is BoundarySpec.Open || scenario.boundary is BoundarySpec.HillSheet
+        val open = (0..2).any { setup.boundary.contactFaces(it) == ContactFaces.OPEN }
         rows.add("filling factor", number(fillingFactor(radii, box)) + if (open) " of the box at the start" else "")
         setup.angularSpeed ?: return
         val area = box.length(0) * box.length(1)
@@ -106,13 +98,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() = sqrt(
-        granularTemperature(
-            population,
-            setup.boundary.meanFlow,
-            scenario.firstBody ?: Int.MAX_VALUE,
-        ),
-    )
+    private fun dispersion() =
+        sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
 
     private fun collisions() {
         val c = dispersion()
@@ -129,7 +116,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         }
         rows.add("restitution", law)
         when (val guard = scenario.guard) {
-            null, is GuardSpec.None -> rows.add("guard", "none")
+            is GuardSpec.None -> rows.add("guard", "none")
             is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")
             is GuardSpec.ContactDuration -> rows.add(
                 "guard",

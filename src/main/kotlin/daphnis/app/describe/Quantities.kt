@@ -1,7 +1,7 @@
 package daphnis.app.describe
 
 import daphnis.core.scenario.RestitutionSpec
-import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioParts
 import java.math.BigDecimal
 import java.math.MathContext
 import java.util.Locale
@@ -10,7 +10,7 @@ import java.util.Locale
  * Says numbers of a scenario with their units, in those that a person would choose; "length units" and so on where the
  * scenario does not know them.
  */
-internal class Quantities(scenario: Scenario) {
+internal class Quantities(scenario: ScenarioParts) {
     private val units = scenario.units
     private val si = units.si
 

@@ -1,7 +1,6 @@
 package daphnis.actors.region
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.search.Grid
@@ -105,7 +104,7 @@ public class RegionMap(public val layout: RegionLayout) {
             val gap = maxOf(low[b * AXES + axis] - high[a * AXES + axis], low[a * AXES + axis] - high[b * AXES + axis])
             val sight = grid.sight(axis)
             if (gap <= sight) continue
-            if (boundary.contactFaces(axis) != ContactFaces.PERIODIC) return false
+            if (!boundary.hasImages(axis)) return false
             val length = boundary.box.length(axis)
             val span = maxOf(high[b * AXES + axis] - low[a * AXES + axis], high[a * AXES + axis] - low[b * AXES + axis])
             if (abs(length - span) > sight && length - span > 0) return false

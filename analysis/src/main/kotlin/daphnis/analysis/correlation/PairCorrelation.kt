@@ -3,7 +3,6 @@ package daphnis.analysis.correlation
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.search.CellRuns
 import daphnis.core.search.Grid
 import daphnis.core.search.SearchStructure
@@ -108,7 +107,7 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
 
     public companion object {
         /** Whether distances are counted in the x-y plane: where [boundary] has no images along z. */
-        public fun isInPlane(boundary: BoundaryConditions): Boolean = boundary.contactFaces(2) != ContactFaces.PERIODIC
+        public fun isInPlane(boundary: BoundaryConditions): Boolean = !boundary.hasImages(2)
 
         /**
          * The largest distance that [boundary] has room for: half the shortest edge along the axes in which distances
@@ -124,8 +123,8 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
         private fun room(boundary: BoundaryConditions, inPlane: Boolean, distance: Double): Double {
             // A pair d apart along an open edge L has the share 1 − |d|/L of it; averages of |cos| and |cos sin| over
             // directions.
-            val x = if (boundary.contactFaces(0) == ContactFaces.PERIODIC) 0.0 else distance / boundary.box.length(0)
-            val y = if (boundary.contactFaces(1) == ContactFaces.PERIODIC) 0.0 else distance / boundary.box.length(1)
+            val x = if (boundary.hasImages(0)) 0.0 else distance / boundary.box.length(0)
+            val y = if (boundary.hasImages(1)) 0.0 else distance / boundary.box.length(1)
             return if (inPlane) 1 - 2 / PI * (x + y) + x * y / PI else 1 - (x + y) / 2 + 2 / (3 * PI) * x * y
         }
 

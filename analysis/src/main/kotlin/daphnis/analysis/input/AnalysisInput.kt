@@ -20,7 +20,9 @@ import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
-import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.Surroundings
+import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.WayOut
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.isRegularFile
@@ -39,6 +41,7 @@ import kotlin.io.path.name
 public class AnalysisInput private constructor(
     public val name: String,
     public val scenario: Scenario?,
+    private val firstBody: Int,
     public val summary: Summary?,
     public val times: DoubleArray,
     private val load: (Int) -> Snapshot,
@@ -62,11 +65,14 @@ public class AnalysisInput private constructor(
     // Of open space the box around the last state, for all states, so that bins and maps of one are those of another.
     private val bounds: BoundaryConditions by lazy { boundary(load(size - 1).population()) }
 
+    /** Whether the sphere with [id] is one of the scenario's bodies. */
+    public fun isBody(id: Int): Boolean = firstBody != Int.MAX_VALUE && id >= firstBody
+
     /** Reads state [k]. @throws FormatException when its file cannot be read */
     public fun state(k: Int): State {
         val population = load(k).population()
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
-        return State(population, bounds, times[k], omega, scenario?.firstBody ?: Int.MAX_VALUE, factor)
+        return State(population, bounds, times[k], omega, firstBody, factor)
     }
 
     public companion object {
@@ -74,8 +80,8 @@ public class AnalysisInput private constructor(
          * The run in [path], finished or still going on.
          *
          * @param acceptLoss whether files that are not what the run wrote are taken as they are; [notices] say which
-         * @throws InputException when there is no run or it has no snapshot
-         * @throws FormatException when a file cannot be read, or is not what the run wrote
+         * @throws InputException when there is no run, it has no snapshot, or a file is not what the run wrote
+         * @throws FormatException when a file cannot be read
          */
         public fun ofRun(path: Path, acceptLoss: Boolean = false): AnalysisInput {
             val run = RunDirectory(path)
@@ -85,26 +91,22 @@ public class AnalysisInput private constructor(
             val scenario = read.atHome(path)
             val steps = run.snapshotSteps()
             if (steps.isEmpty()) {
-                throw InputException(
-                    path.toString(),
-                    null,
-                    "has no snapshots; run with --set output.snapshotEvery=10, say",
-                )
+                throw InputException(path.toString(), null, "has no snapshots", WayOut.WRITE_SNAPSHOTS)
             }
             fun frame(k: Int) = run.frame(steps[k])
-            val first = frame(0).population()
-            val setup = ScenarioSetup.of(scenario, run.scenario.toString(), first)
-            val step = setup.timeStep
+            val around = Surroundings.of(scenario, run.scenario.toString())
+            val step = around.timeStep
             val times = DoubleArray(steps.size) { k ->
-                if (step is daphnis.core.FixedTimeStep) scenario.startTime + steps[k] * step.duration else frame(k).time
+                if (step is TimeStepSpec.Fixed) scenario.startTime + steps[k] * step.dt else frame(k).time
             }
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
             val series = if (Files.exists(run.series)) SeriesTable.read(run.series) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
-            val bounds = { population: Population -> bounded(setup.boundary, population) }
+            val bounds = { population: Population -> bounded(around.boundary, population) }
+            val firstBody = scenario.firstBody(frame(0).size)
             return AnalysisInput(
-                scenario.name, setup.scenario, summary, times, ::frame, bounds, setup.angularSpeed,
+                scenario.name, scenario, firstBody, summary, times, ::frame, bounds, around.angularSpeed,
                 transport, series, impacts, run, notices,
             )
         }
@@ -117,9 +119,7 @@ public class AnalysisInput private constructor(
             val problems =
                 record.changes(scenario) + record.problems(run.summary, run.series, run.transport, run.impacts)
             if (problems.isNotEmpty() && !acceptLoss) {
-                throw FormatException(
-                    "${problems.first()}; bring it back, or take what is there: analyze --accept-loss",
-                )
+                throw InputException("", null, problems.first(), WayOut.ANALYSE_WITH_LOSS)
             }
             return problems + record.losses + record.harmlessChanges(scenario)
         }
@@ -141,16 +141,13 @@ public class AnalysisInput private constructor(
                     throw FormatException("$path: frame $k is of time ${frame.time}, after $before; times must ascend")
                 }
             }
-            val setup = scenario?.let { ScenarioSetup.of(it, source, frames[0].population()) }
-            val given = setup?.boundary ?: ofFrame(frames[0])
-            if (setup != null) for ((k, frame) in frames.withIndex()) requireNear(given, frame, "$path: frame $k")
+            val around = scenario?.let { Surroundings.of(it, source) }
+            val given = around?.boundary ?: ofFrame(frames[0])
+            if (around != null) for ((k, frame) in frames.withIndex()) requireNear(given, frame, "$path: frame $k")
             return AnalysisInput(
-                path.name.substringBeforeLast('.'), setup?.scenario, null,
-                DoubleArray(frames.size) {
-                    frames[it].time
-                },
-                { frames[it] }, { bounded(given, it) },
-                setup?.angularSpeed, null, null, null, null, emptyList(),
+                path.name.substringBeforeLast('.'), scenario, scenario?.firstBody(frames[0].size) ?: Int.MAX_VALUE, null,
+                DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
+                around?.angularSpeed, null, null, null, null, emptyList(),
             )
         }
 
@@ -173,11 +170,8 @@ public class AnalysisInput private constructor(
         private fun ofFrame(frame: Snapshot): BoundaryConditions {
             if (frame.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open
             if (frame.shearOffset != 0.0) {
-                throw InputException(
-                    "--scenario",
-                    null,
-                    "is missing; images slide in this file, and the scenario has to say how",
-                )
+                val why = "is missing; images slide in this file, and the scenario has to say how"
+                throw InputException("scenario", null, why, isArgument = true)
             }
             return Periodic(
                 Box.centred(frame.lengths[0], frame.lengths[1], frame.lengths[2]),
@@ -189,7 +183,7 @@ public class AnalysisInput private constructor(
 
         /** Open space ends where the spheres do. */
         private fun bounded(boundary: BoundaryConditions, p: Population): BoundaryConditions {
-            if ((0..2).all { boundary.box.length(it).isFinite() } || p.size == 0) return boundary
+            if (boundary.box.isFinite || p.size == 0) return boundary
             fun low(a: DoubleArray) = a.indices.minOf { a[it] - p.radius[it] }
             fun high(a: DoubleArray) = a.indices.maxOf { a[it] + p.radius[it] }
             return Periodic(Box(low(p.x), low(p.y), low(p.z), high(p.x), high(p.y), high(p.z)), false, false, false)

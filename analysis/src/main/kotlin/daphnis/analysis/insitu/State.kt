@@ -33,24 +33,10 @@ public class State(
      * out.
      */
     public fun againstFlow(index: Int, axis: Int): Double {
-        val p = population
-        val v = if (axis == 0) {
-            p.vx[index]
-        } else if (axis == 1) {
-            p.vy[index]
-        } else {
-            p.vz[index]
-        }
+        val v = population.velocity(axis)[index]
         val flow = boundary.meanFlow ?: return v
         if (axis != flow.flowAxis) return v
-        val across = if (flow.normalAxis == 0) {
-            p.x[index]
-        } else if (flow.normalAxis == 1) {
-            p.y[index]
-        } else {
-            p.z[index]
-        }
-        return v - flow.rate * across
+        return v - flow.rate * population.position(flow.normalAxis)[index]
     }
 
     public companion object {

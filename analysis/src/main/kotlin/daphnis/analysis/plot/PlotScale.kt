@@ -3,7 +3,7 @@ package daphnis.analysis.plot
 import daphnis.analysis.table.UnitNames
 import daphnis.core.population.Population
 import daphnis.core.scenario.FrameSetup
-import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ResolvedScenario
 import kotlin.math.PI
 
 /**
@@ -26,8 +26,8 @@ public class PlotScale(public val units: UnitNames, omega: Double?, meanRadius: 
     public val rateName: String = if (omega == null) units.rate else "1/orbit"
 
     public companion object {
-        /** Of a [scenario] as a run resolved it, with the spheres it began with. */
-        public fun of(scenario: Scenario, population: Population): PlotScale {
+        /** Of the [scenario] of a run, with the spheres it began with. */
+        public fun of(scenario: ResolvedScenario, population: Population): PlotScale {
             val particles = (0 until population.size).filter { !scenario.isBody(population.id[it]) }
             val radius = if (particles.isEmpty()) 1.0 else particles.map { population.radius[it] }.average()
             return PlotScale(UnitNames(scenario.units), FrameSetup.angularSpeed(scenario, scenario.name), radius)

@@ -50,11 +50,8 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         if (from <= last) return
         val value = ReportText.plain(from, DIGITS)
         val end = ReportText.plain(last, DIGITS)
-        throw InputException(
-            "--from",
-            null,
-            "is $value; the last state is at time $end, so it must be at most that, in the scenario's unit of time",
-        )
+        val why = "the last state is at time $end, so it must be at most that, in the scenario's unit of time"
+        throw InputException("from", null, "is $value; $why", isArgument = true)
     }
 
     /**

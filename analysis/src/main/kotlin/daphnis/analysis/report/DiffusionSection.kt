@@ -103,7 +103,7 @@ internal class DiffusionSection(private val study: Study) : Section {
 
     private fun follow(): MeanSquareDisplacement? {
         // Particles only ever leave, so those that are there at the end were there throughout.
-        val there = last.id.filter { input.scenario?.isBody(it) != true }
+        val there = last.id.filter { !input.isBody(it) }
         val every = (there.size + MOST_PARTICLES - 1) / MOST_PARTICLES
         val ids = there.filterIndexed { k, _ -> k % maxOf(1, every) == 0 }.toIntArray()
         if (ids.size < 2) return null

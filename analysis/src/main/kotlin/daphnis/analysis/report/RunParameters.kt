@@ -5,7 +5,6 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.report.ReportText.count
 import daphnis.analysis.report.ReportText.short
 import daphnis.analysis.table.UnitNames
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.run.Summary
 import kotlin.math.PI
 
@@ -39,7 +38,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         val given = input.scenario?.boundary
         return when {
             given != null -> word(given)
-            (0..2).any { last.boundary.contactFaces(it) == ContactFaces.PERIODIC } -> "periodic"
+            (0..2).any { last.boundary.hasImages(it) } -> "periodic"
             else -> "open; the box is where the spheres are"
         }
     }

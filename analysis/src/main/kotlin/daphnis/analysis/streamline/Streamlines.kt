@@ -3,7 +3,6 @@ package daphnis.analysis.streamline
 import daphnis.analysis.insitu.State
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
-import daphnis.core.boundary.ContactFaces
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.hypot
@@ -268,7 +267,7 @@ public class Streamlines private constructor(
                 val k = order.order[rank]
                 if (state.isParticle(k)) members[start[slab(k) + 1]++] = k
             }
-            val period = if (state.boundary.contactFaces(0) == ContactFaces.PERIODIC) {
+            val period = if (state.boundary.hasImages(0)) {
                 state.boundary.box.length(0)
             } else {
                 Double.POSITIVE_INFINITY

@@ -8,19 +8,28 @@ import daphnis.core.population.Population
  *
  * Two moments matter. **Within a step** spheres move on straight paths and may stick out of the box; [contactFaces] and
  * [shear] tell the contact search which images a sphere can hit, and walls reflect. **After the step** [endStep] brings
- * everybody back. A boundary of your own needs [box] and [endStep] alone: contacts are then searched inside only.
+ * every sphere back. A boundary of your own needs [box] and [endStep] alone: contacts are then searched inside only.
+ * One that repeats or has walls is a [PerSphereBoundary] and needs [box] and [contactFaces] alone.
+ *
+ * Whoever wants to know how a boundary behaves asks these members and never its type: a new boundary is one new file.
  */
 public interface BoundaryConditions {
     /** The box; infinite bounds on open axes. */
     public val box: Box
 
-    /** What the contact search does at the two faces across [axis] (0 = x, 1 = y, 2 = z). */
+    /** What happens at the two faces across [axis] (0 = x, 1 = y, 2 = z). */
     public fun contactFaces(axis: Int): ContactFaces = ContactFaces.OPEN
 
-    /** Whether a sphere that leaves through a face across [axis] comes back through the other. */
-    public fun repeats(axis: Int): Boolean = contactFaces(axis) == ContactFaces.PERIODIC
+    /** Whether a sphere can hit images beyond the faces across [axis]. Follows from [contactFaces]. */
+    public fun hasImages(axis: Int): Boolean = contactFaces(axis) == ContactFaces.PERIODIC
 
-    /** How images slide against one another, or null when they stand still. */
+    /**
+     * Whether a sphere that leaves through a face across [axis] comes back through the other, whether or not there are
+     * images to hit. Follows from [contactFaces].
+     */
+    public fun repeats(axis: Int): Boolean = hasImages(axis) || contactFaces(axis) == ContactFaces.WRAPPING
+
+    /** How images slide against one another, or null when they stand still. Both of its axes have images. */
     public val shear: ImageShear? get() = null
 
     /**
@@ -45,44 +54,19 @@ public interface BoundaryConditions {
  * population at the same time.
  */
 public interface PerSphereBoundary : BoundaryConditions {
-    /** [endStep] for the indices [from] until [to]. */
-    public fun endStep(population: Population, time: Double, from: Int, to: Int)
+    /**
+     * [endStep] for the indices [from] until [to]. Unless overridden, spheres are put back across every axis that
+     * [repeats], first across sliding faces, where [shear] changes position and velocity as well.
+     */
+    public fun endStep(population: Population, time: Double, from: Int, to: Int) {
+        val shear = shear
+        shear?.wrap(population, time, from, to)
+        for (axis in 0 until AXES) {
+            if (repeats(axis) && axis != shear?.normalAxis) wrap(population, axis, box, from, to)
+        }
+    }
 
     override fun endStep(population: Population, time: Double) {
         endStep(population, time, 0, population.size)
     }
-}
-
-/** What a sphere that moves through a face can hit within the step. */
-public enum class ContactFaces {
-    /** Nothing: there are no images beyond the face. */
-    OPEN,
-
-    /** The periodic images of the spheres on the other side. */
-    PERIODIC,
-
-    /** The face itself, which reflects it when its surface arrives there. */
-    WALL,
-}
-
-/**
- * Images across the faces of [normalAxis] slide along [slideAxis]: the one at `+m` boxes is displaced by `m ·
- * offset(t)` and moves with `m · velocity` against its original.
- */
-public class ImageShear(
-    public val normalAxis: Int,
-    public val slideAxis: Int,
-    public val velocity: Double,
-    private val slideLength: Double,
-) {
-    /**
-     * Displacement of the image at +1 at [time], reduced to [0, length along the slide axis). A pure function of time.
-     */
-    public fun offset(time: Double): Double {
-        val raw = (velocity * time) % slideLength
-        return if (raw < 0) raw + slideLength else raw
-    }
-
-    /** Whole lengths of the box that [offset] leaves out: `velocity · time = turns · length + offset`. */
-    public fun turns(time: Double): Double = Math.rint((velocity * time - offset(time)) / slideLength)
 }

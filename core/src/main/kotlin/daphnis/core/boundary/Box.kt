@@ -60,6 +60,9 @@ public class Box(
 
     public fun length(axis: Int): Double = upper(axis) - lower(axis)
 
+    /** Whether it ends somewhere along every axis. */
+    public val isFinite: Boolean get() = length(0).isFinite() && length(1).isFinite() && length(2).isFinite()
+
     public val volume: Double get() = length(0) * length(1) * length(2)
 
     public companion object {

@@ -9,15 +9,21 @@ package daphnis.core.boundary
  */
 public class Images {
     private val length = DoubleArray(3)
-    private var normalAxis = -1
-    private var slideAxis = -1
+
+    /** Axis across which images slide; −1 when they stand still. */
+    public var normalAxis: Int = -1
+        private set
+
+    /** Axis along which they slide; −1 when they stand still. */
+    public var slideAxis: Int = -1
+        private set
     private var velocity = 0.0
     private var offset = 0.0
 
     /** Takes over [boundary] as it stands at [time], the start of a step. */
     public fun prepare(boundary: BoundaryConditions, time: Double) {
         for (axis in 0..2) {
-            length[axis] = if (boundary.contactFaces(axis) == ContactFaces.PERIODIC) boundary.box.length(axis) else 0.0
+            length[axis] = if (boundary.hasImages(axis)) boundary.box.length(axis) else 0.0
         }
         val shear = boundary.shear
         normalAxis = shear?.normalAxis ?: -1
@@ -25,6 +31,9 @@ public class Images {
         velocity = shear?.velocity ?: 0.0
         offset = shear?.offset(time) ?: 0.0
     }
+
+    /** Length after which images follow one another along [axis]; 0 when there are none. */
+    public fun period(axis: Int): Double = length[axis]
 
     /** Displacement along [axis] at the start of the step. */
     public fun shift(code: Int, axis: Int): Double {
@@ -38,6 +47,21 @@ public class Images {
         component(code, normalAxis) * velocity
     } else {
         0.0
+    }
+
+    /**
+     * Replaces the displacement [d] between two spheres, by x, y, z, by that to the nearest image at the start of the
+     * step: nearest along each axis by itself, across sliding faces first.
+     */
+    public fun toNearest(d: DoubleArray) {
+        if (normalAxis >= 0) {
+            val boxes = Math.rint(d[normalAxis] / length[normalAxis])
+            d[normalAxis] -= boxes * length[normalAxis]
+            d[slideAxis] -= boxes * offset
+        }
+        for (axis in 0 until AXES) {
+            if (axis != normalAxis && length[axis] > 0) d[axis] -= Math.rint(d[axis] / length[axis]) * length[axis]
+        }
     }
 
     /** Displacement at the start of the step of the image at +1 along the shear's normal axis, in [0, L). */

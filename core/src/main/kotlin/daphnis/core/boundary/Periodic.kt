@@ -1,7 +1,5 @@
 package daphnis.core.boundary
 
-import daphnis.core.population.Population
-
 /**
  * A box that repeats along the axes marked in [periodic] (x, y, z) and is open along the others; contacts are found
  * through the faces.
@@ -20,10 +18,4 @@ public class Periodic(
 
     override fun contactFaces(axis: Int): ContactFaces =
         if (periodic[axis]) ContactFaces.PERIODIC else ContactFaces.OPEN
-
-    override fun endStep(population: Population, time: Double, from: Int, to: Int) {
-        if (periodic[0]) wrap(population, 0, box, from, to)
-        if (periodic[1]) wrap(population, 1, box, from, to)
-        if (periodic[2]) wrap(population, 2, box, from, to)
-    }
 }

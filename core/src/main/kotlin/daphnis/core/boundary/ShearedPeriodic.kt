@@ -2,7 +2,6 @@ package daphnis.core.boundary
 
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
-import kotlin.math.floor
 
 /**
  * The sheared periodic box of Lewis & Massingill: at the end of a step a sphere beyond a face is put on the other side,
@@ -19,21 +18,12 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
 
     override val meanFlow: MeanFlow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = velocityJump / box.length(1))
 
-    /** Although contacts are not found through its faces. */
-    override fun repeats(axis: Int): Boolean = true
+    override fun contactFaces(axis: Int): ContactFaces = ContactFaces.WRAPPING
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
-        val y = population.y
         val vx = population.vx
-        val length = box.length(1)
-        for (k in from until to) {
-            if (y[k] >= box.lowerY && y[k] < box.upperY) continue
-            // v_x = γ y with γ L_y = jump: who leaves above enters below, where the flow is slower by the jump.
-            val boxes = floor((y[k] - box.lowerY) / length)
-            y[k] = inside(y[k] - boxes * length, box.lowerY, box.upperY)
-            vx[k] -= boxes * velocityJump
-            population.addCrossing(k, 1, boxes.toInt())
-        }
+        // v_x = γ y with γ L_y = jump: what leaves above enters below, where the flow is slower by the jump.
+        wrap(population, 1, box, from, to) { k, boxes -> vx[k] -= boxes * velocityJump }
         wrap(population, 0, box, from, to)
         wrap(population, 2, box, from, to)
     }

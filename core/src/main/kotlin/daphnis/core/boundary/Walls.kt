@@ -1,7 +1,5 @@
 package daphnis.core.boundary
 
-import daphnis.core.population.Population
-
 /**
  * Reflecting walls: the surface of a sphere never passes a face; its normal velocity is reversed at the moment of
  * contact and multiplied by [wallRestitution]. Axes for which [walled] is false are periodic.
@@ -18,10 +16,4 @@ public class Walls(
     }
 
     override fun contactFaces(axis: Int): ContactFaces = if (walled[axis]) ContactFaces.WALL else ContactFaces.PERIODIC
-
-    override fun endStep(population: Population, time: Double, from: Int, to: Int) {
-        if (!walled[0]) wrap(population, 0, box, from, to)
-        if (!walled[1]) wrap(population, 1, box, from, to)
-        if (!walled[2]) wrap(population, 2, box, from, to)
-    }
 }

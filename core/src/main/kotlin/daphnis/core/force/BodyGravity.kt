@@ -1,7 +1,6 @@
 package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
@@ -28,15 +27,6 @@ public class BodyGravity(
     private var loop: RangeLoop = InlineLoop
     private val images = Images()
     private val sum = OrderedSum()
-    private val length = DoubleArray(3) {
-        if (boundary.contactFaces(it) == ContactFaces.PERIODIC) {
-            boundary.box.length(it)
-        } else {
-            0.0
-        }
-    }
-    private val normal = boundary.shear?.normalAxis ?: -1
-    private val slide = boundary.shear?.slideAxis ?: -1
 
     // Pull of the sphere at each index on the body at hand, by component.
     private var pull = Array(3) { DoubleArray(0) }
@@ -87,16 +77,7 @@ public class BodyGravity(
         d[0] = dx
         d[1] = dy
         d[2] = dz
-        if (normal >= 0) {
-            val boxes = Math.rint(d[normal] / length[normal])
-            d[normal] -= boxes * length[normal]
-            d[slide] -= boxes * images.shearOffset
-        }
-        for (axis in 0..2) {
-            if (axis != normal && length[axis] > 0) {
-                d[axis] -= Math.rint(d[axis] / length[axis]) * length[axis]
-            }
-        }
+        images.toNearest(d)
     }
 
     private fun react(p: Population, body: Int) {

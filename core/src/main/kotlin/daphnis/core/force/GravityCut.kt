@@ -1,7 +1,6 @@
 package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 
 /**
@@ -23,7 +22,7 @@ import daphnis.core.boundary.Images
  *   boxes
  */
 internal class GravityCut(private val boundary: BoundaryConditions, images: Int) {
-    private val periodic = BooleanArray(3) { boundary.contactFaces(it) == ContactFaces.PERIODIC }
+    private val periodic = BooleanArray(3) { boundary.hasImages(it) }
 
     /** Whether anything repeats, and with it whether anything is cut. */
     val isPresent: Boolean = periodic.any { it }

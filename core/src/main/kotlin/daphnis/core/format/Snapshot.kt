@@ -1,8 +1,6 @@
 package daphnis.core.format
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.population.Population
 
 /**
@@ -68,12 +66,11 @@ public class Snapshot(
             val order = population.indicesById()
             val n = order.size
             fun pick(a: DoubleArray) = DoubleArray(n) { a[order[it]] }
-            val wrapped = boundary is ShearedPeriodic
             return Snapshot(
                 step,
                 time,
                 DoubleArray(3) { axis -> boundary.box.length(axis).let { if (it.isFinite()) it else Double.NaN } },
-                BooleanArray(3) { wrapped || boundary.contactFaces(it) == ContactFaces.PERIODIC },
+                BooleanArray(3) { boundary.repeats(it) },
                 boundary.shear?.offset(time) ?: 0.0,
                 IntArray(n) { population.id[order[it]] },
                 arrayOf(pick(population.x), pick(population.y), pick(population.z)),

@@ -1,15 +1,11 @@
 package daphnis.core.hill
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Box
-import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.ImageShear
-import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 
 /**
- * A moon with a surface: who stands inside or touches it at the end of a step has fallen onto it and is removed. The
- * step has to be so short that nobody passes through the moon within one.
+ * A moon with a surface: a sphere which stands inside or touches it at the end of a step has fallen onto it and is removed. The
+ * step has to be so short that no sphere passes through the moon within one.
  *
  * @param inner the boundary conditions otherwise; act first
  * @param radius of the moon, > 0
@@ -18,19 +14,10 @@ public class SatelliteSurface(
     private val inner: BoundaryConditions,
     private val satellite: Satellite,
     public val radius: Double,
-) : BoundaryConditions {
+) : BoundaryConditions by inner {
     init {
         require(radius > 0 && radius.isFinite()) { "radius of the satellite is $radius; it must be > 0" }
     }
-
-    override val box: Box get() = inner.box
-    override val shear: ImageShear? get() = inner.shear
-    override val meanFlow: MeanFlow? get() = inner.meanFlow
-    override val wallRestitution: Double get() = inner.wallRestitution
-
-    override fun contactFaces(axis: Int): ContactFaces = inner.contactFaces(axis)
-
-    override fun repeats(axis: Int): Boolean = inner.repeats(axis)
 
     /**
      * Spheres removed by this object so far. Those of a step that failed afterwards count once it is done again, and

@@ -54,6 +54,24 @@ public class Population(
      */
     public val lastCollision: DoubleArray get() = now.lastCollision
 
+    /** Positions along [axis] (0 = x, 1 = y, 2 = z). */
+    public fun position(axis: Int): DoubleArray = if (axis == 0) {
+        x
+    } else if (axis == 1) {
+        y
+    } else {
+        z
+    }
+
+    /** Velocities along [axis]. */
+    public fun velocity(axis: Int): DoubleArray = if (axis == 0) {
+        vx
+    } else if (axis == 1) {
+        vy
+    } else {
+        vz
+    }
+
     /** Number of spheres. */
     public val size: Int get() = x.size
 

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.population.Population
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.WayOut
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -73,8 +74,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
             throw InputException("", null, "${problems.joinToString("; ")}; $mend")
         }
         if (!acceptLoss) {
-            val mend = "bring the file back, or go on with what is there: resume --accept-loss"
-            throw InputException("", null, "${problems.first()}; $mend")
+            throw InputException("", null, problems.first(), WayOut.RESUME_WITH_LOSS)
         }
         val (file, checkpoint) = whole.first()
         val appended = AppendedCheck(directory, checkpoint.meta)
@@ -86,11 +86,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
         if (!Files.exists(directory.summary) && directory.snapshotSteps().none { it > 0 }) return
         val missing = "${directory.checkpoint}: is missing, and so is ${directory.previousCheckpoint.fileName}, though the run has gone on"
         if (!acceptLoss) {
-            throw InputException(
-                "",
-                null,
-                "$missing; bring one back, or run it again from its start: resume --accept-loss",
-            )
+            throw InputException("", null, missing, WayOut.BEGIN_ANEW)
         }
         notices += "$missing; it begins anew"
     }

@@ -2,8 +2,9 @@ package daphnis.core.run
 
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
-import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.WayOut
 import java.io.IOException
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
@@ -71,18 +72,19 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     }
 
     private fun checkFree() {
-        fun refuse(why: String): Nothing = throw InputException(path.toString(), null, why)
+        fun refuse(why: String, wayOut: WayOut? = null): Nothing =
+            throw InputException(path.toString(), null, why, wayOut)
         if (!path.isDirectory()) refuse("exists and is no directory")
         if (directory.scenario.exists()) {
-            if (!force) refuse("exists; give another directory with --out, or --force to replace the run in it")
+            if (!force) refuse("exists", WayOut.REPLACE_RUN)
             checkReplaceable { refuse("cannot be replaced: $it") }
             return
         }
         if (pending.exists()) return
         val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptySnapshots(it) }
         if (others.isEmpty()) return
-        if (force) refuse("is not empty and holds no run; --force replaces runs only")
-        refuse("is not empty; give another directory with --out")
+        if (force) refuse("is not empty and holds no run", WayOut.ONLY_RUNS_ARE_REPLACED)
+        refuse("is not empty", WayOut.ANOTHER_DIRECTORY)
     }
 
     /** Whether all that [removeRun] takes away can go, asked before anything goes. */
@@ -115,7 +117,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
      * @throws IOException when something cannot be written; the run that was there is as it was, unless it could not be
      *   removed wholly
      */
-    fun begin(scenario: Scenario): Scenario {
+    fun begin(scenario: ResolvedScenario): ResolvedScenario {
         val original = (scenario.placement as? PlacementSpec.File)?.let { Path.of(it.path) }
         val copy = original?.let { directory.initial(it) }
         val resolved = if (copy == null) scenario else scenario.placedFrom(copy.name)
@@ -133,9 +135,6 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         files.forceDirectory(path)
         return resolved
     }
-
-    private fun Scenario.placedFrom(name: String) =
-        copy(placement = (placement as PlacementSpec.File).copy(path = name))
 
     private fun takeBack(copy: Path?) {
         files.deleteQuietly(pending)

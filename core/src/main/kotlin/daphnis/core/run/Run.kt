@@ -5,6 +5,7 @@ import daphnis.core.Simulation
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.EngineFactory
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.warnings
 import java.io.IOException
@@ -20,7 +21,7 @@ import java.nio.file.Path
  */
 public class Run internal constructor(
     public val directory: RunDirectory,
-    private val scenario: Scenario,
+    public val scenario: ResolvedScenario,
     private val scenarioText: String,
     private val parts: RunParts,
     private val checkpoints: Checkpoints,
@@ -114,7 +115,7 @@ public class Run internal constructor(
         }
     }
 
-    private fun isDone(): Boolean = simulation.time >= until - endSlack(scenario)
+    private fun isDone(): Boolean = simulation.time >= until - endSlack(scenario.timeStep)
 
     /** @param summary of a run that ends here, which the checkpoint knows before it is written */
     private fun checkpoint(outputs: RunOutputs, wallSeconds: Double, summary: Summary? = null) {

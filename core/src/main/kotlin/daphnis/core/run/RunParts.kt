@@ -14,7 +14,7 @@ import daphnis.core.scenario.ScenarioSetup
  * @param source what to call the scenario in messages
  */
 internal class RunParts(setup: ScenarioSetup, meta: CheckpointMeta?, source: String, engines: EngineFactory) {
-    val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, setup.scenario.firstBody ?: Int.MAX_VALUE)
+    val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, setup.scenario.firstBody)
     val transport: TransportRows? =
         if (setup.scenario.output.transportEvery == 0) {
             null

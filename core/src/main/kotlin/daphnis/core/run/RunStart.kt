@@ -1,12 +1,15 @@
 package daphnis.core.run
 
 import daphnis.core.engine.EngineFactory
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.RunTimes
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.warnings
+import daphnis.core.scenario.wrongArgument
 import java.io.IOException
 import java.nio.file.Files
 
@@ -72,7 +75,7 @@ private fun resumed(
     val read = ScenarioJson.read(directory.scenario)
     val scenario = read.atHome(directory.path).let { it.copy(until = until ?: it.until) }
     if (until != null && !(until > read.startTime && until.isFinite())) {
-        throw InputException("--until", null, "is $until; it must be > ${read.startTime}")
+        throw wrongArgument(UNTIL, null, "is $until; it must be > ${read.startTime}")
     }
     val notices = ArrayList<String>()
     val checkpoints = Checkpoints(directory)
@@ -80,12 +83,13 @@ private fun resumed(
     val checkpoint = good?.checkpoint
     val changes = checkSame(directory, checkpoint, read, notices)
     val now = checkpoint?.meta?.time ?: 0.0
-    if (until != null) {
-        checkLater("--until", until, now, scenario)
-    } else if (changes.harmless.any { it.startsWith("until") }) {
-        checkLater("${directory.scenario}: until", scenario.end, now, scenario)
-    }
     val source = directory.scenario.toString()
+    val times = FrameSetup.times(scenario, source)
+    if (until != null) {
+        checkLater(until, now, times) { wrongArgument(UNTIL, null, it) }
+    } else if (changes.harmless.any { it.startsWith("until") }) {
+        checkLater(times.end, now, times) { InputException(source, "until", it) }
+    }
     val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
     val parts = RunParts(setup, checkpoint?.meta, source, engines)
     try {
@@ -96,7 +100,7 @@ private fun resumed(
         parts.simulation.close()
         throw e
     }
-    return Run(directory, scenario, ScenarioJson.write(read), parts, checkpoints, good, lock, notices)
+    return Run(directory, setup.scenario, ScenarioJson.write(read), parts, checkpoints, good, lock, notices)
 }
 
 /** Another scenario would go on from the checkpoint to a run that never was. */
@@ -116,16 +120,17 @@ private fun checkSame(
 }
 
 /** A time that is past cannot be an end; the last step may have fallen on either side of it by round-off. */
-private fun checkLater(source: String, until: Double, now: Double, scenario: Scenario) {
-    if (until >= now - endSlack(scenario)) return
-    throw InputException(source, null, "is $until; the run is at time $now, give a later end")
+private fun checkLater(until: Double, now: Double, times: RunTimes, refusal: (String) -> InputException) {
+    if (until >= now - endSlack(times.timeStep)) return
+    throw refusal("is $until; the run is at time $now, give a later end")
 }
 
 /** A whole number of fixed steps can fall short of the end by round-off; so much is no other step. */
-internal fun endSlack(scenario: Scenario): Double =
-    (scenario.timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
+internal fun endSlack(timeStep: TimeStepSpec): Double =
+    (timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
 
 internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException =
     RunException("cannot write to ${directory.path}: ${reasonOf(e)}")
 
+private const val UNTIL = "until"
 private const val END_SLACK = 1e-6

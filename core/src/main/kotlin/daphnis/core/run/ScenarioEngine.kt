@@ -5,13 +5,13 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
-import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioParts
 
 /**
  * The engine that [scenario] asks for. @throws InputException when [engines] has none of that name and number of
  * threads
  */
-public fun engineOf(scenario: Scenario, source: String, engines: EngineFactory = Engines): CollisionEngine {
+public fun engineOf(scenario: ScenarioParts, source: String, engines: EngineFactory = Engines): CollisionEngine {
     val spec = scenario.engine
     val engine = engines.create(spec.name, spec.threads)
         ?: throw InputException(

@@ -4,7 +4,7 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.format.FormatException
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.stateDigest
-import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.search.Overlap
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
@@ -73,7 +73,7 @@ public class Summary(
             throw FormatException("$path: is not a summary of daphnis: ${e.message.orEmpty().lineSequence().first()}")
         }
 
-        internal fun of(scenario: Scenario, parts: RunParts, finished: Boolean, seconds: Double): Summary {
+        internal fun of(scenario: ResolvedScenario, parts: RunParts, finished: Boolean, seconds: Double): Summary {
             val simulation = parts.simulation
             val population = simulation.population
             parts.sums.take(population, simulation.collisions?.engine?.loop ?: InlineLoop)

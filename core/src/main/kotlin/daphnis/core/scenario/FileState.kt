@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormat
@@ -12,6 +13,7 @@ import java.nio.file.Files
  */
 internal class FileState(
     private val scenario: Scenario,
+    private val boundary: BoundaryConditions,
     private val spec: PlacementSpec.File,
     private val check: ValueCheck,
 ) {
@@ -71,10 +73,7 @@ internal class FileState(
      */
     private fun requireTime(frame: Snapshot) {
         if (spec.time != null || frame.shearOffset == 0.0) return
-        check.must(
-            "placement.time",
-            scenario.boundary !is BoundarySpec.LeesEdwards && scenario.boundary !is BoundarySpec.HillSheet,
-        ) {
+        check.must("placement.time", boundary.shear == null) {
             "is missing; images slide, and the state in ${spec.path} is of time ${frame.time}"
         }
     }

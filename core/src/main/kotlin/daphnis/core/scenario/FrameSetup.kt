@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.BoundaryConditions
+
 /** What a scenario's frame means in its units, and times given in orbits. */
 public object FrameSetup {
     /**
@@ -8,7 +10,7 @@ public object FrameSetup {
      * @param source what to call the scenario in messages
      * @throws InputException when the frame is not determined
      */
-    public fun angularSpeed(scenario: Scenario, source: String): Double? {
+    public fun angularSpeed(scenario: ScenarioParts, source: String): Double? {
         val check = ValueCheck(source)
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
         check.must("frame", (frame.angularSpeed == null) != (frame.distanceInKm == null)) {
@@ -32,32 +34,28 @@ public object FrameSetup {
 
     /**
      * Radially Hill's frame has no two places alike: what leaves at one side comes in at the other only with the
-     * sheet's shear, so images along x must slide (or there be none); along z the pull towards the midplane turns round
-     * at periodic faces.
+     * frame's shear, so images along x must slide with it (or there be none); along z the pull towards the midplane
+     * turns round at periodic faces.
+     *
+     * @param boundary the [Scenario.boundary], made
      */
-    internal fun checkFaces(scenario: Scenario, check: ValueCheck) {
+    internal fun checkFaces(scenario: Scenario, boundary: BoundaryConditions, omega: Double?, check: ValueCheck) {
         val frame = scenario.frame as? FrameSpec.Hill ?: return
-        val boundary = scenario.boundary
-        if (boundary is BoundarySpec.HillSheet || boundary is BoundarySpec.Open) return
-        val walls = (boundary as? BoundarySpec.Walls)?.axes.orEmpty()
-        val fits = 'x' in walls && ('z' in walls || frame.verticalFactor == 0.0)
-        check.that("boundary.type", typeName(boundary), fits) {
+        val flow = boundary.meanFlow?.takeIf { boundary.shear?.normalAxis == 0 }
+        val fitsRadially = !boundary.repeats(0) || flow?.rate == -1.5 * omega!!
+        val fitsVertically = !boundary.repeats(2) || frame.verticalFactor == 0.0
+        check.that("boundary.type", scenario.boundary, fitsRadially && fitsVertically) {
             "it does not go with a frame of type hill, whose mean flow v_y = -3/2 Ω x is not the same at both faces; " +
                 "it must be hill-sheet or open (or walls across x and z)"
         }
     }
 
-    private fun typeName(boundary: BoundarySpec): String = when (boundary) {
-        is BoundarySpec.Open -> "open"
-        is BoundarySpec.Periodic -> "periodic"
-        is BoundarySpec.Walls -> "walls with axes ${boundary.axes}"
-        is BoundarySpec.ShearedPeriodic -> "sheared-periodic"
-        is BoundarySpec.LeesEdwards -> "lees-edwards"
-        is BoundarySpec.HillSheet -> "hill-sheet"
-    }
-
-    /** The scenario with `untilOrbits` and a step given as part of an orbit written out in units of time. */
-    public fun withTimes(scenario: Scenario, source: String): Scenario {
+    /**
+     * The end of the run and its steps in units of time, where the scenario may give them in orbits.
+     *
+     * @throws InputException when they are not determined
+     */
+    public fun times(scenario: Scenario, source: String): RunTimes {
         val check = ValueCheck(source)
         val omega = angularSpeed(scenario, source)
         val orbit = if (omega == null) null else 2 * Math.PI / omega
@@ -70,9 +68,16 @@ public object FrameSetup {
         val until = scenario.until ?: scenario.untilOrbits?.let { it * orbit!! }
         val end = until ?: check.fail("until", "is missing; it must be a finite number (or give untilOrbits)")
         val step = scenario.timeStep
-        if (step !is TimeStepSpec.OrbitFraction) return scenario.copy(until = end, untilOrbits = null)
+        if (step !is TimeStepSpec.OrbitFraction) return RunTimes(end, step)
         check.positive("timeStep.steps", step.steps)
         val length = orbit ?: check.fail("timeStep", "is part of an orbit; it needs a frame")
-        return scenario.copy(until = end, untilOrbits = null, timeStep = TimeStepSpec.Fixed(length / step.steps))
+        return RunTimes(end, TimeStepSpec.Fixed(length / step.steps))
     }
 }
+
+/**
+ * When a run ends and how long its steps are, in units of time.
+ *
+ * @property timeStep not an [TimeStepSpec.OrbitFraction]
+ */
+public class RunTimes internal constructor(public val end: Double, public val timeStep: TimeStepSpec)

@@ -2,8 +2,6 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
@@ -26,7 +24,7 @@ internal class InitialState(
 
     fun population(): Population {
         val placement = scenario.placement
-        if (placement is PlacementSpec.File) return FileState(scenario, placement, check).population(notices)
+        if (placement is PlacementSpec.File) return FileState(scenario, boundary, placement, check).population(notices)
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val radii = DrawnRadii(spec, box, check) { stream(SIZES) }.draw()
@@ -75,14 +73,8 @@ internal class InitialState(
         Lattice.FACE_CENTRED_CUBIC
     }
 
-    /**
-     * Where there are no images a sphere is put wholly inside. The paper's sheared box has images to wrap to, though
-     * none to touch.
-     */
-    private fun walled(): BooleanArray = BooleanArray(3) {
-        boundary !is ShearedPeriodic &&
-            boundary.contactFaces(it) != ContactFaces.PERIODIC
-    }
+    /** Where the box does not repeat a sphere is put wholly inside. */
+    private fun walled(): BooleanArray = BooleanArray(3) { !boundary.repeats(it) }
 
     private fun masses(spec: ParticlesSpec, radii: DoubleArray): DoubleArray {
         check.positive("particles.density", spec.density)

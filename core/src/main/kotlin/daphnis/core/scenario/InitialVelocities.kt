@@ -102,7 +102,7 @@ internal class InitialVelocities(
         val flow = boundary.meanFlow
             ?: check.fail(
                 "velocities.shearProfile",
-                "is true; it needs a sheared boundary (lees-edwards, sheared-periodic or hill-sheet)",
+                "is true; it needs a sheared boundary (${BoundarySpec.SHEARED})",
             )
         val across = arrayOf(positions.x, positions.y, positions.z)[flow.normalAxis]
         val along = v[flow.flowAxis]

@@ -8,47 +8,45 @@ import kotlinx.serialization.Serializable
 
 /**
  * A simulation as a user writes it: a JSON file with comments and trailing commas allowed. `docs/scenario.md` explains
- * every key.
+ * every key. [ResolvedScenario] is what it comes to.
  *
  * Lengths, times and masses are in whatever units the author chose; [units] says how many cm/s one unit of speed is,
  * for restitution laws that were measured in cm/s.
  *
- * @property firstBody id of the first of [bodies]; written into the resolved scenario, not for authors
  * @property until time at which the run ends; when it is given, [untilOrbits] is not looked at. One of the two is
  *   needed
  */
 @Serializable
 public data class Scenario(
-    public val name: String = "unnamed",
-    public val description: String = "",
-    public val seed: Long = 1,
-    public val units: UnitsSpec = UnitsSpec(),
-    public val frame: FrameSpec? = null,
-    public val box: BoxSpec,
-    public val boundary: BoundarySpec,
-    public val particles: ParticlesSpec? = null,
-    public val bodies: List<BodySpec> = emptyList(),
-    public val placement: PlacementSpec = PlacementSpec.Random(),
-    public val velocities: VelocitiesSpec? = null,
-    public val restitution: RestitutionSpec,
+    override val name: String = "unnamed",
+    override val description: String = "",
+    override val seed: Long = 1,
+    override val units: UnitsSpec = UnitsSpec(),
+    override val frame: FrameSpec? = null,
+    override val box: BoxSpec,
+    override val boundary: BoundarySpec,
+    override val particles: ParticlesSpec? = null,
+    override val bodies: List<BodySpec> = emptyList(),
+    override val placement: PlacementSpec = PlacementSpec.Random(),
+    override val velocities: VelocitiesSpec? = null,
+    override val restitution: RestitutionSpec,
     public val guard: GuardSpec? = null,
-    public val forces: List<ForceSpec> = emptyList(),
+    override val forces: List<ForceSpec> = emptyList(),
     public val timeStep: TimeStepSpec,
     public val until: Double? = null,
     public val untilOrbits: Double? = null,
-    public val search: SearchStructure = SearchStructure.AUTO,
-    public val engine: EngineSpec = EngineSpec(),
-    public val output: OutputSpec = OutputSpec(),
-    public val firstBody: Int? = null,
-) {
-    /** Whether the sphere with [id] is one of [bodies]; of a scenario as a run resolved it. */
-    public fun isBody(id: Int): Boolean = firstBody != null && id >= firstBody
-
-    /** Time at which the run ends, of a scenario whose times are written out, see [FrameSetup.withTimes]. */
-    public val end: Double get() = checkNotNull(until) { "times are not written out" }
-
-    /** Time at which the run starts: that of the state it is placed from, else 0. */
-    public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
+    override val search: SearchStructure = SearchStructure.AUTO,
+    override val engine: EngineSpec = EngineSpec(),
+    override val output: OutputSpec = OutputSpec(),
+    /** Of a [ResolvedScenario] that was written to a file; a new initial state has its own. */
+    internal val firstBody: Int? = null,
+) : ScenarioParts {
+    /**
+     * Id of the first of [bodies], and [Int.MAX_VALUE] without any: as this file of a run says, or for an initial state
+     * of [spheres].
+     */
+    public fun firstBody(spheres: Int): Int =
+        if (bodies.isEmpty()) Int.MAX_VALUE else firstBody ?: (spheres - bodies.size)
 }
 
 @Serializable
@@ -70,37 +68,6 @@ public sealed interface FrameSpec {
 /** @property lengths edges along x, y, z; the box is centred on the origin */
 @Serializable
 public class BoxSpec(public val lengths: List<Double>)
-
-@Serializable
-public sealed interface BoundarySpec {
-    /** No faces. The box only says where spheres are put at the start. */
-    @Serializable
-    @SerialName("open")
-    public class Open : BoundarySpec
-
-    @Serializable
-    @SerialName("periodic")
-    public class Periodic : BoundarySpec
-
-    /** Reflecting walls across the axes named in [axes]; the other axes are periodic. */
-    @Serializable
-    @SerialName("walls")
-    public class Walls(public val axes: String = "xyz", public val restitution: Double = 1.0) : BoundarySpec
-
-    /** The paper's sheared periodic box. */
-    @Serializable
-    @SerialName("sheared-periodic")
-    public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec
-
-    @Serializable
-    @SerialName("lees-edwards")
-    public class LeesEdwards(public val shearRate: Double) : BoundarySpec
-
-    /** The shearing sheet of Hill's frame, or with [radiallyOpen] a ringlet that repeats along the orbit only. */
-    @Serializable
-    @SerialName("hill-sheet")
-    public class HillSheet(public val radiallyOpen: Boolean = false) : BoundarySpec
-}
 
 /**
  * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² an area of the x-y plane) and [surfaceDensity] (mass

@@ -59,6 +59,9 @@ public object ScenarioJson {
     /** The whole scenario, every default written out. */
     public fun write(scenario: Scenario): String = json.encodeToString(Scenario.serializer(), scenario) + "\n"
 
+    /** The file of a run directory, which [read] reads as a scenario. */
+    public fun write(scenario: ResolvedScenario): String = write(scenario.document)
+
     private fun parseTree(text: String, source: String): JsonElement = try {
         json.parseToJsonElement(text)
     } catch (e: SerializationException) {

@@ -5,11 +5,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.LeesEdwards
-import daphnis.core.boundary.Open
-import daphnis.core.boundary.Periodic
-import daphnis.core.boundary.ShearedPeriodic
-import daphnis.core.boundary.Walls
 import daphnis.core.collision.BorderiesRestitution
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.CollapseGuard
@@ -19,7 +14,6 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
-import daphnis.core.hill.HillSheet
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -32,10 +26,9 @@ import kotlin.math.sqrt
  *
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
  * @property notices what a user should know about the initial state, a line each
- * @property scenario with every default that depends on others written out, so that it means the same again
  */
 public class ScenarioSetup private constructor(
-    public val scenario: Scenario,
+    public val scenario: ResolvedScenario,
     public val population: Population,
     public val boundary: BoundaryConditions,
     public val restitution: Restitution,
@@ -59,54 +52,32 @@ public class ScenarioSetup private constructor(
          * @param state the population to go on with, or null for the initial state that the scenario describes
          * @throws InputException for whatever is wrong
          */
-        public fun of(given: Scenario, source: String, state: Population? = null): ScenarioSetup {
+        public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup {
             val check = ValueCheck(source)
-            checkUnits(given.units, check)
-            val scenario = FrameSetup.withTimes(given, source)
-            val omega = FrameSetup.angularSpeed(scenario, source)
+            val around = Surroundings.of(scenario, source)
             checkRun(scenario, check)
-            val box = box(scenario, check)
-            val shape = boundary(scenario, box, omega, check)
-            FrameSetup.checkFaces(scenario, check)
             val restitution = restitution(scenario, check)
-            val initial = InitialState(scenario, box, shape, check)
+            val initial = InitialState(scenario, around.box, around.boundary, check)
             val population = state ?: initial.population()
-            val forceSetup = ForceSetup(scenario, omega, check)
-            val forces = forceSetup.forces(shape, scenario.firstBody ?: (population.size - scenario.bodies.size))
+            // Where a run of this file had them says nothing of a new initial state.
+            val firstBody = (if (state == null) scenario.copy(firstBody = null) else scenario).firstBody(population.size)
+            val forceSetup = ForceSetup(scenario, around.angularSpeed, check)
+            val forces = forceSetup.forces(around.boundary, firstBody)
             val boundary = forceSetup.boundary
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
-            val timeStepSpec = resolve(scenario.timeStep, box, population)
+            val timeStepSpec = resolve(around.timeStep, around.box, population)
             val timeStep = timeStep(timeStepSpec, check)
-            checkSteps(scenario, timeStepSpec, check)
+            val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody)
+            checkSteps(resolved, check)
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
-            val firstBody = if (scenario.bodies.isEmpty()) {
-                null
-            } else {
-                scenario.firstBody
-                    ?: (population.size - scenario.bodies.size)
-            }
-            val resolved = scenario.copy(guard = guardSpec, timeStep = timeStepSpec, firstBody = firstBody)
+            val guard = guard(guardSpec, check)
             return ScenarioSetup(
-                resolved, population, boundary, restitution,
-                guard(
-                    guardSpec,
-                    check,
-                ),
-                forces, timeStep, omega, initial.notices,
+                resolved, population, boundary, restitution, guard, forces, timeStep, around.angularSpeed,
+                initial.notices,
             )
         }
 
-        private fun checkUnits(units: UnitsSpec, check: ValueCheck) {
-            check.positive("units.speedInCmPerSecond", units.speedInCmPerSecond)
-            units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
-            check.positive("units.massInKg", units.massInKg)
-        }
-
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
-            val start = scenario.startTime
-            check.that("until", scenario.end, scenario.end > start && scenario.end.isFinite()) {
-                if (start == 0.0) "must be > 0" else "must be later than placement.time, $start, where the run starts"
-            }
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
                 "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
             }
@@ -124,41 +95,6 @@ public class ScenarioSetup private constructor(
                 "must be >= 0 (0 for the end only)"
             }
         }
-
-        private fun box(scenario: Scenario, check: ValueCheck): Box {
-            val lengths = scenario.box.lengths
-            check.that("box.lengths", lengths, lengths.size == 3) {
-                "must be three numbers, the edges along x, y and z"
-            }
-            lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
-            val box = Box.centred(lengths[0], lengths[1], lengths[2])
-            check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) {
-                "give a volume of ${box.volume}; it must be positive and finite"
-            }
-            return box
-        }
-
-        private fun boundary(scenario: Scenario, box: Box, omega: Double?, check: ValueCheck): BoundaryConditions =
-            when (val spec = scenario.boundary) {
-                is BoundarySpec.Open -> Open
-                is BoundarySpec.Periodic -> Periodic(box)
-                is BoundarySpec.Walls -> {
-                    val known =
-                        spec.axes.isNotEmpty() &&
-                            spec.axes.all { it in "xyz" } &&
-                            spec.axes.toSet().size == spec.axes.length
-                    check.that("boundary.axes", spec.axes, known) { "must name axes, such as xyz or z" }
-                    check.fraction("boundary.restitution", spec.restitution)
-                    Walls(box, spec.restitution, BooleanArray(3) { "xyz"[it] in spec.axes })
-                }
-                is BoundarySpec.ShearedPeriodic -> ShearedPeriodic(box, spec.velocityJump)
-                is BoundarySpec.LeesEdwards -> LeesEdwards(box, spec.shearRate)
-                is BoundarySpec.HillSheet -> HillSheet(
-                    box,
-                    omega ?: check.fail("boundary", "is a hill-sheet; it needs a frame of type hill"),
-                    spec.radiallyOpen,
-                )
-            }
 
         private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
             val unit = scenario.units.speedInCmPerSecond
@@ -238,8 +174,8 @@ public class ScenarioSetup private constructor(
         }
 
         /** Steps are counted, and each must bring the time forward. */
-        private fun checkSteps(scenario: Scenario, spec: TimeStepSpec, check: ValueCheck) {
-            val (key, longest) = when (spec) {
+        private fun checkSteps(scenario: ResolvedScenario, check: ValueCheck) {
+            val (key, longest) = when (val spec = scenario.timeStep) {
                 is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
                 is TimeStepSpec.CellCrossing -> "timeStep.longest" to spec.longest
                 is TimeStepSpec.OrbitFraction -> return

@@ -17,7 +17,7 @@ internal object Settings {
         var changed = tree
         val keys = settings.map { it.substringBefore('=') }
         if (UNTIL in keys && ORBITS in keys) {
-            throw InputException("--set", ORBITS, "is given together with $UNTIL; one of the two is enough")
+            throw wrongArgument(SETTINGS, ORBITS, "is given together with $UNTIL; one of the two is enough")
         }
         for (setting in settings) {
             changed = set(changed, setting)
@@ -31,7 +31,7 @@ internal object Settings {
     private fun set(tree: JsonElement, setting: String): JsonElement {
         val path = setting.substringBefore('=')
         if ('=' !in setting || path.isBlank()) {
-            throw InputException("--set", setting, "must have the form path=value, such as timeStep.dt=0.05")
+            throw wrongArgument(SETTINGS, setting, "must have the form path=value, such as timeStep.dt=0.05")
         }
         return put(tree, steps(path, setting), 0, value(path, setting.substringAfter('=')), setting)
     }
@@ -47,7 +47,7 @@ internal object Settings {
     } catch (e: SerializationException) {
         JsonPrimitive(text)
     } catch (e: StackOverflowError) {
-        throw InputException("--set", path, "is nested too deeply")
+        throw wrongArgument(SETTINGS, path, "is nested too deeply")
     }
 
     private fun isLiteral(text: String) =
@@ -56,8 +56,8 @@ internal object Settings {
     /** The way down the tree: `forces[0].x` is forces, [0], x. */
     private fun steps(path: String, setting: String): List<String> = path.split('.').flatMap { part ->
         val found = PART.matchEntire(part)
-            ?: throw InputException(
-                "--set",
+            ?: throw wrongArgument(
+                SETTINGS,
                 setting,
                 "'$part' is no key; write forces[0].x for x of the first of a list, and quote it for the shell",
             )
@@ -77,9 +77,9 @@ internal object Settings {
         if (step.startsWith('[')) {
             val list =
                 tree as? JsonArray
-                    ?: throw InputException("--set", setting, "$here is no list in this scenario, so it has no $step")
+                    ?: throw wrongArgument(SETTINGS, setting, "$here is no list in this scenario, so it has no $step")
             val k = step.trim('[', ']').toIntOrNull()?.takeIf { it in list.indices }
-                ?: throw InputException("--set", setting, "$here has ${entries(list.size)}, so it has no $step")
+                ?: throw wrongArgument(SETTINGS, setting, "$here has ${entries(list.size)}, so it has no $step")
             return JsonArray(
                 list.mapIndexed { i, entry ->
                     if (i == k) {
@@ -91,14 +91,10 @@ internal object Settings {
             )
         }
         if (tree is JsonArray) {
-            throw InputException(
-                "--set",
-                setting,
-                "$here is a list; write $here[0] for its first entry",
-            )
+            throw wrongArgument(SETTINGS, setting, "$here is a list; write $here[0] for its first entry")
         }
         if (tree != null && tree !is JsonObject) {
-            throw InputException("--set", setting, "'$step' is looked for inside something that is no object")
+            throw wrongArgument(SETTINGS, setting, "'$step' is looked for inside something that is no object")
         }
         val fields = tree ?: JsonObject(emptyMap())
         return JsonObject(fields + (step to put(fields[step], steps, at + 1, value, setting)))
@@ -110,6 +106,7 @@ internal object Settings {
         else -> "$n entries, [0] to [${n - 1}]"
     }
 
+    private const val SETTINGS = "settings"
     private const val UNTIL = "until"
     private const val ORBITS = "untilOrbits"
     private val PART = Regex("""([^\[\]]+)((?:\[\d+])*)""")

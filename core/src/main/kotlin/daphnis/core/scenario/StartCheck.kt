@@ -32,13 +32,11 @@ internal class StartCheck(
                     "must exceed the diameter of the largest sphere, ${2 * largest}"
                 }
                 // Moonlets may stick out of the slab that particles are put into.
-                ContactFaces.OPEN -> check.must(key, scenario.bodies.isNotEmpty() || length > 2 * largest) {
+                ContactFaces.OPEN, ContactFaces.WRAPPING -> check.must(key, scenario.bodies.isNotEmpty() || length > 2 * largest) {
                     "is $length; it is thinner than the largest sphere, ${2 * largest}"
                 }
             }
-            if (boundary.contactFaces(axis) != ContactFaces.OPEN || scenario.boundary !is BoundarySpec.HillSheet) {
-                checkInside(axis)
-            }
+            if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)
         }
         checkSlide(timeStep)
         checkSatellites(timeStep)
@@ -61,13 +59,7 @@ internal class StartCheck(
     }
 
     private fun checkInside(axis: Int) {
-        val p = if (axis == 0) {
-            population.x
-        } else if (axis == 1) {
-            population.y
-        } else {
-            population.z
-        }
+        val p = population.position(axis)
         val box = boundary.box
         val wall = boundary.contactFaces(axis) == ContactFaces.WALL
         for (k in 0 until population.size) {
@@ -75,23 +67,15 @@ internal class StartCheck(
             val inside = p[k] - margin >= box.lower(axis) && p[k] + margin <= box.upper(axis)
             val name = "xyz"[axis]
             check.must("placement", inside) {
-                "particle ${population.id[k]} at $name = ${p[k]} is outside the box, $name from ${box.lower(
-                    axis,
-                )} to ${box.upper(axis)}"
+                "particle ${population.id[k]} at $name = ${p[k]} is outside the box, " +
+                    "$name from ${box.lower(axis)} to ${box.upper(axis)}"
             }
         }
     }
 
     private fun checkCrossings(axis: Int, largest: Double, timeStep: TimeStep) {
-        val v = if (axis == 0) {
-            population.vx
-        } else if (axis == 1) {
-            population.vy
-        } else {
-            population.vz
-        }
         var fastest = 0.0
-        for (u in v) fastest = maxOf(fastest, abs(u))
+        for (u in population.velocity(axis)) fastest = maxOf(fastest, abs(u))
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
         check.must("timeStep", range < boundary.box.length(axis) * MOST_BOXES) {
             "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; take a smaller dt"

@@ -1,7 +1,6 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.population.Population
 import kotlin.math.floor
@@ -102,7 +101,7 @@ internal class GridLayout {
 
     private fun layOutAxis(k: Int, boundary: BoundaryConditions, reach: Double, duration: Double) {
         val axis = axes[k]
-        periodic[k] = boundary.contactFaces(axis) == ContactFaces.PERIODIC
+        periodic[k] = boundary.hasImages(axis)
         margin[k] = (largest + reach) * (1 + SLACK) + ImageRange.rounding(low[k], low[k] + extent[k])
         ownMargin[k] = margin[k] - reach
         // What a pair can bridge at most.

@@ -1,7 +1,6 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
@@ -67,19 +66,12 @@ internal class GridLevels {
     }
 
     private fun measure(axis: Int, population: Population, boundary: BoundaryConditions, loop: RangeLoop) {
-        if (boundary.contactFaces(axis) == ContactFaces.PERIODIC) {
+        if (boundary.hasImages(axis)) {
             from[axis] = boundary.box.lower(axis)
             size[axis] = boundary.box.length(axis)
             return
         }
-        val a = if (axis == 0) {
-            population.x
-        } else if (axis == 1) {
-            population.y
-        } else {
-            population.z
-        }
-        extremes.measure(a, population.size, loop)
+        extremes.measure(population.position(axis), population.size, loop)
         from[axis] = if (population.size == 0) 0.0 else extremes.least
         size[axis] = if (population.size == 0) 0.0 else extremes.greatest - extremes.least
     }

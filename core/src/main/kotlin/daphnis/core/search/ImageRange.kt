@@ -1,7 +1,6 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import kotlin.math.abs
 
@@ -41,7 +40,7 @@ internal object ImageRange {
      * axis without images.
      */
     fun mostReach(boundary: BoundaryConditions, axis: Int, largest: Double, duration: Double): Double {
-        if (boundary.contactFaces(axis) != ContactFaces.PERIODIC) return Double.POSITIVE_INFINITY
+        if (!boundary.hasImages(axis)) return Double.POSITIVE_INFINITY
         val box = boundary.box
         val margin = box.length(axis) * boxes(boundary, axis, duration) / 2
         return (margin - rounding(box.lower(axis), box.upper(axis))) * (1 - 2 * SLACK) - largest

@@ -1,13 +1,11 @@
 package daphnis.core.boundary
 
 import daphnis.core.Sphere
-import daphnis.core.format.Snapshot
-import daphnis.core.hill.HillSheet
+import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class BoundariesTest {
@@ -65,18 +63,6 @@ class BoundariesTest {
     }
 
     @Test
-    fun `a hair below the lower face stays inside`() {
-        for (boundary in listOf(Periodic(box), ShearedPeriodic(box, 0.1), LeesEdwards(box, 0.5))) {
-            val p = populationOf(Sphere(x = Math.nextDown(-5.0), y = Math.nextDown(-4.0), z = Math.nextDown(-3.0)))
-            boundary.endStep(p, 0.0)
-            for (axis in 0..2) {
-                val v = listOf(p.x, p.y, p.z)[axis][0]
-                assertTrue(v >= box.lower(axis) && v < box.upper(axis)) { "${boundary.javaClass.simpleName}: $v" }
-            }
-        }
-    }
-
-    @Test
     fun `boxes crossed are counted by axis, upward positive`() {
         val p = populationOf(Sphere(x = 5.5, y = -4.25, z = 2.0), Sphere(x = -36.0, y = 4.0, z = 15.0), Sphere())
         Periodic(box).endStep(p, 1.0)
@@ -93,51 +79,6 @@ class BoundariesTest {
     private fun crossed(p: Population) = (0 until p.size).flatMap { id -> (0..2).map { p.boxesCrossed(id, it) } }
 
     @Test
-    fun `position and boxes crossed give the straight path back, also where images slide`() {
-        val sheets = listOf(HillSheet(box, 0.31), HillSheet(box, 0.31, radiallyOpen = true))
-        for (boundary in listOf(Periodic(box), LeesEdwards(box, 0.5), LeesEdwards(box, -1.3)) + sheets) {
-            val p =
-                populationOf(
-                    Sphere(1.0, 2.0, 0.0, 0.9, -1.1, 0.7),
-                    Sphere(-2.0, 0.0, 1.0, -1.7, 2.3, 0.1),
-                    Sphere(vx = 0.3, vy = 0.01),
-                )
-            val start = p.copy()
-            for (step in 1..400) {
-                for (k in 0 until p.size) {
-                    p.x[k] += p.vx[k] * 0.25
-                    p.y[k] += p.vy[k] * 0.25
-                    p.z[k] += p.vz[k] * 0.25
-                }
-                boundary.endStep(p, step * 0.25)
-            }
-            val frame = Snapshot.of(p, boundary, 400, 100.0)
-            val edges = frame.edges()
-            for (k in 0 until p.size) {
-                val v = doubleArrayOf(start.vx[k], start.vy[k], start.vz[k])
-                val from = doubleArrayOf(start.x[k], start.y[k], start.z[k])
-                for (axis in 0..2) {
-                    val whole = frame.position[axis][k] + (0..2).sumOf { frame.image!![it][k] * edges[it][axis] }
-                    assertEquals(from[axis] + 100 * v[axis], whole, 1e-9) {
-                        "${boundary.javaClass.simpleName}, sphere $k along ${"xyz"[axis]}"
-                    }
-                }
-            }
-        }
-    }
-
-    @Test
-    fun `turns and offset are the way that images have slid`() {
-        for (rate in listOf(0.5, -0.5, 1e-3, 0.0)) {
-            val shear = LeesEdwards(box, rate).shear
-            for (time in listOf(0.0, 0.75, 3.0, 1234.5, 2.5)) {
-                assertEquals(shear.velocity * time, shear.turns(time) * 10 + shear.offset(time), 1e-9)
-                assertEquals(Math.rint(shear.turns(time)), shear.turns(time))
-            }
-        }
-    }
-
-    @Test
     fun `image codes name boxes, and negate exactly`() {
         for (x in listOf(-127, -1, 0, 1, 127)) {
             for (y in listOf(-3, 0, 2)) {
@@ -152,6 +93,15 @@ class BoundariesTest {
             assertEquals(-images.shift(code, axis), images.shift(Images.negated(code), axis))
             assertEquals(-images.slide(code, axis) + 0.0, images.slide(Images.negated(code), axis) + 0.0)
         }
+    }
+
+    @Test
+    fun `images that cannot slide so are refused`() {
+        for ((normal, flow) in listOf(0 to 2, 1 to 2, 0 to 0, 1 to 1)) {
+            assertThrows(IllegalArgumentException::class.java) { ImageShear(box, MeanFlow(normal, flow, 0.5)) }
+        }
+        // Across z as well: the search takes any normal axis.
+        assertEquals(3.0, ImageShear(box, MeanFlow(normalAxis = 2, flowAxis = 1, rate = 0.5)).velocity)
     }
 
     @Test

@@ -8,6 +8,7 @@ import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.WayOut
 import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -203,7 +204,7 @@ class RunTest {
         for (name in listOf("checkpoint", "checkpoint.previous")) Files.delete(home.resolve("broken").resolve(name))
         val before = files("broken")
         val e = assertThrows(InputException::class.java) { resume("broken") }
-        assertTrue("--accept-loss" in e.message.orEmpty() && "checkpoint" in e.message.orEmpty()) { e.message }
+        assertTrue(e.wayOut == WayOut.BEGIN_ANEW && "checkpoint" in e.message.orEmpty()) { e.message }
         assertEquals(before, files("broken"))
         Run.resume(home.resolve("broken"), acceptLoss = true).use { run ->
             assertTrue(run.notices.any { "begins anew" in it }) { run.notices.toString() }

@@ -153,7 +153,7 @@ class ScenarioJsonTest {
 
     @Test
     fun `a setting without an equals sign or through a number is refused`() {
-        assertWrong("until", "--set", "path=value")
-        assertWrong("until.x=1", "--set", "no object")
+        assertWrong("until", "settings: ", "path=value")
+        assertWrong("until.x=1", "settings: ", "no object")
     }
 }

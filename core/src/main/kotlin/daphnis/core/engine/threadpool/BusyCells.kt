@@ -1,7 +1,5 @@
 package daphnis.core.engine.threadpool
 
-import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
@@ -31,15 +29,15 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     /** The collisions that are busy, in no order. */
     private val pairs = EventStore()
 
-    fun prepare(population: Population, boundary: BoundaryConditions) {
+    fun prepare(population: Population) {
         this.population = population
         pairs.clear()
-        normalAxis = boundary.shear?.normalAxis ?: -1
-        slideAxis = boundary.shear?.slideAxis ?: -1
+        normalAxis = grid.images.normalAxis
+        slideAxis = grid.images.slideAxis
         several = grid.classes > 1
         for (axis in 0..2) {
             extent[axis] = grid.sight(axis)
-            length[axis] = if (boundary.contactFaces(axis) == ContactFaces.PERIODIC) boundary.box.length(axis) else 0.0
+            length[axis] = grid.images.period(axis)
         }
     }
 
@@ -87,13 +85,7 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
         val i = rows.origin[a]
         val j = rows.origin[b]
         for (axis in 0..2) {
-            val x = if (axis == 0) {
-                population.x
-            } else if (axis == 1) {
-                population.y
-            } else {
-                population.z
-            }
+            val x = population.position(axis)
             val direct = abs(x[i] - x[j])
             val through = if (length[axis] > 0) abs(length[axis] - direct) else Double.POSITIVE_INFINITY
             // Images across the sheared faces may be anywhere along the slide.
@@ -104,13 +96,7 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     }
 
     private fun acrossSlidingFaces(i: Int, j: Int): Boolean {
-        val x = if (normalAxis == 0) {
-            population.x
-        } else if (normalAxis == 1) {
-            population.y
-        } else {
-            population.z
-        }
+        val x = population.position(normalAxis)
         return abs(length[normalAxis] - abs(x[i] - x[j])) <= extent[normalAxis]
     }
 }

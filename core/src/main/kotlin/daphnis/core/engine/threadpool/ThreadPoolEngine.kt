@@ -124,7 +124,7 @@ public class ThreadPoolEngine(
         failedWith.set(End.DONE)
         prepared.prepare(loop)
         val rows = prepared.rows
-        busy.prepare(step.population, step.boundary)
+        busy.prepare(step.population)
         queue.reset(step.duration, rows.id, rows.size)
         trails.reset(rows.size)
         for (worker in workers) worker.begin(if (step.record == null) null else worker.record)

@@ -1,0 +1,108 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+/** The boundaries that a scenario can name; `toString` is the name, with what tells one of its kind from another. */
+@Serializable
+public sealed interface BoundarySpec {
+    /**
+     * The boundary conditions around [box].
+     *
+     * @param omega angular speed of Hill's frame; null without a frame
+     * @param source what to call the scenario in messages
+     * @throws InputException for values that are wrong
+     */
+    public fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions
+
+    /** For a reader: numbers as [number] writes them, and [speed] those with a unit of speed. */
+    public fun inWords(number: (Double) -> String, speed: (Double) -> String): String = toString()
+
+    /** No faces. The box only says where spheres are put at the start. */
+    @Serializable
+    @SerialName("open")
+    public class Open : BoundarySpec {
+        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
+            daphnis.core.boundary.Open
+
+        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
+            "open: only where spheres are put"
+
+        override fun toString(): String = "open"
+    }
+
+    @Serializable
+    @SerialName("periodic")
+    public class Periodic : BoundarySpec {
+        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
+            daphnis.core.boundary.Periodic(box)
+
+        override fun toString(): String = "periodic"
+    }
+
+    /** Reflecting walls across the axes named in [axes]; the other axes are periodic. */
+    @Serializable
+    @SerialName("walls")
+    public class Walls(public val axes: String = "xyz", public val restitution: Double = 1.0) : BoundarySpec {
+        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
+            val known = axes.isNotEmpty() && axes.all { it in AXES } && axes.toSet().size == axes.length
+            val check = ValueCheck(source)
+            check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
+            check.fraction("boundary.restitution", restitution)
+            return daphnis.core.boundary.Walls(box, restitution, BooleanArray(AXES.length) { AXES[it] in axes })
+        }
+
+        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String = "walls across $axes"
+
+        override fun toString(): String = "walls with axes $axes"
+    }
+
+    /** The paper's sheared periodic box. */
+    @Serializable
+    @SerialName("sheared-periodic")
+    public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec {
+        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
+            daphnis.core.boundary.ShearedPeriodic(box, velocityJump)
+
+        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
+            "$this, velocity jump ${speed(velocityJump)}"
+
+        override fun toString(): String = "sheared-periodic"
+    }
+
+    @Serializable
+    @SerialName("lees-edwards")
+    public class LeesEdwards(public val shearRate: Double) : BoundarySpec {
+        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
+            daphnis.core.boundary.LeesEdwards(box, shearRate)
+
+        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
+            "$this, shear rate ${number(shearRate)} per unit of time"
+
+        override fun toString(): String = "lees-edwards"
+    }
+
+    /** The shearing sheet of Hill's frame, or with [radiallyOpen] a ringlet that repeats along the orbit only. */
+    @Serializable
+    @SerialName("hill-sheet")
+    public class HillSheet(public val radiallyOpen: Boolean = false) : BoundarySpec {
+        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
+            val speed = omega ?: ValueCheck(source).fail("boundary", "is a hill-sheet; it needs a frame of type hill")
+            return daphnis.core.hill.HillSheet(box, speed, radiallyOpen)
+        }
+
+        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
+            if (radiallyOpen) "ringlet, repeats along y" else "shearing sheet, repeats along x and y"
+
+        override fun toString(): String = "hill-sheet"
+    }
+
+    public companion object {
+        private const val AXES = "xyz"
+
+        /** Names of those that drive a mean flow. */
+        internal const val SHEARED: String = "lees-edwards, sheared-periodic or hill-sheet"
+    }
+}

@@ -1,0 +1,26 @@
+package daphnis.core.scenario
+
+import daphnis.core.search.SearchStructure
+
+/** What a scenario says in the same way as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]). */
+public interface ScenarioParts {
+    public val name: String
+    public val description: String
+    public val seed: Long
+    public val units: UnitsSpec
+    public val frame: FrameSpec?
+    public val box: BoxSpec
+    public val boundary: BoundarySpec
+    public val particles: ParticlesSpec?
+    public val bodies: List<BodySpec>
+    public val placement: PlacementSpec
+    public val velocities: VelocitiesSpec?
+    public val restitution: RestitutionSpec
+    public val forces: List<ForceSpec>
+    public val search: SearchStructure
+    public val engine: EngineSpec
+    public val output: OutputSpec
+
+    /** Time at which the run starts: that of the state it is placed from, else 0. */
+    public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
+}

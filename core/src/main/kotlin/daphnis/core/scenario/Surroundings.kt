@@ -1,0 +1,67 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+
+/**
+ * What a scenario says of space and time, without a population.
+ *
+ * @property box where spheres are put; that of [boundary] unless it is open
+ * @property boundary without what forces add, such as the surface of a moon
+ * @property angularSpeed of the frame, in radians per unit of time; null without a frame
+ * @property end time at which the run ends
+ * @property timeStep [TimeStepSpec.Fixed], or [TimeStepSpec.CellCrossing] with or without its cell
+ */
+public class Surroundings private constructor(
+    internal val box: Box,
+    public val boundary: BoundaryConditions,
+    public val angularSpeed: Double?,
+    public val end: Double,
+    public val timeStep: TimeStepSpec,
+) {
+    public companion object {
+        /**
+         * Makes and checks them.
+         *
+         * @param source what to call the scenario in messages
+         * @throws InputException for whatever is wrong
+         */
+        public fun of(scenario: Scenario, source: String): Surroundings {
+            val check = ValueCheck(source)
+            checkUnits(scenario.units, check)
+            val times = FrameSetup.times(scenario, source)
+            val omega = FrameSetup.angularSpeed(scenario, source)
+            checkEnd(scenario, times.end, check)
+            val box = box(scenario, check)
+            val boundary = scenario.boundary.conditions(box, omega, source)
+            FrameSetup.checkFaces(scenario, boundary, omega, check)
+            return Surroundings(box, boundary, omega, times.end, times.timeStep)
+        }
+
+        private fun checkUnits(units: UnitsSpec, check: ValueCheck) {
+            check.positive("units.speedInCmPerSecond", units.speedInCmPerSecond)
+            units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
+            check.positive("units.massInKg", units.massInKg)
+        }
+
+        private fun checkEnd(scenario: Scenario, end: Double, check: ValueCheck) {
+            val start = scenario.startTime
+            check.that("until", end, end > start && end.isFinite()) {
+                if (start == 0.0) "must be > 0" else "must be later than placement.time, $start, where the run starts"
+            }
+        }
+
+        private fun box(scenario: Scenario, check: ValueCheck): Box {
+            val lengths = scenario.box.lengths
+            check.that("box.lengths", lengths, lengths.size == 3) {
+                "must be three numbers, the edges along x, y and z"
+            }
+            lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
+            val box = Box.centred(lengths[0], lengths[1], lengths[2])
+            check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) {
+                "give a volume of ${box.volume}; it must be positive and finite"
+            }
+            return box
+        }
+    }
+}
