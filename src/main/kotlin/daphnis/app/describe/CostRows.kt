@@ -11,7 +11,7 @@ import java.util.Locale
 import kotlin.math.ceil
 import kotlin.math.ln
 
-/** What a run writes, needs and takes, and how it looks for neighbours. */
+/** What a run writes, its memory and time, and how it searches for neighbours. */
 internal class CostRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
     private val scenario = setup.scenario
     private val size = setup.population.size
