@@ -85,7 +85,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         is BoundarySpec.Walls -> "walls across ${boundary.axes}"
         is BoundarySpec.ShearedPeriodic -> "sheared-periodic, velocity jump ${say.speed(boundary.velocityJump)}"
         is BoundarySpec.LeesEdwards -> "lees-edwards, shear rate ${number(boundary.shearRate)} per unit of time"
-        is BoundarySpec.HillSheet -> if (boundary.radiallyOpen) "ringlet, repeats along y" else "shearing sheet, repeats along x and y"
+        is BoundarySpec.HillSheet ->
+            if (boundary.radiallyOpen) "ringlet, repeats along y" else "shearing sheet, repeats along x and y"
     }
 
     private fun fullness() {

@@ -134,7 +134,8 @@ public class Profile(public val axis: Int, public val from: Double, public val t
 
     public companion object {
         public val COLUMNS: List<String> =
-            listOf("count", "surface_density", "optical_depth", "filling_factor", "mean_vx", "mean_vy", "mean_vz", "c_xx", "c_yy", "c_zz", "c_xy")
+            listOf("count", "surface_density", "optical_depth", "filling_factor") +
+                listOf("mean_vx", "mean_vy", "mean_vz", "c_xx", "c_yy", "c_zz", "c_xy")
         private val WIDTH = COLUMNS.size
         private const val MASS = 1
         private const val DEPTH = 2
