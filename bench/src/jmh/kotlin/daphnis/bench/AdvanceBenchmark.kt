@@ -19,8 +19,8 @@ import java.util.concurrent.TimeUnit
 
 /**
  * `advance()` over a whole workload: one operation is all its steps, from the same state each time. The counters give
- * collisions and particle-steps of all measured operations together, so nanoseconds a collision are score · 1e6 · Cnt /
- * collisions.
+ * collisions and particle-steps of all measured operations together, so nanoseconds per collision are score · 1e6 · Cnt
+ * / collisions.
  *
  * `java -jar bench/target/bench-0.1.0.jar AdvanceBenchmark -p engine=ISLANDS,THREAD_POOL -p threads=1,2 -rf json -rff
  * results.json`
@@ -63,7 +63,7 @@ open class AdvanceBenchmark {
     @Setup(Level.Iteration)
     fun makeSimulation() {
         simulation = start.simulation(engine.create(threads))
-        // The arrays get their size in the first step, which is not what is measured.
+        // The arrays get their size in the first step, which is not measured.
         simulation.advance()
     }
 

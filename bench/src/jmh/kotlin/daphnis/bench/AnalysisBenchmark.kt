@@ -23,8 +23,8 @@ import org.openjdk.jmh.annotations.Warmup
 import java.util.concurrent.TimeUnit
 
 /**
- * Radial order and streamlines of a large ring patch on one thread: a sort from nothing, one of what is nearly in
- * order, and streamlines, which include the latter.
+ * Radial order and streamlines of a large ring patch on one thread: a sort of unordered particles, a sort of particles
+ * nearly in order, and streamlines, which include the latter.
  *
  * `java -Xmx6g -jar bench/target/bench-0.1.0.jar AnalysisBenchmark -p count=1000000,10000000`
  */

@@ -5,7 +5,7 @@ import java.util.Locale
 
 /**
  * Engines in turn in one process, round after round, on the same steps: on a noisy machine the only fair comparison.
- * Prints the fastest round of each, in ms a step, and how much faster than the serial engine's that is.
+ * Prints the fastest round of each, in ms per step, and its speed relative to the serial engine.
  *
  * `java -cp bench/target/bench-0.1.0.jar daphnis.bench.CompareKt WORKLOAD STEPS ROUNDS`
  */

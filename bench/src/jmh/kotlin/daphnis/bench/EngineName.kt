@@ -16,12 +16,12 @@ enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
     ISLANDS({ IslandsEngine(it) }),
 
-    /** The yardstick: the paper's engine on a fixed pool, consecutive chunks, row-locked grid. */
+    /** The reference: the paper's engine on a fixed pool, consecutive chunks, row-locked grid. */
     THREAD_POOL({ ThreadPoolEngine(it) }),
     ACTORS({ ActorEngines.create("actors", it)!! }),
     PEKKO({ ActorEngines.create("pekko", it)!! }),
 
-    /** The serial engine on the queue that is a sorted set: what the calendar is worth. */
+    /** The serial engine with a sorted set as queue: shows the gain of the bucketed queue. */
     SERIAL_SORTED_SET({ SerialEngine(ReferenceEventQueue()) }),
 
     /** The paper's remarks: a new thread for every task. */

@@ -16,8 +16,8 @@ import org.openjdk.jmh.annotations.Warmup
 import java.util.concurrent.TimeUnit
 
 /**
- * One step of an elastic gas in equilibrium, over and over: its state never changes in kind, so this is where to see
- * that a warm step allocates nothing.
+ * One step of an elastic gas in equilibrium, repeated. The state stays in equilibrium, so this shows that a warm step
+ * allocates nothing.
  *
  * `java -jar bench/target/bench-0.1.0.jar StepBenchmark -prof gc`
  */

@@ -24,8 +24,8 @@ import daphnis.core.scenario.ScenarioSetup
  * | CLUMPED | 1e5 elastic spheres that start at φ = 0.3 in the lower corner of a box that is eight times as large each way |
  * | DENSE | 1e5 elastic spheres at φ = 0.45, molten, 0.6 τ |
  * | GAS_1E4, GAS_1E5, GAS_1E6 | elastic gases at φ = 0.1, steps of 0.1 τ |
- * | RING_1E5, RING_1E6 | the built-in ring patch, steady, laid side by side until there are about so many; 198 steps an orbit |
- * | WAKES | the built-in self-gravity wakes, 1,476 particles, 1000 steps an orbit |
+ * | RING_1E5, RING_1E6 | the built-in ring patch, steady, copied side by side until there are about so many; 198 steps per orbit |
+ * | WAKES | the built-in self-gravity wakes, 1,476 particles, 1000 steps per orbit |
  * | MOONLET | the built-in moonlet, 60,000 particles, from its start |
  */
 enum class Workload(val dt: Double, val steps: Int, private val make: () -> ScenarioSetup) {
@@ -72,7 +72,7 @@ private const val MELTING = 1.5
 private const val RING_OMEGA = 1.313952e-4
 private const val WAKES_OMEGA = 0.00013143527
 
-/** After 21 of these the images of a square patch have slid by one box, and stand as at the beginning. */
+/** After 21 of these the images of a square patch have slid by one box, and are where they were at the start. */
 private const val RING_STEP = 1 / (1.5 * 21 * RING_OMEGA)
 
 /** [edges] × [edges] steady ring patches, images of one another. */

@@ -11,7 +11,7 @@ import java.util.Locale
 import kotlin.math.ceil
 import kotlin.math.ln
 
-/** What a run writes, needs and takes, and how it looks for neighbours. */
+/** What a run writes, its memory and time, and how it searches for neighbours. */
 internal class CostRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
     private val scenario = setup.scenario
     private val size = setup.population.size
@@ -26,9 +26,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
             "run time",
             "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so",
         )
-        val count =
-            (if (exact) "" else "at least ") +
-                if (steps < MOST_WRITTEN) "%.0f".format(Locale.ROOT, steps) else number(steps)
+        val count = (if (exact) "" else "at least ") + written(steps)
         rows.add("steps", "$count of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
         search()
     }
@@ -46,20 +44,11 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun row(what: String, count: Double, disk: Double) {
-        if (count > 0) {
-            rows.add(
-                "outputs",
-                "${if (count < MOST_WRITTEN) {
-                    "%.0f".format(
-                        Locale.ROOT,
-                        count,
-                    )
-                } else {
-                    number(count)
-                }} $what, ${bytes(disk)}",
-            )
-        }
+        if (count > 0) rows.add("outputs", "${written(count)} $what, ${bytes(disk)}")
     }
+
+    private fun written(count: Double) =
+        if (count < MOST_WRITTEN) "%.0f".format(Locale.ROOT, count) else number(count)
 
     /**
      * From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a

@@ -7,8 +7,8 @@ import java.math.MathContext
 import java.util.Locale
 
 /**
- * Says numbers of a scenario with their units, in those that a person would choose; "length units" and so on where the
- * scenario does not know them.
+ * Formats numbers of a scenario with units of a convenient size; "length units" and so on where the scenario does not
+ * know its units.
  */
 internal class Quantities(scenario: ScenarioParts) {
     private val units = scenario.units
@@ -67,7 +67,7 @@ internal class Quantities(scenario: ScenarioParts) {
         number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
     }
 
-    /** What one unit of time is worth: it follows from length and speed, so nobody wrote it down. */
+    /** One unit of time; it follows from length and speed, so a scenario does not state it. */
     fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }
 
     private fun plain(value: Double, unit: String) = "${number(value)} $unit"
@@ -83,7 +83,7 @@ internal class Quantities(scenario: ScenarioParts) {
             return String.format(Locale.ROOT, "%.3e", value).replace(Regex("\\.?0*e\\+?(-?)0*"), "e$1")
         }
 
-        /** A number of bytes as people say it. */
+        /** A number of bytes with a decimal prefix. */
         fun bytes(count: Double): String = when {
             count < 1e3 -> String.format(Locale.ROOT, "%.0f B", count)
             count < 1e6 -> String.format(Locale.ROOT, "%.0f kB", count / 1e3)

@@ -13,13 +13,13 @@ import kotlin.math.sqrt
  * Pair correlation: pairs at a distance over those that particles without correlation would have, by bin of distance
  * from [nearest] to [farthest]. In a box periodic along z it is the radial distribution function g(r) in space;
  * otherwise the distance is counted in the x-y plane, and g is not 0 below contact. NaN for fewer than two particles.
- * At faces without images the pairs are held against those that the box has room for.
+ * At faces without images the pairs are divided by those that the box has room for.
  *
- * Hard spheres have no pair below contact and most of them at it: in space, let [nearest] be the distance of contact,
- * so that no bin holds some of both.
+ * Hard spheres have no pairs below contact, and the most at contact. In space, let [nearest] be the distance of
+ * contact, so that no bin contains both ranges.
  *
  * @param farthest largest distance; at most half the shortest edge of the box along the axes in which distances are
- * counted
+ *   counted
  */
 public class PairCorrelation(public val farthest: Double, public val bins: Int, public val nearest: Double = 0.0) :
     Measure {
@@ -66,7 +66,7 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
         val grid = Grid()
         grid.build(p, state.boundary, state.time, 0.0, DoubleArray(3), structure = SearchStructure.GRID)
         val near = CellRuns(grid)
-        // In the plane everybody above and below is near.
+        // In the plane all spheres above and below are near.
         var height = 0.0
         if (inPlane && p.size > 0) height = p.z.max() - p.z.min()
         var n = 0
@@ -74,7 +74,7 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
             val k = grid.order[slot]
             if (!state.isParticle(k)) continue
             n++
-            // A sphere of that size touches whoever is near enough.
+            // A sphere of that size touches every sphere that is near enough.
             val runs = near.ahead(
                 slot,
                 p.x[k],

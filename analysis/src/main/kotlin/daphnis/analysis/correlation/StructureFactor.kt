@@ -32,7 +32,7 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
         val count = IntArray(bins)
         val mostAcross = (largest / unitAcross).toInt() + 1
         val mostAlong = (largest / unitAlong).toInt() + 1
-        // So many that a frame takes a second or so; beyond, every so many-th.
+        // As many as take about a second per frame; of more, every k-th is taken.
         val stride = maxOf(1L, (2L * mostAcross + 1) * (mostAlong + 1) * state.population.size / MOST_WORK)
         var number = 0L
         for (m in 0..mostAlong) {

@@ -16,8 +16,8 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
     public val density: DoubleArray = DoubleArray(nx * ny)
 
     /**
-     * The row of images beyond the upper face, in cells that go on from those of [density]: counted anew, since a slide
-     * is no whole number of cells.
+     * The row of images beyond the upper face, in cells that go on from those of [density]: counted anew, because a
+     * slide is not a whole number of cells.
      */
     private val beyond: DoubleArray = if (images.offset == 0.0) density else DoubleArray(nx * ny)
 
@@ -45,9 +45,9 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
     private fun slid(place: Double, width: Double, cells: Int) = ((place + images.offset) / width).toInt() % cells
 
     /**
-     * Autocorrelation of the surface density at lags of whole cells, ⟨δΣ(r) δΣ(r + l)⟩ / ⟨Σ⟩². Goes on through periodic
-     * faces, with images where they are at the time; at faces without images the average is over the cells that have a
-     * partner. 0 throughout for an empty patch.
+     * Autocorrelation of the surface density at lags of whole cells, ⟨δΣ(r) δΣ(r + l)⟩ / ⟨Σ⟩². Continues through
+     * periodic faces, with images at their places at that time; at faces without images the average is over the cells
+     * that have a partner. 0 throughout for an empty patch.
      *
      * @param lagX largest lag along x in cells, below [nx]; likewise [lagY]
      * @return entry `(i + lagX) · (2 lagY + 1) + j + lagY`

@@ -9,12 +9,12 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * The wave that stands out of the surface density of a patch, such as its wakes: the wave vector k at which the power
+ * The wave that dominates the surface density of a patch, such as its wakes: the wave vector k at which the power
  * spectrum of the mean autocorrelation is largest. Crests lie across k. Errors are one standard error over the states,
  * from the jackknife: the pattern is found again without each of the states.
  *
  * @property pitch angle in radians between the orbit (y) and the crests, atan(k_y/k_x), in (−π/2, π/2); trailing
- * crests, which lean backward outward, positive
+ *   crests, which lean backward outward, positive
  * @property spacing of the crests along x, 2π/k_x
  * @property contrast power at k over the median of all directions at the same |k|
  */
@@ -26,13 +26,13 @@ public class WavePattern private constructor(
     public companion object {
         /**
          * The pattern in autocorrelations of [SurfaceMap], one of each state in order of time, of lags up to [lagX] and
-         * [lagY] cells of [dx] × [dy]; null when no wave stands out. Looked for are waves that fit at least 1.5 times
-         * into twice the largest lag along x and are at least four cells long, for shorter ones are the packing of
-         * spheres; when the highest power is in a wave that does not, along the orbit say, there is no pattern. A wave
-         * stands out when its [contrast] is at least [LEAST_CONTRAST], and above 1 by [LEAST_SIGNIFICANCE] times the
-         * scatter of the mean spectrum itself. Counting noise, and round clumps, come that far in fewer than 1 of 100
-         * patches even with a single state. More states lower the bound as far as they differ: states of the same noise
-         * leave its scatter as it is.
+         * [lagY] cells of [dx] × [dy]; null when no wave stands out. A wave must fit at least 1.5 times into twice the
+         * largest lag along x, and be at least four cells long, because shorter ones are the packing of spheres. If the
+         * highest power is in another wave, such as one along the orbit, there is no pattern. A wave stands out when
+         * its [contrast] is at least [LEAST_CONTRAST], and above 1 by [LEAST_SIGNIFICANCE] times the scatter of the
+         * mean spectrum itself. Counting noise and round clumps reach this in fewer than 1 of 100 patches, even with a
+         * single state. More states lower the bound only as far as they differ: states with the same noise do not
+         * reduce its scatter.
          */
         public fun of(maps: List<DoubleArray>, lagX: Int, lagY: Int, dx: Double, dy: Double): WavePattern? {
             if (maps.isEmpty() || lagX < FEWEST_LAGS || lagY < FEWEST_LAGS) return null
@@ -76,8 +76,8 @@ public class WavePattern private constructor(
                     contrast,
                 )
             }
-            // k_x > 0 throughout, so that no angle jumps by π. Pseudo-values n θ − (n − 1) θ₋ₖ, of which the average
-            // and its error are taken as of any series.
+            // k_x > 0 throughout, so no angle jumps by π. The average and error are those of the series of
+            // pseudo-values n θ − (n − 1) θ₋ₖ.
             val pitches = DoubleArray(n)
             val spacings = DoubleArray(n)
             for ((k, map) in maps.withIndex()) {
@@ -102,7 +102,8 @@ public class WavePattern private constructor(
 
         /**
          * One standard deviation of the noise of a spectrum over its level: how far the lower sixth of the [samples] is
-         * below the median of its ring, of the given [width]. The lower side, for waves raise the upper one.
+         * below the median of its ring, of the given [width]. The lower side is used, because waves raise the upper
+         * one.
          */
         private fun scatter(samples: List<Sample>, width: Double): Double {
             val relative = ArrayList<Double>()
@@ -214,7 +215,7 @@ private class LagSpectrum(
         return result
     }
 
-    /** The maximum that Newton's steps lead to from [start]; null when they lead to none near, or out of the range. */
+    /** The maximum that Newton's method reaches from [start]; null if there is none nearby, or it leaves the range. */
     fun climb(start: DoubleArray): DoubleArray? {
         var kx = start[0]
         var ky = start[1]

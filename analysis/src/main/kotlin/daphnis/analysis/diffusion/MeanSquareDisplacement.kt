@@ -4,7 +4,7 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * A coefficient of self-diffusion and the lags it is the slope of.
+ * A coefficient of self-diffusion, and the lags over which it was fitted.
  *
  * @property value in length²/time; [error] one standard error
  * @property from shortest lag of the fit, [to] the longest
@@ -18,18 +18,18 @@ public class Diffusion(
 
 /**
  * Mean square displacements ⟨(x(t₀ + t) − x(t₀))²⟩ of [trajectories] by lag t, averaged over particles and over all
- * origins t₀, for lags up to half the time there is. Their slope over 2 is the coefficient of self-diffusion D once it
+ * origins t₀, for lags up to half the covered time. Their slope over 2 is the coefficient of self-diffusion D once it
  * no longer changes (Einstein 1905, Ann. Phys. 322, 549; Frenkel & Smit, Understanding Molecular Simulation, ch. 4.4).
  *
- * Errors are from [GROUPS] groups of particles, by id, that are taken as independent: where many move together, as in
- * wakes, they come out too small.
+ * Errors are from [GROUPS] groups of particles, by id, that are taken as independent. They are too small where many
+ * particles move together, as in wakes.
  *
  * @throws IllegalArgumentException for fewer than [FEWEST_TIMES] times or 2 particles
  */
 public class MeanSquareDisplacement(trajectories: Trajectories) {
     private val groups: Int
 
-    /** Lags in units of time, ascending: the mean over origins, should times not be evenly spread. */
+    /** Lags in units of time, ascending: the mean over origins, in case times are not evenly spread. */
     public val lag: DoubleArray
 
     /** `[coordinate][group][lag]`. */
@@ -80,7 +80,7 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
 
     /**
      * D of the mean over [coordinates]: half the slope, each lag weighted by 1/lag², from where the displacement has
-     * become linear in time. Null when it has not within the lags there are.
+     * become linear in time. Null if it is not linear within the available lags.
      *
      * @param from shortest lag of the fit, such as that found for the mean of more coordinates; null to find it
      */
@@ -99,9 +99,9 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
     }
 
     /**
-     * The lag 2t of the first t for which the slope from t to 2t is that from 2t to 4t: within 5 %, or within two
-     * standard errors where these are larger, up to 20 %. What is left of memory at t has died out at 2t. Ballistic
-     * flight, whose slope doubles with the lag, never passes. −1 for none.
+     * The lag 2t of the first t for which the slope from t to 2t equals that from 2t to 4t: within 5 %, or within two
+     * standard errors where these are larger, up to 20 %. Memory that remains at t has died out at 2t. Ballistic flight
+     * never passes, because its slope doubles with the lag. −1 for none.
      */
     private fun linearFrom(byGroup: Array<DoubleArray>): Int {
         var t = 1
@@ -145,10 +145,10 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
     }
 
     public companion object {
-        /** Groups of particles that errors are from. */
+        /** Groups of particles from which errors are computed. */
         public const val GROUPS: Int = 20
 
-        /** Times that are needed, so that the slope can be compared at four lags. */
+        /** Least number of times: the slope is compared at four lags. */
         public const val FEWEST_TIMES: Int = 16
         private const val LAG_PART = 2
         private const val FEWEST_LAGS = 3

@@ -4,10 +4,10 @@ import daphnis.core.format.Snapshot
 
 /** A coordinate in which particles may diffuse. */
 public sealed interface Coordinate {
-    /** What it is called in tables. */
+    /** Its name in tables. */
     public val name: String
 
-    /** The coordinate of the particle at [index] of [frame], whose images are known, as if there were no images. */
+    /** The unwrapped coordinate of the particle at [index] of [frame], whose images must be known. */
     public fun of(frame: Snapshot, index: Int): Double
 
     /** Position along [axis] (0 = x, 1 = y, 2 = z): of a periodic axis along which nothing flows. */
@@ -18,8 +18,8 @@ public sealed interface Coordinate {
     }
 
     /**
-     * Guiding centre X = 4x + 2 v_y/Ω in Hill's frame of angular speed [omega]; a box outward it is larger by L_x, as x
-     * is.
+     * Guiding centre X = 4x + 2 v_y/Ω in Hill's frame of angular speed [omega]; like x, it grows by L_x per box
+     * outward.
      */
     public class GuidingCentre(private val omega: Double) : Coordinate {
         override val name: String = "X"
@@ -40,7 +40,7 @@ public sealed interface Coordinate {
 }
 
 /**
- * Where particles were at many times, without images and against their centre of mass, so that a drift of all is no
+ * Positions of particles at many times, unwrapped and relative to their centre of mass, so that a common drift is no
  * displacement. Keeps 8 bytes for each particle, coordinate and time.
  *
  * @param ids of the particles, ascending; they must be in every frame
@@ -66,7 +66,7 @@ public class Trajectories(public val coordinates: List<Coordinate>, private val 
     public fun at(k: Int, coordinate: Int): DoubleArray = rows[k][coordinate]
 
     /**
-     * Takes in one more state, later than those before.
+     * Adds one more state, later than the previous ones.
      *
      * @throws IllegalArgumentException when it is not later, has no images, or lacks a particle
      */

@@ -6,7 +6,7 @@ import kotlin.math.sqrt
 
 /**
  * The mean flow of a box on a grid of cells in the x-y plane: mass-weighted mean velocities, and lines along it. As a
- * [Measure]: Σ m, Σ m v_x, Σ m v_y by cell `i · ny + j`, one block after the other, so that samples can be added up
+ * [Measure]: Σ m, Σ m v_x, Σ m v_y by cell `i · ny + j`, one block after the other, so that samples can be summed
  * before [mean] divides them.
  */
 public class FlowField(public val nx: Int, public val ny: Int) : Measure {

@@ -14,9 +14,8 @@ import kotlin.math.tan
 
 /**
  * Light through a patch: parallel rays at an elevation above the ring plane, on a regular grid of points of the plane,
- * each blocked by the spheres it meets, images included. What is blocked along a ray is found by the shadows: a sphere
- * at height z shadows the ellipse around (x, y) − z/tan B · (cos A, sin A), with semi-axes r and r / sin B, of the
- * plane.
+ * each blocked by the spheres it meets, images included. Blocked rays are found by shadows: a sphere at height z
+ * shadows the ellipse around (x, y) − z/tan B · (cos A, sin A), with semi-axes r and r / sin B, of the plane.
  *
  * @param elevation B, angle between the rays and the ring plane in radians, in (0, π/2]
  * @param azimuth A, direction in the plane in which the rays climb, from x toward y, in radians
@@ -30,20 +29,20 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
     }
 
     /**
-     * Which rays come through, by cell of the plane.
+     * Which rays get through, by cell of the plane.
      *
      * @property nx rays along x; [ny] along y; [blocked] at `i · ny + j`
      */
     public class Shadow internal constructor(public val nx: Int, public val ny: Int) {
         public val blocked: BooleanArray = BooleanArray(nx * ny)
 
-        /** Part of the rays that come through, by place along x: a synthetic occultation scan. */
+        /** Share of the rays that get through, by position along x: a synthetic occultation scan. */
         public fun scan(): DoubleArray = DoubleArray(nx) { i ->
             (0 until ny).count { !blocked[i * ny + it] } /
                 ny.toDouble()
         }
 
-        /** Part of all rays that come through. */
+        /** Share of all rays that get through. */
         public val transmission: Double get() = blocked.count { !it } / blocked.size.toDouble()
     }
 
@@ -61,13 +60,13 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
         return shadow
     }
 
-    /** Share of the rays that come through, one number, as a [Measure]. */
+    /** Share of the rays that get through, one number, as a [Measure]. */
     public fun transmission(): Measure = Measure { state -> doubleArrayOf(cast(state).transmission) }
 
     /**
-     * Normal optical depth −sin B · ln T of a [transmission], which is averaged before: the logarithm of an average is
-     * finite where one of the states lets nothing through, the average of logarithms is not. The error is sin B · ΔT /
-     * T; +∞ and NaN when nothing comes through.
+     * Normal optical depth −sin B · ln T of a [transmission] that is already averaged. The logarithm of the average is
+     * finite even if one of the states lets nothing through; the average of logarithms is not. The error is sin B · ΔT
+     * / T. If nothing gets through, the depth is +∞ and the error NaN.
      */
     public fun depth(transmission: BlockAverage): BlockAverage {
         val t = transmission.mean
@@ -102,7 +101,7 @@ public class RayCasting(public val elevation: Double, public val azimuth: Double
             for (i in first(centreA - long, lowA, stepA)..last(centreA + long, lowA, stepA)) {
                 val row = Math.floorDiv(i, countA)
                 if (row != 0 && !wrapsA) continue
-                // What falls on row m falls, in the box, beside the image at −m.
+                // A shadow on row m of images is, in the box, the shadow of the image at −m.
                 dropLine(i - row * countA, lowA + (i + 0.5) * stepA - centreA, centreB - row * images.offset, long, r)
             }
         }

@@ -7,7 +7,7 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import kotlin.math.sqrt
 
-/** By what particles are put into radial order. */
+/** The key by which particles are put into radial order. */
 public enum class RadialKey {
     /** Radial position x. */
     X,
@@ -21,9 +21,8 @@ public enum class RadialKey {
 
 /**
  * The order of a population by radial distance, without moving the population. Kept from call to call: a population
- * that is nearly in the order it had last time is put right in one pass, otherwise keys go through a radix sort, linear
- * in N. Those with the same key stand in the order of their ids, so the result does not depend on the order of the
- * arrays.
+ * that is nearly in its previous order is sorted in one pass. Otherwise the keys go through a radix sort, linear in N.
+ * Particles with equal keys are in the order of their ids, so the result does not depend on the order of the arrays.
  *
  * @param planetDistance distance of the frame's origin from the planet, for [RadialKey.DISTANCE]
  * @param loop threads to use
@@ -42,7 +41,7 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
     private var spareOrder = IntArray(0)
     private var lastIds = IntArray(0)
 
-    /** Whether the last sort was done by putting right the order before. */
+    /** Whether the last sort started from the previous order. */
     public var wasNearlySorted: Boolean = false
         private set
 
@@ -113,7 +112,7 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
         }
     }
 
-    /** Insertion sort, given up after a few moves a particle. @return whether it came to the end */
+    /** Insertion sort, abandoned after a few moves per particle. @return whether it was completed */
     private fun insert(): Boolean {
         var moves = MOVES_A_PARTICLE * size
         for (k in 1 until size) {
@@ -159,7 +158,7 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
         for (k in share(part, parts) until share(part + 1, parts)) counts[digit(keys[k], shift)]++
     }
 
-    /** Turns counts into places. @return false when all have the same digit */
+    /** Turns counts into places. @return false if all have the same digit */
     private fun startPlaces(counts: Array<IntArray>): Boolean {
         var place = 0
         for (d in 0 until (1 shl DIGIT)) {
@@ -180,7 +179,7 @@ public class RadialOrder(public val planetDistance: Double = Double.NaN, private
 
     private fun share(part: Int, parts: Int) = (size.toLong() * part / parts).toInt()
 
-    /** The highest digit holds the sign, turned round so that negative numbers come first. */
+    /** The highest digit contains the sign, inverted so that negative numbers come first. */
     private fun digit(key: Long, shift: Int): Int =
         ((key xor Long.MIN_VALUE) ushr shift).toInt() and ((1 shl DIGIT) - 1)
 

@@ -18,12 +18,12 @@ import kotlin.math.sqrt
  * | c2 | ⟨c²⟩, the sum of the three |
  * | h2 | ⟨(z − z₀)²⟩, z₀ the centre of mass of all |
  *
- * A sphere with a share μ of all mass pulls the centre of mass along, so that the plain mean square is short by about
- * 2μ; this is taken out, for spheres whose velocities are independent as for such that share one temperature. Means of
- * an empty class are NaN; so are all when a class has spheres with half of all mass each.
+ * A sphere with a share μ of all mass moves the centre of mass along, which reduces the plain mean square by about 2μ.
+ * This is corrected, for spheres with independent velocities as well as for those that share one temperature. Means of
+ * an empty class are NaN. All means are NaN if a class has spheres with half of all mass each.
  *
- * @param edges lower edges of the classes and the upper edge of the last, ascending; the last class has its upper edge
- *   inside
+ * @param edges lower edges of the classes and the upper edge of the last, ascending; the last class includes its upper
+ *   edge
  */
 public class DispersionBySize(private val edges: DoubleArray) : Measure {
     /** Number of classes. */

@@ -15,13 +15,13 @@ import kotlin.math.abs
  * | surface_density | Σ m over the bin's area in the x-y plane; along z: Σ m over its volume |
  * | optical_depth | Σ π r² over that area (geometric); along z: over the area of the patch, so that bins add up to τ |
  * | filling_factor | volume of the spheres, cut at the bin's faces, over that of the bin; along x and y the height of the box is taken |
- * | mean_vx … | mean velocity against the flow that the boundary drives |
- * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number: sums of products over the number of particles less one |
+ * | mean_vx … | mean velocity relative to the flow that the boundary drives |
+ * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number: sums of products over the number of particles minus one |
  *
- * Means and ⟨c_a c_b⟩ are over the particles of all states together, so that a state counts by the particles that it
- * has in the bin. Means of a bin that no state has a particle in are NaN, and so are ⟨c_a c_b⟩ of fewer than two
- * particles. Where a profile spans a whole period, what sticks out at one end of a sphere is filled in at the other; at
- * ends that are not periodic it is cut off.
+ * Means and ⟨c_a c_b⟩ are over the particles of all states together, so the weight of a state is its number of
+ * particles in the bin. Means of a bin without a particle in any state are NaN, and so are ⟨c_a c_b⟩ of fewer than two
+ * particles. If a profile spans a whole period, the part of a sphere that sticks out at one end is counted at the
+ * other. At ends that are not periodic it is cut off.
  *
  * @param axis 0, 1 or 2
  * @param from lower edge of the first bin
@@ -73,9 +73,7 @@ public class Profile(public val axis: Int, public val from: Double, public val t
         return result
     }
 
-    /**
-     * Length after which the axis repeats, if that is what the profile spans; else infinite, which no image comes from.
-     */
+    /** The period of the axis if the profile spans it; otherwise infinite, so that there are no images. */
     private fun period(state: State): Double {
         val box = state.boundary.box
         val length = box.length(axis)
@@ -136,7 +134,8 @@ public class Profile(public val axis: Int, public val from: Double, public val t
 
     public companion object {
         public val COLUMNS: List<String> =
-            listOf("count", "surface_density", "optical_depth", "filling_factor", "mean_vx", "mean_vy", "mean_vz", "c_xx", "c_yy", "c_zz", "c_xy")
+            listOf("count", "surface_density", "optical_depth", "filling_factor") +
+                listOf("mean_vx", "mean_vy", "mean_vz", "c_xx", "c_yy", "c_zz", "c_xy")
         private val WIDTH = COLUMNS.size
         private const val MASS = 1
         private const val DEPTH = 2
@@ -145,7 +144,7 @@ public class Profile(public val axis: Int, public val from: Double, public val t
         private const val SQUARE = 7
         private const val PRODUCT = 10
 
-        /** Part of a length by which two ends may differ and be the same. */
+        /** Fraction of a length by which two ends may differ and still count as equal. */
         private const val SAME = 1e-9
     }
 }

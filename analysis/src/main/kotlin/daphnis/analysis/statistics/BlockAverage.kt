@@ -4,19 +4,19 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * The average of a series that is correlated in time, with its standard error, or the verdict that the series cannot
- * tell it.
+ * The average of a series that is correlated in time, with its standard error, or the verdict that the series is too
+ * short for an error.
  *
  * Neighbours in time are averaged in pairs until there are fewer than [MOST_BLOCKS] blocks (Flyvbjerg & Petersen 1989,
- * J. Chem. Phys. 91, 461). What correlation r is left between neighbouring blocks lengthens the squared error by (1 +
- * r)/(1 − r), as in a first-order autoregressive series; r is the measured lag-1 correlation freed of its bias −(1 +
- * 4r)/n (Marriott & Pope 1954, Biometrika 41, 390), and never below 0. The m blocks so count as m (1 − r)/(1 + r)
- * [independent] ones. With fewer than [FEWEST_INDEPENDENT] of these, or fewer than [FEWEST_NUMBERS] numbers, of which
- * correlation cannot be told, [error] is NaN. Where most series of a kind get an error, it covers the truth in 60 to 75
- * % of them (docs/adr/0013).
+ * J. Chem. Phys. 91, 461). The correlation r that remains between neighbouring blocks enlarges the squared error by (1
+ * + r)/(1 − r), as in a first-order autoregressive series. r is the measured lag-1 correlation, corrected for its bias
+ * −(1 + 4r)/n (Marriott & Pope 1954, Biometrika 41, 390), and never below 0. The m blocks so count as m (1 − r)/(1 + r)
+ * [independent] ones. With fewer than [FEWEST_INDEPENDENT] of these, or fewer than [FEWEST_NUMBERS] numbers, too few to
+ * estimate the correlation, [error] is NaN. Where most series of a kind get an error, it covers the true value in 60 to
+ * 75 % of them (docs/adr/0013).
  *
  * @property mean NaN for an empty series
- * @property error one standard error; NaN where the average [isLevelled] not
+ * @property error one standard error; NaN unless the average [isLevelled]
  * @property count numbers in the series
  * @property independent independent blocks that the series is worth, at most [MOST_BLOCKS]; NaN where this is not known
  */
@@ -47,7 +47,7 @@ public class BlockAverage(
         )
     }
 
-    /** This average without an error, when something else than its series says that there is none to be had. */
+    /** This average without an error, for callers that know from elsewhere that none can be given. */
     internal fun withoutError() = BlockAverage(mean, Double.NaN, count, independent)
 
     override fun toString(): String =
@@ -78,7 +78,7 @@ public class BlockAverage(
         /**
          * A function of the means of [columns], series of equal length and in order of time, such as a ratio Σa / Σb.
          * Its error is that of the series of its jackknife pseudovalues n θ − (n − 1) θ₋ᵢ (Tukey 1958; Miller 1974,
-         * Biometrika 61, 1), which keeps what the columns have in common.
+         * Biometrika 61, 1), which includes what the columns have in common.
          */
         public fun of(columns: Array<DoubleArray>, function: OfMeans): BlockAverage {
             val n = columns[0].size
@@ -125,7 +125,7 @@ public class BlockAverage(
     }
 }
 
-/** A number that follows from means, given in the order of the columns that they are of. */
+/** A function of the means of columns, given in the order of the columns. */
 public fun interface OfMeans {
     /** The number for [means]; the array is used again. */
     public fun of(means: DoubleArray): Double

@@ -4,18 +4,18 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Whether a series in time is steady: has no trend beyond what its own slow fluctuations make. A straight line is
+ * Whether a series in time is steady: it has no trend beyond what its own slow fluctuations produce. A straight line is
  * fitted by generalised least squares with first-order autoregressive noise (Prais & Winsten 1954); where the noise
- * cannot be told from a random walk it is taken as one (Perron & Yabu 2009, J. Econometrics 151, 56). Noise and its
- * correlation are those of the last two thirds, so that a transient at the start does not pass as noise. Before,
- * neighbours are averaged in pairs until there are fewer than 64 numbers.
+ * cannot be distinguished from a random walk it is treated as one (Perron & Yabu 2009, J. Econometrics 151, 56). Noise
+ * and its correlation are those of the last two thirds, so that a transient at the start does not pass as noise.
+ * Before, neighbours are averaged in pairs until there are fewer than 64 numbers.
  *
  * A steady series is called drifting in less than one case of a hundred when it is longer than some 100 correlation
- * times, and in some 5 of a hundred at 20; shorter ones go up and down too seldom to be told from a drift, and
+ * times, and in some 5 of a hundred at 20; shorter ones fluctuate too slowly to be distinguished from a drift, and
  * [BlockAverage] gives them no error (docs/adr/0014).
  *
- * @property change what the line fitted changes by from the first number to the last, in the unit of the series; NaN
- *   where nothing can be told
+ * @property change change of the fitted line from the first number to the last, in the unit of the series; NaN without
+ *   a verdict
  * @property significance [change] over its standard error
  * @property verdict what follows from them
  */
@@ -26,7 +26,7 @@ public class Steadiness private constructor(
 ) {
     /** What a series says of its steadiness. */
     public enum class Verdict {
-        /** No trend is to be seen. */
+        /** No trend is visible. */
         STEADY,
 
         /** There is a trend, or a fluctuation as slow as the series is long. */
@@ -37,7 +37,7 @@ public class Steadiness private constructor(
     }
 
     public companion object {
-        /** Length of a series below which nothing is said. */
+        /** Length of a series below which there is no verdict. */
         public const val FEWEST: Int = 24
 
         private const val MOST = 64
@@ -74,9 +74,9 @@ public class Steadiness private constructor(
         }
 
         /**
-         * Index from which on [series] is steady, if it is anywhere: what comes before, and would be left out, makes
-         * the error of the mean of the rest smallest (MSER-5: White 1997, Simulation 69, 323; White, Cobb & Spratt
-         * 2000). At most half of the series is left out; −1 when that is not enough, or for fewer than 50 numbers.
+         * Index from which on [series] is steady. Leaving out the numbers before it makes the error of the mean of the
+         * rest smallest (MSER-5: White 1997, Simulation 69, 323; White, Cobb & Spratt 2000). At most half of the series
+         * is left out; −1 if that is not enough, or for fewer than 50 numbers.
          */
         public fun steadyFrom(series: DoubleArray): Int {
             val y = batches(series, BATCH)
@@ -91,7 +91,7 @@ public class Steadiness private constructor(
                 sum += d
                 square += d * d
                 val left = y.size - k
-                // Few numbers at the end may happen to lie close together.
+                // A few numbers at the end may lie close together by chance.
                 if (left < BATCH) continue
                 val error = maxOf(0.0, square - sum * sum / left) / left / left
                 if (error <= least) {
@@ -108,7 +108,7 @@ public class Steadiness private constructor(
             sum / size
         }
 
-        /** What a straight line by least squares leaves of [y]. */
+        /** Residuals of [y] after a least-squares line. */
         private fun residuals(y: DoubleArray): DoubleArray {
             val middle = (y.size - 1) / 2.0
             val mean = y.average()
@@ -121,7 +121,10 @@ public class Steadiness private constructor(
             return DoubleArray(y.size) { y[it] - mean - product / square * (it - middle) }
         }
 
-        /** Lag-1 correlation of residuals [u], freed of its bias −(2 + 4r)/n; 1 where it cannot be told from that. */
+        /**
+         * Lag-1 correlation of residuals [u], corrected for its bias −(2 + 4r)/n; 1 where it cannot be distinguished
+         * from 1.
+         */
         private fun correlation(u: DoubleArray): Double {
             var product = 0.0
             var square = 0.0
@@ -135,7 +138,7 @@ public class Steadiness private constructor(
             return if (unbiased > 1 - 1 / sqrt(1.5 * u.size)) 1.0 else maxOf(0.0, unbiased)
         }
 
-        /** Standard deviation of what is new in each number of [u]. */
+        /** Standard deviation of the innovations in [u]. */
         private fun innovation(u: DoubleArray, correlation: Double): Double {
             var square = 0.0
             for (k in 1 until u.size) square += (u[k] - correlation * u[k - 1]) * (u[k] - correlation * u[k - 1])
@@ -147,7 +150,7 @@ public class Steadiness private constructor(
             if (correlation == 1.0) return (y.last() - y.first()) / (y.size - 1) to 1 / sqrt(y.size - 1.0)
             val middle = (y.size - 1) / 2.0
             val first = sqrt(1 - correlation * correlation)
-            // Normal equations of the numbers with the part that the one before foretells taken out.
+            // Normal equations of the numbers minus the part that the previous number predicts.
             var ones = 0.0
             var times = 0.0
             var squares = 0.0

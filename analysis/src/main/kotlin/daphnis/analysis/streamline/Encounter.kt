@@ -7,8 +7,8 @@ import kotlin.math.sin
 import kotlin.math.sqrt
 
 /**
- * What a moon does to a ring it passes at the distance [distance], in lengths of the patch (Julian & Toomre 1966, ApJ
- * 146, 810; Showalter, Cuzzi, Marouf & Esposito 1986, Icarus 66, 297): marks for streamline pictures.
+ * The effect of a moon on a ring which it passes at the distance [distance], in lengths of the patch (Julian & Toomre
+ * 1966, ApJ 146, 810; Showalter, Cuzzi, Marouf & Esposito 1986, Icarus 66, 297): marks for streamline pictures.
  *
  * @param massRatio μ, mass of the moon over that of the planet
  * @param distance from the moon's guiding centre to the ring, radially outward
@@ -26,13 +26,15 @@ public class Encounter(
         require(moonE >= 0 && moonE.isFinite()) { "the moon's epicycle is $moonE; it must be >= 0" }
     }
 
-    /** Wavelength of the wake along the orbit, 3π|Δa|: the way that the ring drifts from the moon in one orbit. */
+    /**
+     * Wavelength of the wake along the orbit, 3π|Δa|: the distance by which the ring drifts from the moon in one orbit.
+     */
     public val wavelength: Double get() = 3 * PI * abs(distance)
 
     private val unit get() = massRatio * semiMajorAxis * semiMajorAxis * semiMajorAxis / (distance * distance)
 
     /**
-     * Amplitude a·e that one passage leaves on a circular ring when the moon's orbit is a circle too, 2.2396 μ a³/Δa².
+     * Amplitude a·e that one passage leaves on a circular ring if the moon's orbit is a circle too, 2.2396 μ a³/Δa².
      */
     public val amplitude: Double get() = IMPULSE * unit
 
@@ -53,8 +55,8 @@ public class Encounter(
      *   ∫ (2 f_y + i f_x) exp(−iΩt) dt / Ω,     ring − moon = (Δa + e cos φ, −(3/2) Δa Ωt − 2e sin φ),     φ = phase + Ωt
      * ```
      *
-     * which is [amplitude] for e = 0, to 3 parts in 10⁴. NaN when the epicycle reaches the ring, where no impulse is
-     * small.
+     * which is [amplitude] for e = 0, to 3 parts in 10⁴. NaN if the epicycle reaches the ring, because the impulse is
+     * not small then.
      */
     public fun amplitudeAt(phase: Double): Double {
         // In units of Δa and 1/Ω.
@@ -82,7 +84,7 @@ public class Encounter(
      */
     public fun crossing(amplitude: Double): Double = 1.5 * distance * distance / amplitude
 
-    /** Time between two passages, in orbits: the circumference over the way drifted in one. */
+    /** Time between two passages, in orbits: the circumference over the distance drifted in one orbit. */
     public val synodicOrbits: Double get() = 2 * PI * semiMajorAxis / wavelength
 
     /**

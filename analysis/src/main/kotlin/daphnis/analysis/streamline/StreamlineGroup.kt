@@ -7,7 +7,7 @@ internal class StreamlineGroup(private val members: IntArray) {
 
     val size: Int get() = end - first
 
-    /** From now on the members from place [first] until [end]. */
+    /** Selects the members from place [first] until [end]. */
     fun span(first: Int, end: Int) {
         this.first = first
         this.end = end

@@ -9,12 +9,12 @@ import kotlin.math.hypot
 import kotlin.math.sqrt
 
 /**
- * Streamlines as ring dynamicists read them (Lewis & Stewart 2000, AJ 120, 3295; Lewis's SwiftVis): the patch is cut
+ * Streamlines as ring dynamicists define them (Lewis & Stewart 2000, AJ 120, 3295; Lewis's SwiftVis): the patch is cut
  * into slabs of azimuth; in each the particles, sorted by radial distance, are cut into groups of equal count.
  * Streamline k goes through the mean place of group k from slab to slab.
  *
- * Errors are one standard error, from the scatter of the particles of a group (its number less one), as if they were
- * independent; NaN for fewer than two.
+ * Errors are one standard error, from the scatter of the particles of a group (over its number minus one), as if they
+ * were independent; NaN for fewer than two.
  *
  * Arrays are by group and slab: entry `slab · groups + group`, groups from the inside out, slabs from low y to high. A
  * group of an empty slab, and one that gets no particle, has count 0 and NaN elsewhere.
@@ -44,32 +44,32 @@ public class Streamlines private constructor(
     public val guidingX: DoubleArray = nan()
 
     /**
-     * Error of [meanX] for a given [guidingX], of groups sorted by guiding centre. NaN for groups sorted by x, whose
-     * places the sort sets.
+     * Error of [meanX] for a given [guidingX], of groups sorted by guiding centre. NaN for groups sorted by x, because
+     * the sort sets their places.
      */
     public val meanXError: DoubleArray = nan()
 
     /**
-     * Optical depth Σ π r² / (Δs Δy). s is what was sorted by: x, or the guiding centre X, when it is the depth that
-     * the ring would have on circular orbits. Δs is between the middles of neighbouring groups, which are at the mean
-     * s; at the ends of a periodic patch the neighbour is the image of the group at the other end, and where there is
-     * none the group goes as far out from its middle as in. Of n independent particles a group, Δs² scatters by 5/(12
-     * n) of itself, by 2/(3 n) at an end; by these less 1/(n · groups), since a slab's length is fixed, the mean of
-     * 1/Δs would be too large, which is taken out.
+     * Optical depth Σ π r² / (Δs Δy). s is the sort key: x, or the guiding centre X. With X it is the depth that the
+     * ring would have on circular orbits. Δs is between the middles of neighbouring groups, which are at the mean s. At
+     * the ends of a periodic patch the neighbour is the image of the group at the other end; without an image the group
+     * reaches as far outward from its middle as inward. With n independent particles per group the relative scatter of
+     * Δs² is 5/(12 n), or 2/(3 n) at an end. Minus 1/(n · groups), because the length of a slab is fixed, this is the
+     * relative bias of the mean of 1/Δs, which is corrected.
      */
     public val opticalDepth: DoubleArray = nan()
     public val opticalDepthError: DoubleArray = nan()
 
     /**
-     * Residual velocity dispersion, around the group's mean velocity with the shear −(3/2)Ωx taken out; each particle
-     * counts alike.
+     * Residual velocity dispersion, around the group's mean velocity, the shear −(3/2)Ωx subtracted; every particle has
+     * the same weight.
      */
     public val dispersion: DoubleArray = nan()
     public val dispersionError: DoubleArray = nan()
 
     /**
-     * Mean amplitude e of the epicycles, and i of the vertical motion, in units of length. NaN without Hill's frame, as
-     * all that follows.
+     * Mean amplitude e of the epicycles, and i of the vertical motion, in units of length. NaN without Hill's frame,
+     * like all properties below.
      */
     public val meanE: DoubleArray = nan()
     public val meanEError: DoubleArray = nan()
@@ -84,7 +84,7 @@ public class Streamlines private constructor(
     public val phaseError: DoubleArray = nan()
 
     /**
-     * Forced eccentricity |⟨e·exp(iφ)⟩|, in units of length: what the particles of a group have in common. Random
+     * Forced eccentricity |⟨e·exp(iφ)⟩|, in units of length: the common part of the particles of a group. Random
      * epicycles alone make it √(π/4) ⟨e²⟩^½/√n of n particles; [forcedEUnbiased] is √(|⟨e·exp(iφ)⟩|² − its expected
      * noise), 0 where the noise is larger.
      */
@@ -94,7 +94,7 @@ public class Streamlines private constructor(
 
     /**
      * q = |d(e·exp(iφ))/dX| between neighbouring streamlines: where it reaches 1 they cross (Borderies, Goldreich &
-     * Tremaine 1982, Nature 299, 209). Noise raises it; it means nothing below some two of its errors.
+     * Tremaine 1982, Nature 299, 209). Noise raises it; below about two of its errors it has no meaning.
      */
     public val q: DoubleArray = nan()
     public val qError: DoubleArray = nan()
@@ -172,7 +172,9 @@ public class Streamlines private constructor(
         phaseError[entry] = sqrt(group.variance { (sine(it) * c - cosine(it) * s) / forced } / n) / forced
     }
 
-    /** Optical depths of [slab] from the middles of its groups, with images [period] apart; infinite for none. */
+    /**
+     * Optical depths of [slab] from the middles of its groups, with images [period] apart; infinite means no images.
+     */
     private fun depths(slab: Int, period: Double) {
         val filled = (0 until groups).map { at(slab, it) }.filter { count[it] > 0 }
         if (filled.isEmpty()) return
@@ -241,7 +243,7 @@ public class Streamlines private constructor(
          * Cuts the particles of [state] into [slabs] of azimuth and [groups] in each. Linear in N beside the sort.
          *
          * @param key what to sort by; the guiding centre needs Hill's frame
-         * @param order an order to be reused, whose ranks stay there for what follows
+         * @param order an order to be reused; it contains the ranks afterwards
          */
         public fun of(
             state: State,
@@ -286,7 +288,7 @@ public class Streamlines private constructor(
             return lines
         }
 
-        /** From where to where along y the slabs go: the box where it is finite, else the particles. */
+        /** Range of the slabs along y: the box if it is finite, otherwise the particles. */
         private fun strip(state: State): DoubleArray {
             val p = state.population
             val box = state.boundary.box

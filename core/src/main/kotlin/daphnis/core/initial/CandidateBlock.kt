@@ -5,13 +5,13 @@ import daphnis.core.parallel.RangeLoop
 import kotlin.math.sqrt
 
 /**
- * Places drawn ahead for the next spheres, and what can be known of all of them at once.
+ * Places drawn ahead for the next spheres, and the verdicts that can be given for all of them at once.
  *
- * Were none turned down, candidate c would be for the sphere of rank `first + c`; each that is turned down gives its
- * sphere, which is larger or equal, the candidate after it. So the radius of the sphere that candidate c is for lies
- * between those of the ranks `first + c` and `first`. Most verdicts are the same for all of these radii. Across walls
- * the place depends on the radius too, since whole spheres stay inside; there the verdict is for all places it can
- * mean. What stays open, and who has a rival in the same block, is left to be looked at in order.
+ * If no candidate were rejected, candidate c would be for the sphere of rank `first + c`. After a rejection the next
+ * candidate is for the same sphere, which is larger or equal. So the radius of the sphere of candidate c lies between
+ * those of the ranks `first + c` and `first`. Most verdicts are the same for all of these radii. Across walls the place
+ * depends on the radius too, because whole spheres stay inside; there the verdict holds for all possible places.
+ * Candidates without a verdict, or with a rival in the same block, are examined in order afterwards.
  *
  * @param capacity most candidates
  */
@@ -47,13 +47,13 @@ internal class CandidateBlock(
     }
 
     /**
-     * FREE or TAKEN when that holds whatever becomes of the candidates before; OPEN when they must be waited for. After
+     * FREE or TAKEN if that holds whatever happens to the earlier candidates; OPEN if it depends on them. After
      * [judge].
      */
     fun verdict(c: Int): Verdict = if (verdicts[c] == Verdict.FREE && hasRival[c]) Verdict.OPEN else verdicts[c]
 
     /**
-     * Looks at the first [count] candidates on all workers of [loop]; the next sphere has rank [first], and all of them
+     * Judges the first [count] candidates on all workers of [loop]; the next sphere has rank [first], and all of them
      * are of one octave.
      */
     fun judge(first: Int, count: Int, loop: RangeLoop) {
@@ -73,7 +73,7 @@ internal class CandidateBlock(
         }
     }
 
-    /** How far a place can be from that for the radius [least], when the radius may be up to [most]. */
+    /** How far a place can be from that for the radius [least] if the radius may be up to [most]. */
     private fun slack(least: Double, most: Double): Double {
         if (walls == 0 || least == most) return 0.0
         var size = 0.0
@@ -93,7 +93,7 @@ internal class CandidateBlock(
 
     private fun slot(cell: Int): Int = (cell * GOLDEN) ushr (Integer.numberOfLeadingZeros(heads.size) + 1)
 
-    /** Whether an earlier candidate that is not turned down already may be in the way of candidate [c]. */
+    /** Whether an earlier candidate that is not rejected yet may overlap candidate [c]. */
     private fun hasRival(octave: OccupiedSpace.Octave, c: Int, most: Double, slack: Double): Boolean {
         val x = place[0][c]
         val y = place[1][c]

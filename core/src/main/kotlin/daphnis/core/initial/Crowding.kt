@@ -3,7 +3,7 @@ package daphnis.core.initial
 import daphnis.core.boundary.Box
 import kotlin.math.sqrt
 
-/** What no search for free places can bring into a box, said before one is begun. */
+/** Refuses spheres that no search for free places can bring into a box, before a search begins. */
 internal object Crowding {
     /**
      * @param walled axes across which whole spheres stay inside
@@ -35,7 +35,7 @@ internal object Crowding {
         val play = box.length(axis) - 2 * radius
         if (play >= 2 * radius) return
         val apart = sqrt(4 * radius * radius - play * play)
-        // The margin of half a diameter at walls across the other axes counts too, for discs there stick out.
+        // The margin of half a diameter at walls across the other axes counts too, because discs stick out there.
         val sides = (0..2).filter { it != axis }.map { box.length(it) + if (walled[it]) 2 * radius else 0.0 }
         val covered = radii.size * Math.PI * apart * apart / 4 / (sides[0] * sides[1])
         if (covered >= CLOSEST_DISCS) {
@@ -54,8 +54,8 @@ internal object Crowding {
     private const val CLOSEST_DISCS = 0.9069
 
     /**
-     * Random sequential addition ends at 0.384, and with the tries it has at 0.356 to 0.358; in boxes so large that
-     * their sides do not matter.
+     * Random sequential addition jams at 0.384; with the tries allowed here it ends at 0.356 to 0.358. This holds in
+     * boxes so large that their sides do not matter.
      */
     private const val JAMMED = 0.365
     private const val MANY = 1000

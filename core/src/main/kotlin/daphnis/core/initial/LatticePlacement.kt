@@ -34,7 +34,7 @@ public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRE
             for (axis in 0..2) {
                 val c = cell % cells[axis]
                 cell /= cells[axis]
-                // One site between walls has the middle, and its cell no width.
+                // A single site between walls is in the middle, and its cell has no width.
                 p[axis][k] =
                     if (width[axis].isInfinite()) middle(axis, box) else low[axis] + (c + b[axis]) * width[axis]
             }
@@ -44,7 +44,7 @@ public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRE
 
     private fun middle(axis: Int, box: Box) = box.lower(axis) + box.length(axis) / 2
 
-    /** Infinite where one site is all there is between two walls. */
+    /** Infinite if there is a single site between two walls. */
     private fun width(axis: Int, cells: Int, radius: Double, box: Box, walled: BooleanArray): Double =
         if (walled[axis]) (box.length(axis) - 2 * radius) / (cells - 2 * lattice.inset) else box.length(axis) / cells
 

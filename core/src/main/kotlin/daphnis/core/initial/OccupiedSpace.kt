@@ -9,9 +9,9 @@ import kotlin.math.floor
 internal enum class Verdict { FREE, TAKEN, OPEN }
 
 /**
- * The spheres placed so far, by rank, the largest first, in one linked-cell grid for each octave of radius. All that
- * are there are at least as large as the one asked for, so neighbouring cells suffice in every octave. Any number of
- * threads may look while nobody adds.
+ * The spheres placed so far, by rank, the largest first, in one linked-cell grid for each octave of radius. All of them
+ * are at least as large as the sphere to be placed, so neighbouring cells suffice in every octave. Any number of
+ * threads may read while none adds a sphere.
  *
  * @param order sphere by rank
  */
@@ -82,7 +82,7 @@ internal class OccupiedSpace(
     }
 
     private fun octave(largest: Double): Octave {
-        // No more cells than a few a sphere, however empty the box.
+        // No more than a few cells per sphere, however empty the box.
         val most = maxOf(64.0, 4.0 * next.size)
         val width = maxOf(2 * largest, StrictMath.cbrt(box.volume / most))
         val cells = IntArray(3) { (lengths[it] / width).coerceIn(1.0, 1e6).toInt() }

@@ -9,16 +9,17 @@ import daphnis.core.parallel.RangeLoop
 
 /**
  * Random sequential addition: spheres, the largest first, go to uniform random places until one is free. Reaches
- * filling factors near 0.35 for equal spheres (the process jams at 0.384, and the tries a sphere grow fast before).
+ * filling factors near 0.35 for equal spheres (the process jams at 0.384, and the tries per sphere grow fast below
+ * that).
  *
- * Places are drawn and judged by the block, see [CandidateBlock]; the outcome is that of one try after the other, bit
- * for bit, for any number of threads and any size of block.
+ * Places are drawn and judged in blocks, see [CandidateBlock]. The result is that of one try after the other, bit for
+ * bit, for any number of threads and any size of block.
  *
- * A search ends that finds no place for one sphere, or few for all: what cannot be is refused before, see [Crowding],
- * or after a bounded number of tries.
+ * A search ends if it finds no place for one sphere, or too few for all. Impossible fillings are refused before, see
+ * [Crowding], others after a bounded number of tries.
  *
  * @param mostTries tries for one sphere before giving up
- * @param obstacles spheres that stand already
+ * @param obstacles spheres that are already placed
  * @param threads threads to look for free places on, the caller's included; they end before [place] returns
  */
 public class RandomPlacement internal constructor(
@@ -71,8 +72,8 @@ public class RandomPlacement internal constructor(
         var vain = 0L
         val mostVain = vainPerSphere * maxOf(spheres, FEW)
         while (rank < spheres) {
-            // Never more candidates than spheres left, so that no number is drawn that one try after the other would
-            // not draw.
+            // Never more candidates than spheres left: otherwise numbers would be drawn that one try after the other
+            // would not draw.
             val count = sameOctave(space, rank, minOf(size, spheres - rank))
             block.draw(count, random)
             block.judge(rank, count, loop)
@@ -121,15 +122,15 @@ public class RandomPlacement internal constructor(
         const val MOST_TRIES = 200_000
 
         /**
-         * Tries in vain per sphere, all together: a bound on the work. Equal spheres at 0.35 take 610, power laws at
-         * 0.55 take 30.
+         * Failed tries per sphere, averaged over all: a bound on the work. Equal spheres at 0.35 take 610, power laws
+         * at 0.55 take 30.
          */
         const val VAIN_PER_SPHERE = 1000L
 
         /** Fewer spheres may take as many tries as these. */
         const val FEW = 10_000
 
-        /** Blocks in a placement, at least: the larger a block, the more of its candidates are in each other's way. */
+        /** Least number of blocks in a placement: the larger a block, the more of its candidates overlap each other. */
         const val BLOCKS = 32
         const val SMALLEST_BLOCK = 256
         const val LARGEST_BLOCK = 8192

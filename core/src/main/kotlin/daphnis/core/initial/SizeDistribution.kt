@@ -38,7 +38,7 @@ public class PowerLawSizes(public val minimum: Double, public val maximum: Doubl
     private val ratio = maximum / minimum
     private val power = StrictMath.pow(ratio, k)
 
-    /** Whether the law is its limit for exponent 1, beside which the formula has no digits left. */
+    /** Whether to use the limit for exponent 1, near which the formula has no significant digits. */
     private val isLimit = abs(k * StrictMath.log(ratio)) <= SMALL
 
     override fun draw(random: SeededRandom): Double {
@@ -93,7 +93,7 @@ public class LogNormalSizes(
     }
 }
 
-/** The radii in [radii], over and over, in this order. */
+/** The radii in [radii], repeated in this order. */
 public class ListedSizes(private val radii: DoubleArray) : SizeDistribution {
     private var next = 0
 

@@ -1,7 +1,7 @@
 package daphnis.core.parallel
 
 /**
- * The [loop] of somebody who can be closed, after which it throws [IllegalStateException] with [message] and starts
+ * The [loop] of an object that can be closed. After [close] it throws [IllegalStateException] with [message] and starts
  * nothing.
  */
 public class ClosableLoop(private val loop: RangeLoop, private val message: String) : RangeLoop {
@@ -22,7 +22,7 @@ public class ClosableLoop(private val loop: RangeLoop, private val message: Stri
         check(!isClosed) { message }
     }
 
-    /** Loops under way are finished. Closing twice is allowed. */
+    /** Loops in progress are finished. Closing twice is allowed. */
     public fun close() {
         isClosed = true
     }

@@ -5,10 +5,10 @@ import java.util.concurrent.Executor
 import java.util.concurrent.atomic.AtomicIntegerArray
 
 /**
- * A thread handler on somebody else's [executor], for who has threads already. Worker 0 is the caller, the others are
- * tasks. What no thread of the executor has begun when the caller has done its own part, the caller does too: so
- * nothing is waited for but what is being done, and an executor that is busy, rejects tasks, drops them or was shut
- * down costs time and nothing else. Does not close the executor.
+ * A thread handler on an [executor] of the host, for a program that has threads already. Worker 0 is the caller, the
+ * others are tasks. When the caller has done its own part, it also does the parts that no thread of the executor has
+ * begun. So it waits only for work in progress, and an executor that is busy, rejects tasks, drops them or was shut
+ * down costs only time. Does not close the executor.
  */
 public class ExecutorHandler(private val executor: Executor, override val threads: Int) : ThreadHandler {
     init {
@@ -21,7 +21,7 @@ public class ExecutorHandler(private val executor: Executor, override val thread
             try {
                 executor.execute { parts.work(worker) }
             } catch (e: Throwable) {
-                // Rejected, or no thread to be had. An executor may throw what it likes; the part is done below.
+                // Rejected, or no thread available. An executor may throw anything; the part is done below.
             }
         }
         for (worker in 0 until threads) parts.work(worker)
@@ -30,7 +30,9 @@ public class ExecutorHandler(private val executor: Executor, override val thread
 
     override fun close(): Unit = Unit
 
-    /** The parts of one run. Each is done by who takes it first; a task that comes too late finds nothing to do. */
+    /**
+     * The parts of one run. The thread that takes a part first does it; a task that comes too late finds nothing to do.
+     */
     private class Parts(private val task: WorkerTask, threads: Int) {
         private val taken = AtomicIntegerArray(threads)
         private val left = CountDownLatch(threads)

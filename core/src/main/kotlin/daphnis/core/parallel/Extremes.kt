@@ -2,7 +2,7 @@ package daphnis.core.parallel
 
 import kotlin.math.abs
 
-/** Least, greatest and greatest absolute entry of an array, found by all workers of a loop. NaN is passed over. */
+/** Least, greatest and greatest absolute entry of an array, found by all workers of a loop. NaN is ignored. */
 public class Extremes {
     public var least: Double = Double.POSITIVE_INFINITY
         private set
@@ -19,7 +19,7 @@ public class Extremes {
         loop.run(size, RangeLoop.GRAIN * 4) { _, from, to ->
             var low = Double.POSITIVE_INFINITY
             var high = Double.NEGATIVE_INFINITY
-            // Comparisons that are nearly always foreseen; Math.min and Math.max would wait for one another.
+            // These branches are nearly always predicted; Math.min and Math.max would depend on each other.
             for (k in from until to) {
                 val v = a[k]
                 if (v < low) low = v

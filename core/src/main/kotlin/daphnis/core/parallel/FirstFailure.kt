@@ -2,7 +2,7 @@ package daphnis.core.parallel
 
 import java.util.concurrent.atomic.AtomicReference
 
-/** Keeps the first thing that any worker threw; later ones are suppressed in it. */
+/** Keeps the first exception or error of any worker; later ones are suppressed in it. */
 internal class FirstFailure {
     private val first = AtomicReference<Throwable?>()
 

@@ -12,8 +12,8 @@ import java.util.concurrent.locks.LockSupport
  * flag and looks at the generation once more before it parks, and [run] looks at the flags after it has written the
  * generation, so one of the two sees the other.
  *
- * When the system gives no more threads, the caller does the work of those that are missing after its own. An interrupt
- * of a worker means nothing and is cleared, since a thread with the flag set could not sleep.
+ * If the system gives no more threads, the caller does the work of the missing ones after its own. An interrupt of a
+ * worker has no meaning. It is cleared, because a thread with the flag set could not sleep.
  *
  * @param start starts a thread; for tests in which it fails
  */
@@ -93,7 +93,7 @@ public class FixedPool internal constructor(override val threads: Int, private v
                 running++
             }
         } catch (e: OutOfMemoryError) {
-            // Of memory or of threads: the pool makes do with what it has.
+            // Out of memory or of threads: the pool works with those it has.
         }
     }
 
@@ -112,7 +112,7 @@ public class FixedPool internal constructor(override val threads: Int, private v
         var spins = 0
         while (generation == seen) {
             if (closed) {
-                // Whoever closes does so after the last task was announced.
+                // A pool is closed after the last task was announced.
                 if (generation == seen) return false
             } else if (spins < SPINS) {
                 spins++

@@ -2,15 +2,15 @@ package daphnis.core.parallel
 
 import java.util.concurrent.atomic.AtomicInteger
 
-/** Who does which part of a loop: the three strategies of Lewis & Massingill. */
+/** Which worker does which part of a loop: the three strategies of Lewis & Massingill. */
 public enum class LoopStrategy {
-    /** Worker w takes pieces w, w + T, w + 2T, …: even when the work grows along the loop. */
+    /** Worker w takes pieces w, w + T, w + 2T, …: balanced even if the work grows along the loop. */
     ROUND_ROBIN,
 
     /** Worker w takes the w-th of T consecutive parts: neighbours in memory stay with one worker. */
     CHUNKS,
 
-    /** Whoever is free takes the next piece: even whatever the work is, for an atomic addition a piece. */
+    /** A free worker takes the next piece: balanced for any work, at the cost of one atomic addition per piece. */
     DYNAMIC,
 }
 
@@ -20,7 +20,7 @@ public class ParallelLoop(private val handler: ThreadHandler, public val strateg
     WorkerTask {
     override val workers: Int get() = handler.threads
 
-    // Of the loop under way; written before the handler runs it, read by its workers.
+    // The loop in progress; written before the handler runs it, read by its workers.
     private var size = 0
     private var grain = 1
     private var body: RangeBody? = null

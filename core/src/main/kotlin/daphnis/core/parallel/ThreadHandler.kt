@@ -4,8 +4,7 @@ package daphnis.core.parallel
  * Runs one piece of work on all of its threads at once: the thread handler of Lewis & Massingill. The caller's thread
  * is worker 0.
  *
- * What the caller wrote before [run] is seen by every worker, and what the workers wrote is seen by the caller once
- * [run] has returned.
+ * Every worker sees what the caller wrote before [run]. The caller sees what the workers wrote once [run] has returned.
  */
 public interface ThreadHandler : AutoCloseable {
     /** Number of workers, the caller included; ≥ 1. */

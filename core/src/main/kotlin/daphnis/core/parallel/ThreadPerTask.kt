@@ -1,9 +1,8 @@
 package daphnis.core.parallel
 
 /**
- * The first form of the paper's handler: a new thread for every task. Its cost, some 50 µs a thread, is what
- * [FixedPool] saves. When the system gives no more threads, the caller does the work of those that are missing after
- * its own.
+ * The first form of the paper's handler: a new thread for every task. [FixedPool] saves its cost, some 50 µs per
+ * thread. If the system gives no more threads, the caller does the work of the missing ones after its own.
  *
  * @param start starts a thread; for tests in which it fails
  */
@@ -30,7 +29,7 @@ public class ThreadPerTask internal constructor(override val threads: Int, priva
                 others += thread
             }
         } catch (e: OutOfMemoryError) {
-            // Of memory or of threads.
+            // Out of memory or of threads.
         }
         failure.guard { task.work(0) }
         for (worker in others.size + 1 until threads) failure.guard { task.work(worker) }
