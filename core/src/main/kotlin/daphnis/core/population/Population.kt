@@ -47,6 +47,20 @@ public class Population(
     public val mass: DoubleArray get() = now.mass
     public val id: IntArray get() = now.id
 
+    /** Positions along [axis]: 0 = x, 1 = y, 2 = z. */
+    internal fun position(axis: Int): DoubleArray = when (axis) {
+        0 -> x
+        1 -> y
+        else -> z
+    }
+
+    /** Velocities along [axis]. */
+    internal fun velocity(axis: Int): DoubleArray = when (axis) {
+        0 -> vx
+        1 -> vy
+        else -> vz
+    }
+
     /**
      * Time since each sphere's last collision, as a negative number counted from the end of the last step, or −∞ when
      * it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the
