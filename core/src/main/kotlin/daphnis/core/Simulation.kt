@@ -1,7 +1,6 @@
 package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Drift
 import daphnis.core.force.Force
@@ -19,7 +18,7 @@ import daphnis.core.population.Population
  * ```
  *
  * One step: forces act for its first half · spheres drift with every collision in time order · boundary conditions ·
- * forces act for its second half · outputs look. Not thread-safe: one thread calls; an engine may use more within
+ * forces act for its second half ([StepPhases]) · outputs look. Not thread-safe: one thread calls; an engine may use more within
  * [advance].
  *
  * @param collisions null for spheres that pass through one another
@@ -59,7 +58,7 @@ public class Simulation(
      */
     public val forces: List<Force> = forces.sortedBy { it is Drift }
     private val loop = ClosableLoop(collisions?.engine?.loop ?: InlineLoop, CLOSED)
-    private val undo = StepUndo(population, collisions?.counters)
+    private val phases = StepPhases(population, boundary, collisions, this.forces, loop)
     private var opened = false
     private var busy = false
 
@@ -89,17 +88,18 @@ public class Simulation(
         loop.requireOpen()
         check(!busy) { "a step is under way: advance() was called from within it" }
         open()
-        undo.begin(time, step)
+        val timeBefore = time
+        val stepBefore = step
+        phases.begin()
         busy = true
         try {
             carryOn()
-            undo.commit()
+            phases.commit()
             shown = 0
         } catch (e: Throwable) {
-            undo.takeBack()
-            time = undo.time
-            step = undo.step
-            collisions?.record?.clear()
+            phases.takeBack()
+            time = timeBefore
+            step = stepBefore
             throw e
         } finally {
             busy = false
@@ -108,20 +108,20 @@ public class Simulation(
 
     private fun carryOn() {
         val start = time
-        val duration = timeStep.next(population)
-        if (forces.isNotEmpty()) undo.keepVelocities()
-        for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
-        if (collisions != null) {
-            collisions.advance(population, boundary, start, duration)
-        } else {
-            population.drift(duration)
-        }
+        val duration = phases.duration(timeStep)
+        phases.kick(start, duration)
+        phases.drift(start, duration)
+        settle(start, duration)
+        phases.applyBoundary(time)
+        phases.kickAgain(time, duration)
+        phases.checkFinite { "step $step at time $time" }
+        show()
+    }
+
+    /** The clock goes on by a step. */
+    private fun settle(start: Double, duration: Double) {
         step++
         time = if (timeStep is FixedTimeStep) runStart + step * duration else start + duration
-        applyBoundary()
-        for (k in forces.indices.reversed()) forces[k].afterDrift(population, time, duration)
-        checkFinite()
-        show()
     }
 
     /**
@@ -155,24 +155,6 @@ public class Simulation(
     override fun close() {
         loop.close()
         collisions?.close()
-    }
-
-    private fun applyBoundary() {
-        if (boundary is PerSphereBoundary) {
-            loop.run(population.size) { _, from, to -> boundary.endStep(population, time, from, to) }
-        } else {
-            boundary.endStep(population, time)
-        }
-    }
-
-    /** One sum over everything is NaN or infinite as soon as one number is; cheap against a step. */
-    private fun checkFinite() {
-        val p = population
-        loop.run(p.size) { _, from, to ->
-            var sum = 0.0
-            for (k in from until to) sum += (p.x[k] + p.y[k] + p.z[k] + p.vx[k] + p.vy[k] + p.vz[k]) * 0.0
-            check(sum == 0.0) { "the state is no longer finite after step $step at time $time" }
-        }
     }
 
     private companion object {

@@ -4,7 +4,7 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.population.Population
 
 /**
- * What a simulation was before the step under way, so that the step can be taken back. The engine writes to the
+ * What a population and its counters were before the step under way, so that the step can be taken back. The engine writes to the
  * population's second set of arrays, so that those of before only need their velocities, which forces change. Taking
  * back allocates nothing, asks nobody and uses no other thread.
  */
@@ -15,18 +15,8 @@ internal class StepUndo(private val population: Population, private val counters
     private var hasVelocities = false
     private val counted = CollisionCounters()
 
-    /** Time before the step. */
-    var time = 0.0
-        private set
-
-    /** Number of steps before this one. */
-    var step = 0L
-        private set
-
-    /** A step begins at [time] after [step] others. */
-    fun begin(time: Double, step: Long) {
-        this.time = time
-        this.step = step
+    /** A step begins. */
+    fun begin() {
         hasVelocities = false
         if (counters != null) counted.set(counters)
         population.beginStep()

@@ -1,15 +1,51 @@
 package daphnis.core
 
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import kotlin.math.abs
 
 /**
  * Chooses the length of the next step. Must be a pure function of the population, so that a resumed run chooses the
- * same.
+ * same, and may not depend on the order of its arrays. One that looks at every sphere is better a [PerSphereTimeStep].
  */
 public fun interface TimeStep {
     /** @return the length of a step that starts with [population], > 0, in units of time */
     public fun next(population: Population): Double
+}
+
+/**
+ * A step whose length depends on one number that every sphere has a part in, such as the greatest speed. Parts of a
+ * population are measured by different threads or machines, and combined in any order to the same bits.
+ */
+public interface PerSphereTimeStep : TimeStep {
+    /**
+     * The number for the spheres of [population] at the indices [from] until [to]; for none of them what changes
+     * nothing in [combine].
+     */
+    public fun measure(population: Population, from: Int, to: Int): Double
+
+    /**
+     * The number for two parts together. Neither the order of the two nor that of several calls may change a bit, as
+     * with a maximum; a plain sum is none.
+     */
+    public fun combine(one: Double, other: Double): Double
+
+    /** @return the length of a step that starts with a population for which the number is [measured] */
+    public fun next(measured: Double): Double
+
+    override fun next(population: Population): Double = next(measure(population, InlineLoop))
+}
+
+/** The number for all of [population], measured by the threads of [loop]. */
+public fun PerSphereTimeStep.measure(population: Population, loop: RangeLoop): Double {
+    val lock = Any()
+    var measured = measure(population, 0, 0)
+    loop.run(population.size) { _, from, to ->
+        val part = measure(population, from, to)
+        synchronized(lock) { measured = combine(measured, part) }
+    }
+    return measured
 }
 
 /** Every step is [duration] long. */
@@ -28,18 +64,24 @@ public class FixedTimeStep(public val duration: Double) : TimeStep {
  * @property cell the length that counts as a cell, such as the mean distance between spheres
  */
 public class CellCrossingTimeStep(public val fraction: Double, public val cell: Double, public val longest: Double) :
-    TimeStep {
+    PerSphereTimeStep {
     init {
         require(fraction > 0 && fraction.isFinite()) { "fraction of a cell is $fraction; it must be > 0" }
         require(cell > 0 && cell.isFinite()) { "cell is $cell; it must be > 0" }
         require(longest > 0 && longest.isFinite()) { "longest dt is $longest; it must be > 0" }
     }
 
-    override fun next(population: Population): Double {
+    /** The greatest velocity along any axis. */
+    override fun measure(population: Population, from: Int, to: Int): Double {
         var fastest = 0.0
-        for (k in 0 until population.size) {
+        for (k in from until to) {
             fastest = maxOf(fastest, maxOf(abs(population.vx[k]), abs(population.vy[k]), abs(population.vz[k])))
         }
-        return if (fastest * longest <= fraction * cell) longest else fraction * cell / fastest
+        return fastest
     }
+
+    override fun combine(one: Double, other: Double): Double = maxOf(one, other)
+
+    override fun next(measured: Double): Double =
+        if (measured * longest <= fraction * cell) longest else fraction * cell / measured
 }

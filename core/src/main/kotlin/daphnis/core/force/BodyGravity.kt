@@ -4,15 +4,16 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.OrderedSum
+import daphnis.core.population.ExactSum
 import daphnis.core.population.Population
+import daphnis.core.population.SphereSum
 import kotlin.math.sqrt
 
 /**
  * Gravity between a few heavy spheres and everybody, pair by pair: moonlets embedded in a ring. The others do not
  * attract one another. Along periodic axes the nearest image counts; images that slide are where they are at the time.
- * A light sphere pulls a body as much as the body pulls it, so Σ m v is conserved to round-off; sums in the order of
- * ids.
+ * A light sphere pulls a body as much as the body pulls it, so Σ m v is conserved to round-off. What a body feels is
+ * summed exactly, so it does not depend on the order of the arrays.
  *
  * @param bodies ids of the heavy spheres; who was removed is passed over
  * @param constant G, in length³/(mass · time²)
@@ -26,7 +27,8 @@ public class BodyGravity(
 ) : Kick {
     private var loop: RangeLoop = InlineLoop
     private val images = Images()
-    private val sum = OrderedSum()
+    private val sum = SphereSum()
+    private val reaction = ExactSum()
 
     // Pull of the sphere at each index on the body at hand, by component.
     private var pull = Array(3) { DoubleArray(0) }
@@ -81,19 +83,15 @@ public class BodyGravity(
     }
 
     private fun react(p: Population, body: Int) {
-        var x = 0.0
-        var y = 0.0
-        var z = 0.0
-        for (place in 0 until p.places) {
-            val k = p.indexAt(place)
-            if (k < 0) continue
-            x += pull[0][k]
-            y += pull[1][k]
-            z += pull[2][k]
-        }
-        p.vx[body] -= x
-        p.vy[body] -= y
-        p.vz[body] -= z
+        p.vx[body] -= total(pull[0], p.size)
+        p.vy[body] -= total(pull[1], p.size)
+        p.vz[body] -= total(pull[2], p.size)
+    }
+
+    private fun total(pull: DoubleArray, size: Int): Double {
+        reaction.clear()
+        reaction.addAll(pull, 0, size)
+        return reaction.value()
     }
 
     /** −G Σ m_b m/√(d² + ε²) over pairs with a body b, each once, d the distance of the nearest images. */

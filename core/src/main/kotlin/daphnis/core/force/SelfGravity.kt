@@ -4,8 +4,8 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
+import daphnis.core.population.SphereSum
 
 /**
  * Gravity of all spheres on one another, by a tree (Barnes & Hut 1986, Nature 324, 446): a node whose size is below
@@ -44,7 +44,7 @@ public class SelfGravity(
     private var az = DoubleArray(0)
     private var stress = DoubleArray(0)
     private var potential = DoubleArray(0)
-    private val energy = OrderedSum()
+    private val sum = SphereSum()
     private val seen = SeenPositions()
 
     init {
@@ -82,17 +82,11 @@ public class SelfGravity(
 
     /**
      * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i),
-     * F_ij the force of j on i, over images too. A uniform sheet carries none. Of [population] as it stands at [time];
-     * summed in the order of ids.
+     * F_ij the force of j on i, over images too. A uniform sheet carries none. Of [population] as it stands at [time].
      */
     public fun stressXY(population: Population, time: Double): Double {
         evaluate(population, time)
-        var sum = 0.0
-        for (place in 0 until population.places) {
-            val k = population.indexAt(place)
-            if (k >= 0) sum -= 0.5 * population.mass[k] * stress[k]
-        }
-        return sum
+        return sum.of(population) { k -> -0.5 * population.mass[k] * stress[k] }
     }
 
     /**
@@ -102,7 +96,7 @@ public class SelfGravity(
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
-        return energy.of(population) { k -> 0.5 * population.mass[k] * potential[k] }
+        return sum.of(population) { k -> 0.5 * population.mass[k] * potential[k] }
     }
 
     private fun evaluate(population: Population, time: Double) {

@@ -1,12 +1,12 @@
 package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
+import daphnis.core.population.SphereSum
 
 /** The same constant acceleration for every sphere, such as gravity in a shaken box; in length/time². */
 public class UniformAcceleration(private val ax: Double, private val ay: Double, private val az: Double) : Kick {
-    private val sum = OrderedSum()
+    private val sum = SphereSum()
 
     init {
         require(ax.isFinite() && ay.isFinite() && az.isFinite()) { "acceleration ($ax, $ay, $az) must be finite" }

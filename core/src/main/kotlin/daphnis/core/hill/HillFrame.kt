@@ -4,8 +4,8 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.Drift
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
+import daphnis.core.population.SphereSum
 import kotlin.math.abs
 
 /**
@@ -33,7 +33,7 @@ import kotlin.math.abs
  */
 public class HillFrame(public val omega: Double, public val verticalFactor: Double = 1.0) : Drift {
     private var loop: RangeLoop = InlineLoop
-    private val sum = OrderedSum()
+    private val sum = SphereSum()
 
     // For the duration at hand: chord = (ax x + bxx vx + q vy, ay x − q vx + byy vy, az z + bz vz).
     private var duration = Double.NaN

@@ -4,8 +4,8 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.Kick
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.OrderedSum
 import daphnis.core.population.Population
+import daphnis.core.population.SphereSum
 import kotlin.math.sqrt
 
 /**
@@ -26,7 +26,7 @@ public class Satellite(
     public val softening: Double = 0.0,
 ) : Kick {
     private var loop: RangeLoop = InlineLoop
-    private val sum = OrderedSum()
+    private val sum = SphereSum()
 
     init {
         require(gravitationalParameter >= 0 && gravitationalParameter.isFinite()) {

@@ -60,4 +60,10 @@ internal class Columns(
             IntArray(kept.size) { id[kept[it]] }, pick(lastCollision),
         )
     }
+
+    /** New columns of these spheres and then those of [others]. */
+    fun plus(others: Columns): Columns = Columns(
+        x + others.x, y + others.y, z + others.z, vx + others.vx, vy + others.vy, vz + others.vz,
+        radius + others.radius, mass + others.mass, id + others.id, lastCollision + others.lastCollision,
+    )
 }

@@ -1,8 +1,8 @@
 package daphnis.core.population
 
 /**
- * Sums over the population that collisions conserve (momentum, and energy when they are elastic), taken in the order of
- * the ids, so that they are the same to the last bit whatever order the arrays are in.
+ * Sums over the population that collisions conserve (momentum, and energy when they are elastic), without
+ * round-off ([ExactSum]), so that they are the same to the last bit whatever order the arrays are in.
  *
  * @property kineticEnergy Σ m v²/2, in mass · (length/time)²
  * @property momentumX Σ m vx; likewise [momentumY], [momentumZ]

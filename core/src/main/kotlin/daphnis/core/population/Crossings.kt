@@ -5,7 +5,7 @@ package daphnis.core.population
  * first sphere that crosses a face at all. Within a step the first crossing keeps what was counted before; so a step
  * without one pays nothing, and taking a step back is an exchange of references.
  */
-internal class Crossings(private val places: IdPlaces) {
+internal class Crossings(val places: IdPlaces) {
     @Volatile
     private var counts: Array<IntArray>? = null
 
@@ -18,7 +18,18 @@ internal class Crossings(private val places: IdPlaces) {
     private var isChanged = false
 
     /** Whether any sphere has ever crossed. */
-    val isEmpty: Boolean get() = counts == null
+    private val isEmpty: Boolean get() = counts == null
+
+    /** Adds what is counted of the spheres with these [ids] to [other]. */
+    fun copyInto(other: Crossings, ids: IntArray) {
+        if (isEmpty) return
+        for (axis in 0 until AXES) {
+            for (id in ids) {
+                val boxes = of(id, axis)
+                if (boxes != 0) other.add(id, axis, boxes)
+            }
+        }
+    }
 
     fun of(id: Int, axis: Int): Int = counts?.get(axis)?.getOrElse(places.of(id)) { 0 } ?: 0
 

@@ -6,7 +6,7 @@ package daphnis.core.population
  * plus the mean of the rest in slabs (one a hundred spheres, at most twenty), else the mean. Degrees of freedom that
  * the fit takes are made up for, so that there is no bias at small numbers ([PopulationSums.moments]); one sphere alone
  * has none left and gives 0, as no sphere does. This is the number in `series.csv`, `summary.json` and the report, and
- * a third of c_xx + c_yy + c_zz in `transport.csv`. Sums in id order; allocates.
+ * a third of c_xx + c_yy + c_zz in `transport.csv`. Exact sums; allocates.
  *
  * @param firstBody spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none
  */

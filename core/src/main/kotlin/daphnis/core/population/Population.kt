@@ -47,6 +47,20 @@ public class Population(
     public val mass: DoubleArray get() = now.mass
     public val id: IntArray get() = now.id
 
+    /** Positions along [axis]: 0 = x, 1 = y, 2 = z. */
+    internal fun position(axis: Int): DoubleArray = when (axis) {
+        0 -> x
+        1 -> y
+        else -> z
+    }
+
+    /** Velocities along [axis]. */
+    internal fun velocity(axis: Int): DoubleArray = when (axis) {
+        0 -> vx
+        1 -> vy
+        else -> vz
+    }
+
     /**
      * Time since each sphere's last collision, as a negative number counted from the end of the last step, or −∞ when
      * it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the
@@ -75,8 +89,11 @@ public class Population(
     /** Number of spheres. */
     public val size: Int get() = x.size
 
-    private val idPlaces: IdPlaces
-    private val crossings: Crossings
+    private var idPlaces: IdPlaces
+    private var crossings: Crossings
+
+    /** Those at the start of the step under way, in which others were added; else the same. */
+    private var crossingsBefore: Crossings
     private var indexByPlace = IntArray(0)
     private var indexIsCurrent = false
 
@@ -101,6 +118,7 @@ public class Population(
         for (k in 1 until n) require(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
         idPlaces = IdPlaces(sorted)
         crossings = Crossings(idPlaces)
+        crossingsBefore = crossings
     }
 
     /** The index now of the sphere with the stable id [id], or −1 when there is none. Allocates nothing once warm. */
@@ -166,13 +184,33 @@ public class Population(
         indexIsCurrent = false
     }
 
+    /**
+     * Takes on the spheres of [others], with their ids, times of collision and boxes crossed; [others] stays as it is.
+     * They stand behind those that are there. Costs a copy of all arrays, so many are better added at once. Within a
+     * step it is for the boundary, and taken back with the step. Allocates.
+     *
+     * @throws IllegalArgumentException when an id is taken, by a sphere that is there; then nothing is changed
+     */
+    public fun add(others: Population) {
+        if (others.size == 0) return
+        for (id in others.id) require(indexOf(id) < 0) { "id $id is taken; a sphere that is added needs a new one" }
+        val all = now.plus(others.now)
+        val places = IdPlaces(all.id.copyOf().apply { sort() })
+        val counts = Crossings(places)
+        for (population in listOf(this, others)) population.crossings.copyInto(counts, population.id)
+        if (before != null) counts.begin()
+        now = all
+        idPlaces = places
+        crossings = counts
+        indexIsCurrent = false
+    }
+
     /** A deep copy. */
     public fun copy(): Population = Population(
         x.copyOf(), y.copyOf(), z.copyOf(), vx.copyOf(), vy.copyOf(), vz.copyOf(), radius.copyOf(), mass.copyOf(), id.copyOf(),
     ).also { copy ->
         lastCollision.copyInto(copy.lastCollision)
-        if (crossings.isEmpty) return@also
-        for (k in 0 until size) for (axis in 0..2) copy.addCrossing(k, axis, boxesCrossed(id[k], axis))
+        crossings.copyInto(copy.crossings, id)
     }
 
     /**
@@ -216,6 +254,7 @@ public class Population(
     /** Begins a step that can be taken back until [commitStep]. */
     internal fun beginStep() {
         before = now
+        crossingsBefore = crossings
         crossings.begin()
     }
 
@@ -224,6 +263,7 @@ public class Population(
         val old = before
         if (old !== now) spare = old
         before = null
+        crossingsBefore = crossings
         crossings.commit()
     }
 
@@ -236,6 +276,8 @@ public class Population(
         spare = null
         before = null
         indexIsCurrent = false
+        crossings = crossingsBefore
+        idPlaces = crossings.places
         crossings.takeBack()
     }
 

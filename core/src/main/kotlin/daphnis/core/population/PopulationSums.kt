@@ -3,20 +3,6 @@ package daphnis.core.population
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.ChunkSums.Companion.ALL_MASS
-import daphnis.core.population.ChunkSums.Companion.BODIES
-import daphnis.core.population.ChunkSums.Companion.ENERGY
-import daphnis.core.population.ChunkSums.Companion.MOMENTUM
-import daphnis.core.population.ChunkSums.Companion.PARTICLES
-import daphnis.core.population.ChunkSums.Companion.RELATIVE
-import daphnis.core.population.ChunkSums.Companion.SLABS
-import daphnis.core.population.ChunkSums.Companion.SLOPES
-import daphnis.core.population.ChunkSums.Companion.SQUARES
-import daphnis.core.population.ChunkSums.Companion.SQUARE_ACROSS
-import daphnis.core.population.ChunkSums.Companion.SQUARE_Z
-import daphnis.core.population.ChunkSums.Companion.SUMS
-import daphnis.core.population.ChunkSums.Companion.SUM_X
-import daphnis.core.population.ChunkSums.Companion.SUM_Z
 import kotlin.math.sqrt
 
 /**
@@ -24,8 +10,8 @@ import kotlin.math.sqrt
  * its velocities. Made once and filled by [take] for each row; allocates nothing once warm. One thread calls; the loop
  * given to [take] may use more.
  *
- * Sums are taken over fixed chunks of ids and the chunks added in their order: the same to the last bit for every order
- * of the arrays, engine and number of threads.
+ * Sums are exact ([ExactSum]), first those of [FirstMoments] and then those of [CentralMoments] around the means that
+ * they give: the same to the last bit for every order of the arrays, engine and number of threads.
  *
  * @param flow the mean flow that the boundary drives, or null
  * @param omega angular speed of Hill's frame, or null
@@ -37,28 +23,34 @@ public class PopulationSums(
     private val omega: Double? = null,
     private val firstBody: Int = Int.MAX_VALUE,
 ) {
-    private val table = IdRows()
-    private val chunks = ChunkSums(table, flow)
-    private val fit = FlowFit(flow?.flowAxis ?: -1)
+    private val flowAxis = flow?.flowAxis ?: -1
     private val normalAxis = flow?.normalAxis ?: 0
-    private val sums = DoubleArray(SUMS)
-    private val sumChunks = RangeBody { _, from, to -> for (chunk in from until to) chunks.take(chunk) }
+    private val rate = flow?.rate ?: 0.0
+    private val fit = FlowFit(flowAxis)
+    private val means = Means()
+
+    // One of each for each worker of the loop; merged into the first.
+    private val first = Workers { FirstMoments(normalAxis, firstBody) }
+    private val central = Workers { CentralMoments(flow, firstBody) }
+    private var population: Population? = null
+    private val takeFirst = RangeBody { worker, from, to -> first[worker].add(population!!, from, to) }
+    private val takeCentral = RangeBody { worker, from, to -> central[worker].add(population!!, from, to) }
 
     /** Number of spheres, bodies included. */
     public var count: Int = 0
         private set
 
     /** Σ m of particles and bodies. */
-    public val mass: Double get() = sums[PARTICLES + ALL_MASS] + sums[BODIES + ALL_MASS]
+    public val mass: Double get() = first[0].mass
 
     /** Σ m v²/2 of particles and bodies. */
-    public val kineticEnergy: Double get() = sums[PARTICLES + ENERGY] + sums[BODIES + ENERGY]
+    public val kineticEnergy: Double get() = first[0].kineticEnergy
 
     /** Σ m v along [axis] of particles and bodies. */
-    public fun momentum(axis: Int): Double = sums[PARTICLES + MOMENTUM + axis] + sums[BODIES + MOMENTUM + axis]
+    public fun momentum(axis: Int): Double = first[0].momentum(axis)
 
     /** Σ m of the particles. */
-    public val particleMass: Double get() = sums[PARTICLES + ALL_MASS]
+    public val particleMass: Double get() = first[0].particleMass
 
     /**
      * ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, what is left of the velocity
@@ -70,7 +62,7 @@ public class PopulationSums(
     /**
      * ⟨w_a w_b⟩ likewise, w the velocity without the straight flow of the boundary's rate and without the mean: times
      * mass and over volume the kinetic part of the pressure tensor, which the energy balance of a shear flow needs.
-     * Plain sums. Valid until the next [take].
+     * Nothing is made up for. Valid until the next [take].
      */
     public val kinetic: DoubleArray = DoubleArray(6)
 
@@ -95,46 +87,61 @@ public class PopulationSums(
     /** Takes the sums of [population] as it stands, by the threads of [loop]. All are 0 for an empty one. */
     public fun take(population: Population, loop: RangeLoop = InlineLoop) {
         count = population.size
-        table.gather(population, normalAxis, loop)
-        chunks.prepare(table.from(firstBody), count)
-        loop.run(chunks.count, 1, sumChunks)
-        sums.fill(0.0)
-        for (chunk in 0 until chunks.count) for (e in 0 until SUMS) sums[e] += chunks.sums[chunk * SUMS + e]
-        finish()
+        this.population = population
+        first.upTo(loop.workers)
+        for (worker in 0 until first.count) first[worker].clear()
+        loop.run(population.size, body = takeFirst)
+        for (worker in 1 until first.count) first[0].merge(first[worker])
+        setMeans(first[0])
+        central.upTo(loop.workers)
+        for (worker in 0 until central.count) central[worker].clear(means)
+        loop.run(population.size, body = takeCentral)
+        for (worker in 1 until central.count) central[0].merge(central[worker])
+        this.population = null
+        finish(particleMass, central[0])
     }
 
-    /** From sums against the first particle to moments around the means. */
-    private fun finish() {
-        val mass = particleMass
+    private fun setMeans(sums: FirstMoments) {
+        val mass = sums.particleMass
         val over = if (mass > 0) 1 / mass else 0.0
-        val meanZ = sums[SUM_Z] * over
-        val x = chunks.origin[0] + sums[SUM_X] * over
-        for (axis in 0..2) mean[axis] = if (mass > 0) chunks.reference[axis] + sums[RELATIVE + axis] * over else 0.0
+        for (axis in 0..2) {
+            means.position[axis] = sums.position(axis) * over
+            mean[axis] = sums.particleMomentum(axis) * over
+        }
+        if (flowAxis >= 0) mean[flowAxis] -= rate * means.position[normalAxis]
+        mean.copyInto(means.velocity)
+        means.setSlabs(sums.count, sums.least, sums.greatest)
+        centreZ = means.position[2]
+        val x = means.position[0]
+        guidingX = if (omega != null) 4 * x + 2 * sums.particleMomentum(1) * over / omega else x
+    }
+
+    private fun finish(mass: Double, sums: CentralMoments) {
+        val over = if (mass > 0) 1 / mass else 0.0
         for (e in 0 until 6) {
-            val ofMeans = sums[RELATIVE + FlowFit.FIRST[e]] * sums[RELATIVE + FlowFit.SECOND[e]] * over
-            fit.squares[e] = sums[SQUARES + e] - ofMeans
+            fit.squares[e] = sums.square(e)
             kinetic[e] = fit.squares[e] * over
         }
-        fitFlow(mass, over)
-        centreZ = chunks.origin[2] + meanZ
-        scaleHeight = sqrt(maxOf(0.0, sums[SQUARE_Z] * over - meanZ * meanZ))
-        guidingX = if (omega != null) 4 * x + 2 * sums[PARTICLES + MOMENTUM + 1] * over / omega else x
+        scaleHeight = sqrt(sums.squareOfHeight * over)
+        if (flowAxis >= 0) sums.fill(fit)
+        fit.solve(first[0].count, mass, means.slabCount)
+    }
+}
+
+/** Something of each worker's own, made by [make] when it is first needed. */
+private class Workers<T>(private val make: () -> T) {
+    private val all = ArrayList<T>()
+
+    /** How many there are; there is at least one. */
+    val count: Int get() = all.size
+
+    init {
+        upTo(1)
     }
 
-    private fun fitFlow(mass: Double, over: Double) {
-        var across = 0.0
-        for (slab in 0 until chunks.slabCount) across += sums[SLABS + slab * FlowFit.SLAB_WIDTH + 1]
-        fit.across = sums[SQUARE_ACROSS] - across * across * over
-        for (axis in 0..2) fit.slopes[axis] = sums[SLOPES + axis] - across * sums[RELATIVE + axis] * over
-        for (slab in 0 until chunks.slabCount) {
-            val s = slab * FlowFit.SLAB_WIDTH
-            val slabMass = sums[SLABS + s]
-            fit.slabs[s] = slabMass
-            fit.slabs[s + 1] = sums[SLABS + s + 1] - slabMass * across * over
-            for (axis in 0..2) {
-                fit.slabs[s + 2 + axis] = sums[SLABS + s + 2 + axis] - slabMass * sums[RELATIVE + axis] * over
-            }
-        }
-        fit.solve(sums[PARTICLES].toInt(), mass, chunks.slabCount)
+    operator fun get(worker: Int): T = all[worker]
+
+    fun upTo(workers: Int) {
+        while (all.size < workers) all += make()
     }
 }

@@ -42,8 +42,7 @@ public class VelocityMoments private constructor(
         public val COMPONENTS: List<String> = listOf("xx", "yy", "zz", "xy", "xz", "yz")
 
         /**
-         * The moments of [population], where the boundary drives [flow]; sums in the order of ids. All zero for no
-         * spheres.
+         * The moments of [population], where the boundary drives [flow], from exact sums. All zero for no spheres.
          *
          * @param omega angular speed of Hill's frame, or null
          * @param leastId spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none

@@ -3,10 +3,12 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.population.ExactSum
 
 /**
- * Sums over the collisions of a run: number, impact speeds, and the momentum that collisions carry. The simulation's
- * collisional forcing must record collisions.
+ * Sums over the collisions of a run: number, impact speeds, and the momentum that collisions carry. They are exact
+ * ([ExactSum]): the order of the collisions changes no bit. The simulation's collisional forcing must record
+ * collisions.
  *
  * @property from collisions of steps that end at or before this time are left out
  */
@@ -15,23 +17,26 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
     public var count: Long = 0
         private set
 
+    private val sums = Array(SUMS) { ExactSum() }
+
+    // Of collisions that are not yet in the sums, by sum.
+    private val terms = Array(SUMS) { DoubleArray(BLOCK) }
+    private var waiting = 0
+
     /** Σ impact speed. */
-    public var sumSpeed: Double = 0.0
-        private set
+    public val sumSpeed: Double get() = sums[SPEED].value()
 
     /** Σ impact speed². */
-    public var sumSpeedSquared: Double = 0.0
-        private set
+    public val sumSpeedSquared: Double get() = sums[SPEED_SQUARED].value()
 
     /** Kinetic energy lost: Σ ½ μ (1 − ε²) v_n², with μ the reduced mass. */
-    public var dissipated: Double = 0.0
-        private set
+    public val dissipated: Double get() = sums[DISSIPATED].value()
 
     /**
      * Σ Δp_a r_b over collisions, nine numbers by row: a·3 + b. Divided by volume and time it is the collisional part
-     * of the pressure tensor.
+     * of the pressure tensor. A copy.
      */
-    public val virial: DoubleArray = DoubleArray(TENSOR)
+    public val virial: DoubleArray get() = DoubleArray(TENSOR) { sums[VIRIAL + it].value() }
 
     /**
      * Collisions by impact speed, [BINS_A_DECADE] bins a decade from 10^[LEAST_DECADE]; the first and last take what
@@ -41,17 +46,37 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
 
     private var lastStep = -1L
 
-    /** All sums as numbers, to be given to [restore] by a run that goes on. */
-    public fun sums(): List<Double> = listOf(count.toDouble(), sumSpeed, sumSpeedSquared, dissipated) + virial.asList()
+    /**
+     * All sums as numbers, to be given to [restore] by a run that goes on: the number of collisions, the values of the
+     * sums, then what rounding those has left, by pairs of the sum's number and a part.
+     */
+    public fun sums(): List<Double> = buildList {
+        add(count.toDouble())
+        for (sum in sums) add(sum.value())
+        for (k in sums.indices) {
+            for (rest in sums[k].parts().drop(1)) {
+                add(k.toDouble())
+                add(rest)
+            }
+        }
+    }
 
-    /** Takes over what [sums] and [speeds] of another were. */
+    /**
+     * Takes over what [sums] and [speeds] of another were.
+     *
+     * @throws IllegalArgumentException for numbers that cannot be those
+     */
     public fun restore(sums: List<Double>, speeds: LongArray) {
-        require(sums.size == 4 + TENSOR && speeds.size == BINS) { "these are not the sums of collision statistics" }
+        val pairs = sums.drop(1 + SUMS).chunked(2)
+        val isPossible = sums.size >= 1 + SUMS && speeds.size == BINS &&
+            pairs.all { it.size == 2 && it[0].toInt().toDouble() == it[0] && it[0].toInt() in 0 until SUMS }
+        require(isPossible) { "these are not the sums of collision statistics" }
         count = sums[0].toLong()
-        sumSpeed = sums[1]
-        sumSpeedSquared = sums[2]
-        dissipated = sums[3]
-        for (k in 0 until TENSOR) virial[k] = sums[4 + k]
+        for (k in 0 until SUMS) {
+            this.sums[k].clear()
+            this.sums[k].add(sums[1 + k])
+        }
+        for ((k, rest) in pairs) this.sums[k.toInt()].add(rest)
         speeds.copyInto(this.speeds)
     }
 
@@ -63,29 +88,47 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
                 "collisions are not recorded; make CollisionForcing with recordCollisions = true"
             }
         for (k in 0 until record.size) add(record, k)
+        sumWaiting()
+    }
+
+    private fun sumWaiting() {
+        for (k in sums.indices) sums[k].addAll(terms[k], 0, waiting)
+        waiting = 0
     }
 
     private fun add(record: CollisionRecord, k: Int) {
         val speed = record.impactSpeed(k)
         val coefficient = record.coefficient(k)
         val impulse = record.impulse(k)
+        if (waiting == BLOCK) sumWaiting()
+        val at = waiting++
         count++
-        sumSpeed += speed
-        sumSpeedSquared += speed * speed
+        terms[SPEED][at] = speed
+        terms[SPEED_SQUARED][at] = speed * speed
         if (speed > 0) {
             speeds[((StrictMath.log10(speed) - LEAST_DECADE) * BINS_A_DECADE).toInt().coerceIn(0, BINS - 1)]++
         }
         // impulse = μ (1 + ε) v_n, so the loss ½ μ (1 − ε²) v_n² is half of impulse · (1 − ε) · v_n.
-        dissipated += 0.5 * impulse * (1 - coefficient) * speed
+        terms[DISSIPATED][at] = 0.5 * impulse * (1 - coefficient) * speed
         val dx = record.separation(k, 0)
         val dy = record.separation(k, 1)
         val dz = record.separation(k, 2)
         val f = impulse / Math.sqrt(dx * dx + dy * dy + dz * dz)
-        for (a in 0..2) for (b in 0..2) virial[a * 3 + b] += f * record.separation(k, a) * record.separation(k, b)
+        for (a in 0..2) {
+            for (b in 0..2) terms[VIRIAL + a * 3 + b][at] = f * record.separation(k, a) * record.separation(k, b)
+        }
     }
 
     public companion object {
         private const val TENSOR = 9
+
+        // The sums in the order in which they are written down.
+        private const val SPEED = 0
+        private const val SPEED_SQUARED = 1
+        private const val DISSIPATED = 2
+        private const val VIRIAL = 3
+        private const val SUMS = VIRIAL + TENSOR
+        private const val BLOCK = 256
         public const val BINS_A_DECADE: Int = 10
         public const val LEAST_DECADE: Int = -12
         private const val MOST_DECADE = 6

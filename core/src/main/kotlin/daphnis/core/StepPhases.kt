@@ -1,0 +1,93 @@
+package daphnis.core
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.PerSphereBoundary
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.force.Force
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Population
+
+/**
+ * The phases of a step, for who drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] · [kickAgain] ·
+ * [checkFinite] · [commit]. A [Simulation] calls them one after the other. A driver of several machines calls them on
+ * each machine's part of the population and exchanges spheres in between. Until [commit] all of them together can be
+ * taken back. One thread calls; [loop] may use more.
+ *
+ * @param collisions null for spheres that pass through one another
+ * @param forces in the order in which they act before the drift; they have been given their loop
+ */
+public class StepPhases(
+    private val population: Population,
+    private val boundary: BoundaryConditions,
+    private val collisions: CollisionForcing?,
+    private val forces: List<Force>,
+    private val loop: RangeLoop,
+) {
+    private val undo = StepUndo(population, collisions?.counters)
+
+    /** A step begins. */
+    public fun begin() {
+        undo.begin()
+    }
+
+    /** The length of a step that starts now. */
+    public fun duration(timeStep: TimeStep): Double = if (timeStep is PerSphereTimeStep) {
+        timeStep.next(timeStep.measure(population, loop))
+    } else {
+        timeStep.next(population)
+    }
+
+    /** Forces act for the first half of a step that begins at [start]. */
+    public fun kick(start: Double, duration: Double) {
+        if (forces.isNotEmpty()) undo.keepVelocities()
+        for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
+    }
+
+    /** Brings every sphere to the end of the step on its path, with every collision in time order. */
+    public fun drift(start: Double, duration: Double) {
+        if (collisions != null) {
+            collisions.advance(population, boundary, start, duration)
+        } else {
+            population.drift(duration)
+        }
+    }
+
+    /** Brings back, or takes away, the spheres that are beyond the boundary at the [end] of the step. */
+    public fun applyBoundary(end: Double) {
+        if (boundary is PerSphereBoundary) {
+            loop.run(population.size) { _, from, to -> boundary.endStep(population, end, from, to) }
+        } else {
+            boundary.endStep(population, end)
+        }
+    }
+
+    /** Forces act for the second half of a step that ended at [end], in the reverse order. */
+    public fun kickAgain(end: Double, duration: Double) {
+        for (k in forces.indices.reversed()) forces[k].afterDrift(population, end, duration)
+    }
+
+    /**
+     * One sum over everything is NaN or infinite as soon as one number is; cheap against a step.
+     *
+     * @throws IllegalStateException that says [at] which step and time, when the state is not finite
+     */
+    public fun checkFinite(at: () -> String) {
+        val p = population
+        loop.run(p.size) { _, from, to ->
+            var sum = 0.0
+            for (k in from until to) sum += (p.x[k] + p.y[k] + p.z[k] + p.vx[k] + p.vy[k] + p.vz[k]) * 0.0
+            check(sum == 0.0) { "the state is no longer finite after ${at()}" }
+        }
+    }
+
+    /** The step stands. */
+    public fun commit() {
+        undo.commit()
+    }
+
+    /** All is as it was at [begin]: population, counters; the record of collisions is empty. Allocates nothing. */
+    public fun takeBack() {
+        undo.takeBack()
+        collisions?.record?.clear()
+    }
+}

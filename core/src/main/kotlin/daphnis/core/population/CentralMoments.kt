@@ -1,0 +1,172 @@
+package daphnis.core.population
+
+import daphnis.core.population.FlowFit.Companion.FIRST
+import daphnis.core.population.FlowFit.Companion.MOST_SLABS
+import daphnis.core.population.FlowFit.Companion.SECOND
+import daphnis.core.population.FlowFit.Companion.SLAB_WIDTH
+
+/**
+ * Second moments of the particles of a population around means that are given, as exact sums: parts of a population
+ * may be taken by different threads or machines, in any order, and merged. Velocities w are without the straight flow
+ * of the boundary's rate and without the mean of what remains. Allocates nothing once made.
+ *
+ * @param firstBody spheres with ids from this on are left out; [Int.MAX_VALUE] for none
+ */
+internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
+    private val normalAxis = flow?.normalAxis ?: 0
+    private val sums = Array(SUMS) { ExactSum() }
+    private val slabs = Array(if (flow == null) 0 else MOST_SLABS * SLAB_WIDTH) { ExactSum() }
+    private var means = Means()
+
+    // Of one block, the particles of a slab next to one another.
+    private val block = ParticleBlock(firstBody)
+    private val order = SlabOrder()
+    private val m = column()
+    private val w = Array(3) { column() }
+    private val momentum = Array(3) { column() }
+    private val across = column()
+    private val height = column()
+    private val terms = column()
+
+    /** Σ m w_a w_b, [e] in xx, yy, zz, xy, xz, yz. */
+    fun square(e: Int): Double = sums[SQUARES + e].value()
+
+    /** Σ m z², z the height less its mean. */
+    val squareOfHeight: Double get() = sums[HEIGHT].value()
+
+    /** Fills what [fit] works on, of a flow. */
+    fun fill(fit: FlowFit) {
+        fit.across = sums[ACROSS].value()
+        for (axis in 0..2) fit.slopes[axis] = sums[SLOPES + axis].value()
+        for (k in 0 until means.slabCount * SLAB_WIDTH) fit.slabs[k] = slabs[k].value()
+    }
+
+    /** Makes these the sums of nobody around [means], which may not change until the next time. */
+    fun clear(means: Means) {
+        this.means = means
+        for (sum in sums) sum.clear()
+        for (sum in slabs) sum.clear()
+    }
+
+    /** Adds those of [other], which are around the same means. */
+    fun merge(other: CentralMoments) {
+        for (k in sums.indices) sums[k].add(other.sums[k])
+        for (k in slabs.indices) slabs[k].add(other.slabs[k])
+    }
+
+    /** Adds the particles of [population] at the indices [from] until [to]. */
+    fun add(population: Population, from: Int, to: Int) {
+        ParticleBlock.forEach(from, to) { start, end ->
+            block.collect(population, start, end)
+            if (flow != null) order.sort(block, population.position(normalAxis), means)
+            load(population)
+            addSquares()
+            if (flow != null) addAcross()
+        }
+    }
+
+    private fun load(p: Population) {
+        val n = block.size
+        val index = block.index
+        val along = p.position(normalAxis)
+        for (i in 0 until n) m[i] = p.mass[index[i]]
+        for (i in 0 until n) height[i] = p.z[index[i]] - means.position[2]
+        for (i in 0 until n) across[i] = along[index[i]] - means.position[normalAxis]
+        for (axis in 0..2) {
+            val v = p.velocity(axis)
+            val w = w[axis]
+            val momentum = momentum[axis]
+            val rate = if (flow != null && axis == flow.flowAxis) flow.rate else 0.0
+            val mean = means.velocity[axis]
+            for (i in 0 until n) w[i] = v[index[i]] - rate * along[index[i]] - mean
+            for (i in 0 until n) momentum[i] = m[i] * w[i]
+        }
+    }
+
+    private fun addSquares() {
+        for (e in 0 until 6) addProducts(SQUARES + e, momentum[FIRST[e]], w[SECOND[e]])
+        for (i in 0 until block.size) terms[i] = m[i] * height[i]
+        addProducts(HEIGHT, terms, height)
+    }
+
+    private fun addAcross() {
+        val n = block.size
+        for (axis in 0..2) addProducts(SLOPES + axis, momentum[axis], across)
+        for (i in 0 until n) terms[i] = m[i] * across[i]
+        for (slab in 0 until means.slabCount) addSlab(slab)
+        addProducts(ACROSS, terms, across)
+    }
+
+    /** Σ m, Σ m y, Σ m w of the particles in [slab]; m y are the terms. */
+    private fun addSlab(slab: Int) {
+        val from = order.start(slab)
+        val to = order.start(slab + 1)
+        val s = slab * SLAB_WIDTH
+        slabs[s].addAll(m, from, to)
+        slabs[s + 1].addAll(terms, from, to)
+        for (axis in 0..2) slabs[s + 2 + axis].addAll(momentum[axis], from, to)
+    }
+
+    private fun addProducts(sum: Int, a: DoubleArray, b: DoubleArray) {
+        for (i in 0 until block.size) terms[i] = a[i] * b[i]
+        sums[sum].addAll(terms, 0, block.size)
+    }
+
+    private fun column() = DoubleArray(ParticleBlock.SPHERES)
+
+    private companion object {
+        const val SQUARES = 0
+        const val HEIGHT = 6
+        const val ACROSS = 7
+        const val SLOPES = 8
+        const val SUMS = 11
+    }
+}
+
+/** What second moments are taken around: means weighted by mass, and slabs across the flow. */
+internal class Means {
+    /** Mean position. */
+    val position = DoubleArray(3)
+
+    /** Mean velocity without the straight flow of the boundary's rate. */
+    val velocity = DoubleArray(3)
+
+    /** Number of slabs. */
+    var slabCount = 1
+        private set
+    private var least = 0.0
+    private var perSlab = 0.0
+
+    /** Slabs for [count] particles between [least] and [greatest]. */
+    fun setSlabs(count: Int, least: Double, greatest: Double) {
+        slabCount = (count / FlowFit.SPHERES_A_SLAB).coerceIn(1, MOST_SLABS)
+        this.least = least
+        perSlab = if (greatest > least) slabCount / (greatest - least) else 0.0
+    }
+
+    /** The slab of a particle at [position] across the flow. */
+    fun slab(position: Double): Int = minOf(slabCount - 1, ((position - least) * perSlab).toInt())
+}
+
+/** Puts the particles of a block in the order of their slabs. */
+private class SlabOrder {
+    private val slabs = IntArray(ParticleBlock.SPHERES)
+    private val sorted = IntArray(ParticleBlock.SPHERES)
+    private val starts = IntArray(MOST_SLABS + 2)
+
+    /** The place of the first particle in [slab], or behind the last one. */
+    fun start(slab: Int): Int = starts[slab]
+
+    fun sort(block: ParticleBlock, position: DoubleArray, means: Means) {
+        val n = block.size
+        val index = block.index
+        starts.fill(0)
+        for (i in 0 until n) {
+            slabs[i] = means.slab(position[index[i]])
+            starts[slabs[i] + 2]++
+        }
+        for (slab in 2..<starts.size) starts[slab] += starts[slab - 1]
+        for (i in 0 until n) sorted[starts[slabs[i] + 1]++] = index[i]
+        sorted.copyInto(index, 0, 0, n)
+    }
+}

@@ -1,0 +1,229 @@
+package daphnis.core.population
+
+/**
+ * A sum of doubles without round-off: its [value] is the true sum of all terms, rounded once, to nearest and ties to
+ * even. So it does not depend on the order of the terms, nor on how they were shared out among threads or machines
+ * whose sums are merged by [add].
+ *
+ * The true sum is held as an integer in units of 2^−1074, in chunks of 32 bits with room for carries (the small
+ * superaccumulator of Neal 2015, arXiv:1505.05571). [addAll] first splits its terms into two parts each, whose sums are
+ * exact in plain doubles, as in the presummation of Rump, Ogita & Oishi 2008, SIAM J. Sci. Comput. 31, 189.
+ *
+ * Infinities and NaN sum up as in plain addition. A sum that overflows on the way is right at the end if its value is
+ * finite; else it is infinite. A sum of zeros is 0.0, whatever their signs. Not thread-safe; allocates nothing but in
+ * [parts].
+ */
+public class ExactSum {
+    // Σ chunk[i] · 2^(32 i), in units of 2^−1074; those outside of least..top are 0.
+    private val chunks = LongArray(CHUNKS)
+    private var least = CHUNKS
+    private var top = -1
+
+    /** How many numbers the chunks have taken since carries were moved on. */
+    private var pending = 0
+
+    /** The plain sum of what is not finite. */
+    private var special = 0.0
+
+    /** Makes this the sum of nothing: 0.0. */
+    public fun clear() {
+        if (top >= 0) chunks.fill(0, least, top + 1)
+        least = CHUNKS
+        top = -1
+        pending = 0
+        special = 0.0
+    }
+
+    /** Adds one [term]. */
+    public fun add(term: Double) {
+        val bits = term.toRawBits()
+        val exponent = (bits ushr FRACTION_BITS).toInt() and NOT_FINITE
+        if (exponent == NOT_FINITE) {
+            special += term
+            return
+        }
+        val fraction = bits and FRACTION
+        if (exponent == 0 && fraction == 0L) return
+        // A subnormal number stands as one of exponent 1 does, but without the bit that is implied.
+        val mantissa = if (exponent == 0) fraction else fraction or IMPLIED
+        val position = maxOf(exponent, 1) - 1
+        val chunk = position shr 5
+        val shift = position and 31
+        val sign = bits shr 63
+        val low = (mantissa shl shift) and LOW
+        val high = mantissa ushr (32 - shift)
+        chunks[chunk] += (low xor sign) - sign
+        chunks[chunk + 1] += (high xor sign) - sign
+        if (chunk < least) least = chunk
+        if (chunk >= top) top = chunk + 1
+        if (++pending == MOST_PENDING) carry()
+    }
+
+    /** Adds the entries [from] until [to] of [terms]: a few times faster than one by one. */
+    public fun addAll(terms: DoubleArray, from: Int = 0, to: Int = terms.size) {
+        var start = from
+        while (start < to) {
+            val end = minOf(to.toLong(), start + BLOCK.toLong()).toInt()
+            val exponent = if (end - start < FEW) 0 else greatestExponent(terms, start, end)
+            if (exponent in LEAST_SPLIT..MOST_SPLIT) {
+                addSplit(terms, start, end, exponent)
+            } else {
+                for (k in start until end) add(terms[k])
+            }
+            start = end
+        }
+    }
+
+    /** Adds the sum that [other] holds, whose value stays as it is. */
+    public fun add(other: ExactSum) {
+        special += other.special
+        if (other.top < 0) return
+        other.carry()
+        carry()
+        for (i in other.least..other.top) chunks[i] += other.chunks[i]
+        least = minOf(least, other.least)
+        top = maxOf(top, other.top)
+        pending++
+    }
+
+    /** The sum of all that was added, correctly rounded. */
+    public fun value(): Double {
+        if (special != 0.0) return special
+        carry()
+        if (top < 0) return 0.0
+        val isNegative = chunks[top] < 0
+        if (isNegative) negate()
+        val magnitude = magnitude()
+        if (isNegative) negate()
+        return if (isNegative && magnitude != 0.0) -magnitude else magnitude
+    }
+
+    /**
+     * Numbers whose sum this is, without round-off: its value, the value of what that leaves, and so on. Few as a rule;
+     * [addAll] of them is this sum again. Empty for 0. Allocates.
+     */
+    public fun parts(): List<Double> {
+        if (special != 0.0) return listOf(special)
+        val rest = ExactSum()
+        rest.add(this)
+        return buildList {
+            while (true) {
+                val part = rest.value().coerceIn(-Double.MAX_VALUE, Double.MAX_VALUE)
+                if (part == 0.0) break
+                add(part)
+                rest.add(-part)
+            }
+        }
+    }
+
+    private fun greatestExponent(terms: DoubleArray, from: Int, to: Int): Int {
+        var greatest = 0L
+        for (k in from until to) greatest = Math.max(greatest, terms[k].toRawBits() and Long.MAX_VALUE)
+        return (greatest ushr FRACTION_BITS).toInt()
+    }
+
+    /**
+     * Adds at most [BLOCK] terms of magnitudes below 2^(e + 1), where [exponent] is e with its bias. The number that
+     * is added and taken away rounds a term to a multiple of 2^(e − 39): 4096 of those add up exactly. What is left
+     * is rounded to multiples of 2^(e − 80) likewise. What is left then, of terms that are small beside the largest,
+     * goes the slow way.
+     */
+    private fun addSplit(terms: DoubleArray, from: Int, to: Int, exponent: Int) {
+        val coarse = 1.5 * powerOfTwo(exponent + BLOCK_BITS + 1)
+        val fine = 1.5 * powerOfTwo(exponent + BLOCK_BITS - SPLIT_BITS)
+        var high = 0.0
+        var low = 0.0
+        for (k in from until to) {
+            val term = terms[k]
+            val upper = term + coarse - coarse
+            val rest = term - upper
+            val lower = rest + fine - fine
+            high += upper
+            low += lower
+            if (rest != lower) add(rest - lower)
+        }
+        add(high)
+        add(low)
+    }
+
+    /** Makes every chunk but the top one a number in 0 until 2^32; the top one, which has the sign, less than 2^31. */
+    private fun carry() {
+        if (pending == 0) return
+        pending = 0
+        for (i in least until top) {
+            chunks[i + 1] += chunks[i] shr 32
+            chunks[i] = chunks[i] and LOW
+        }
+        while (chunks[top] != chunks[top].toInt().toLong()) {
+            chunks[top + 1] += chunks[top] shr 32
+            chunks[top] = chunks[top] and LOW
+            top++
+        }
+    }
+
+    private fun negate() {
+        for (i in least..top) chunks[i] = -chunks[i]
+        pending = 1
+        carry()
+    }
+
+    /** The value of chunks that are all >= 0. */
+    private fun magnitude(): Double {
+        var i = top
+        while (i > least && chunks[i] == 0L) i--
+        if (chunks[i] == 0L) return 0.0
+        val last = 32 * i + 63 - chunks[i].countLeadingZeroBits() - FRACTION_BITS
+        // Bits that all fit: the double of these bits, whether subnormal or not.
+        if (last <= 0) return Double.fromBits(chunks[0] or (chunks[1] shl 32))
+        if (last > MOST_POSITION) return Double.POSITIVE_INFINITY
+        var mantissa = bitsFrom(last)
+        if (isRoundedUp(last, mantissa)) mantissa++
+        // The implied bit of the mantissa makes up for the 1 that the exponent lacks; one more carries into it.
+        return Double.fromBits((last.toLong() shl FRACTION_BITS) + mantissa)
+    }
+
+    /** The bits from [position] on to the highest one. */
+    private fun bitsFrom(position: Int): Long {
+        val i = position shr 5
+        val shift = position and 31
+        val bits = (chunks[i] ushr shift) or (chunks[i + 1] shl (32 - shift))
+        return if (shift == 0) bits else bits or (chunks[i + 2] shl (64 - shift))
+    }
+
+    private fun isRoundedUp(last: Int, mantissa: Long): Boolean {
+        val i = (last - 1) shr 5
+        val half = 1L shl ((last - 1) and 31)
+        if (chunks[i] and half == 0L) return false
+        if (mantissa and 1L == 1L || chunks[i] and (half - 1) != 0L) return true
+        for (j in least until i) if (chunks[j] != 0L) return true
+        return false
+    }
+
+    private fun powerOfTwo(exponent: Int): Double = Double.fromBits(exponent.toLong() shl FRACTION_BITS)
+
+    private companion object {
+        /** 65 for the largest double, and room for the sum of 2^63 of those. */
+        const val CHUNKS = 68
+        const val LOW = 0xFFFFFFFFL
+        const val FRACTION_BITS = 52
+        const val FRACTION = (1L shl FRACTION_BITS) - 1
+        const val IMPLIED = 1L shl FRACTION_BITS
+        const val NOT_FINITE = 0x7FF
+
+        /** The last bit of the largest double, in bits from that of the least. */
+        const val MOST_POSITION = 2045
+
+        /** A chunk takes up to 2^52 with each term. */
+        const val MOST_PENDING = 1024
+
+        /** Fewer terms than this are added one by one. */
+        const val FEW = 8
+        const val BLOCK_BITS = 12
+        const val BLOCK = 1 shl BLOCK_BITS
+        const val SPLIT_BITS = 40
+
+        /** Exponents, with their bias, at which a block can be split without underflow and overflow. */
+        const val LEAST_SPLIT = 100
+        const val MOST_SPLIT = 2000
+    }
+}
