@@ -29,10 +29,8 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
                     )}, ${from}time ${run.simulation.time} to ${run.until}, into $directory",
                 )
             }
-            val progress = Progress(quiet)
             interruption.armed = true
-            val summary = run.execute(progress) { interruption.requested }
-            progress.close()
+            val summary = run.execute(Progress(quiet, run.until)) { interruption.requested }
             if (!summary.finished) {
                 println("interrupted after step ${summary.steps}; go on with: daphnis resume ${quoted("$directory")}")
                 throw ProgramResult(EXIT_INTERRUPTED)

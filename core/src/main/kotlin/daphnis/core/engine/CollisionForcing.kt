@@ -16,7 +16,7 @@ import daphnis.core.search.SearchStructure
  * @param search how neighbours are found; changes nothing but the time it takes
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
  */
-public class CollisionForcing(
+public class CollisionForcing @JvmOverloads constructor(
     restitution: Restitution,
     guard: CollapseGuard = NoGuard,
     public val engine: CollisionEngine = SerialEngine(),

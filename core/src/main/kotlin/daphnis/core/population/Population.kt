@@ -18,7 +18,7 @@ package daphnis.core.population
  * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not positive,
  *   or an id occurs twice
  */
-public class Population(
+public class Population @JvmOverloads constructor(
     x: DoubleArray,
     y: DoubleArray,
     z: DoubleArray,
