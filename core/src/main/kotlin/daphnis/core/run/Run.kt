@@ -135,8 +135,8 @@ public class Run internal constructor(
                 simulation.step, simulation.time,
                 c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
                 wallSeconds, appended, whole,
-                transport?.doubles(Transport.SUMS)?.asList().orEmpty(),
-                transport?.longs(Transport.SPEEDS)?.asList().orEmpty(),
+                transport?.doubles(CollisionStatistics.SUMS_SAVED)?.asList().orEmpty(),
+                transport?.longs(CollisionStatistics.SPEEDS_SAVED)?.asList().orEmpty(),
                 from?.losses.orEmpty(),
             )
             checkpoints.write(meta, origin, simulation.population, saved)

@@ -71,8 +71,8 @@ internal object SavedOutputs {
     fun ofTransport(meta: CheckpointMeta): Map<String, OutputState> {
         if (meta.collisionSums.isEmpty()) return emptyMap()
         val state = OutputState(RunOutputs.TRANSPORT)
-        state.put(Transport.SUMS, meta.collisionSums.toDoubleArray())
-        state.put(Transport.SPEEDS, meta.impactSpeeds.toLongArray())
+        state.put(CollisionStatistics.SUMS_SAVED, meta.collisionSums.toDoubleArray())
+        state.put(CollisionStatistics.SPEEDS_SAVED, meta.impactSpeeds.toLongArray())
         return mapOf(RunOutputs.TRANSPORT to state)
     }
 }

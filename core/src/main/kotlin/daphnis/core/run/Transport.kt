@@ -34,19 +34,12 @@ internal class Transport(private val every: Int, private val sums: StepSums, pri
     }
 
     override fun save(state: OutputState) {
-        state.put(SUMS, statistics.sums().toDoubleArray())
-        state.put(SPEEDS, statistics.speeds)
+        statistics.save(state)
         files.writeWhole(RunDirectory.IMPACTS, ImpactColumns.table(statistics))
     }
 
     override fun restore(state: OutputState) {
-        statistics.restore(state.doubles(SUMS).asList(), state.longs(SPEEDS))
-    }
-
-    companion object {
-        /** Names of what is saved; a checkpoint keeps these in its `META`. */
-        const val SUMS = "collisionSums"
-        const val SPEEDS = "impactSpeeds"
+        statistics.restore(state)
     }
 }
 
