@@ -28,10 +28,8 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
                     )}, ${from}time ${run.simulation.time} to ${run.until}, into $directory",
                 )
             }
-            val progress = Progress(quiet)
             interruption.armed = true
-            val summary = run.execute(progress) { interruption.requested }
-            progress.close()
+            val summary = run.execute(Progress(quiet, run.until)) { interruption.requested }
             if (!summary.finished) {
                 println("interrupted after step ${summary.steps}; go on with: daphnis resume ${quoted("$directory")}")
                 throw ProgramResult(EXIT_INTERRUPTED)
@@ -52,7 +50,8 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
 private fun drawPlot(run: Run, summary: Summary) {
     fun none(e: Throwable) = warn("no plot: ${e.message ?: e.javaClass.simpleName}; the run is complete")
     try {
-        val scale = PlotScale.of(run.scenario, run.simulation.population)
+        val scenario = run.scenario ?: return
+        val scale = PlotScale.of(scenario, run.simulation.population)
         RunPlot.write(run.directory.series, run.directory.plots, summary.scenario, scale)
     } catch (e: Exception) {
         none(e)

@@ -13,6 +13,7 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
 import daphnis.core.format.Vtp
+import daphnis.core.run.ProgramRecord
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
 import daphnis.core.run.Version
@@ -107,6 +108,10 @@ class ExportCommand : CliktCommand(name = "export") {
 
     /** The scenario in the directory, if it is the one that the run was made with. */
     private fun scenario(run: RunDirectory): Scenario {
+        if (Files.exists(run.program)) {
+            val why = "holds a run of ${ProgramRecord.read(run.program)}, without a scenario that says its units"
+            throw InputException("--units", null, "is si; $directory $why")
+        }
         val scenario = ScenarioJson.read(run.scenario)
         RunRecord.of(run).changes(scenario).firstOrNull()?.let {
             throw FormatException("$it; bring it back to have SI units")

@@ -1,24 +1,29 @@
 package daphnis.app
 
 import com.github.ajalt.mordant.terminal.Terminal
+import daphnis.core.Opening
+import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.population.Conserved
-import daphnis.core.run.RunObserver
 
-/** Progress of a run: one line that rewrites itself on a terminal, a plain line now and then elsewhere. */
-internal class Progress(private val quiet: Boolean) :
-    RunObserver,
-    AutoCloseable {
+/** Progress of a run to time [until]: one line that rewrites itself on a terminal, a plain line now and then elsewhere. */
+internal class Progress(private val quiet: Boolean, private val until: Double) : Output {
     private val terminal = Terminal()
     private val live = !quiet && terminal.terminalInfo.outputInteractive
     private val interval = if (live) LIVE_SECONDS else PLAIN_SECONDS
+    private var begin = 0L
     private var shownAt = 0.0
     private var firstTime = Double.NaN
     private var collisionsBefore = 0L
     private var width = 0
 
-    override fun afterStep(simulation: Simulation, until: Double, wallSeconds: Double) {
-        if (quiet) return
+    override fun open(simulation: Simulation, opening: Opening) {
+        begin = System.nanoTime()
+    }
+
+    override fun write(simulation: Simulation) {
+        if (quiet || simulation.step == 0L) return
+        val wallSeconds = (System.nanoTime() - begin) * 1e-9
         val collisions = simulation.collisions?.counters?.collisions ?: 0
         if (firstTime.isNaN()) {
             firstTime = simulation.time

@@ -26,13 +26,13 @@ import daphnis.core.population.Population
  *   step
  * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
  */
-public class Simulation(
+public class Simulation @JvmOverloads constructor(
     public val population: Population,
     public val boundary: BoundaryConditions,
     public val collisions: CollisionForcing?,
-    private val timeStep: TimeStep,
+    internal val timeStep: TimeStep,
     forces: List<Force> = emptyList(),
-    private val outputs: List<Output> = emptyList(),
+    outputs: List<Output> = emptyList(),
     startTime: Double = 0.0,
     startStep: Long = 0,
     runStart: Double? = null,
@@ -62,11 +62,10 @@ public class Simulation(
     private var opened = false
     private var busy = false
 
-    /**
-     * How many of the outputs have seen the state at hand; more than none at the start of a step that failed and is
-     * done again.
-     */
-    private var shown = 0
+    private val outputs = OutputList(outputs)
+
+    /** Whether it was given outputs of its own. */
+    internal val hasOutputs: Boolean get() = !outputs.isEmpty
 
     init {
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
@@ -95,7 +94,6 @@ public class Simulation(
         try {
             carryOn()
             phases.commit()
-            shown = 0
         } catch (e: Throwable) {
             phases.takeBack()
             time = timeBefore
@@ -115,7 +113,7 @@ public class Simulation(
         phases.applyBoundary(time)
         phases.kickAgain(time, duration)
         phases.checkFinite { "step $step at time $time" }
-        show()
+        outputs.write(this)
     }
 
     /** The clock goes on by a step. */
@@ -125,36 +123,36 @@ public class Simulation(
     }
 
     /**
-     * Shows the initial state to the outputs; done by the first [advance] if nobody asked before. Each sees it once,
-     * though another throws.
+     * Opens the outputs, and shows them the initial state of a simulation that starts; done by the first [advance] if
+     * nobody asked before. Each is opened and sees it once, though another throws.
      */
     public fun open() {
         if (opened || busy) return
         busy = true
         try {
-            if (step == 0L) show()
+            outputs.open(this, if (step == 0L) Opening.START else Opening.RESUME)
+            if (step == 0L) outputs.write(this)
         } finally {
             busy = false
         }
         opened = true
-        shown = 0
     }
 
-    private fun show() {
-        while (shown < outputs.size) {
-            outputs[shown].write(this)
-            shown++
-        }
+    /** Stands at [time] after [step] steps of a run that began where this was made. To be called before all else. */
+    internal fun goOnFrom(time: Double, step: Long) {
+        check(!opened && this.step == 0L) { "the simulation has begun: it is at step ${this.step}" }
+        this.time = time
+        this.step = step
     }
 
     /**
-     * Ends the threads of the engine; from then on [advance], and loops that forces have been given, throw
-     * [IllegalStateException]. A step under way, on another thread or around this call, ends well or throws and is as
-     * if it had not begun. Closing twice is allowed.
+     * Ends the threads of the engine and closes the outputs; from then on [advance], and loops that forces have been
+     * given, throw [IllegalStateException]. A step under way, on another thread or around this call, ends well or
+     * throws and is as if it had not begun; outputs are closed behind it. Closing twice is allowed.
      */
     override fun close() {
         loop.close()
-        collisions?.close()
+        AutoCloseable { collisions?.close() }.use { outputs.close() }
     }
 
     private companion object {

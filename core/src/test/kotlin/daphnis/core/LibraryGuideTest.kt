@@ -2,6 +2,7 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.ConstantRestitution
@@ -15,11 +16,15 @@ import daphnis.core.hill.Satellite
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.run.Program
+import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -55,6 +60,37 @@ class EnergyHistory : Output {
     override fun write(simulation: Simulation) {
         energies += Conserved.of(simulation.population).kineticEnergy
     }
+
+    override fun save(state: OutputState) {
+        state.put("energies", energies.toDoubleArray())
+    }
+
+    override fun restore(state: OutputState) {
+        energies += state.doubles("energies").asList()
+    }
+}
+// end
+
+// example: program
+class Chain : Program {
+    override val name = "chain"
+    override val version = "1"
+    override val until = 2.0
+    override val output = OutputSpec(seriesEvery = 1, snapshotEvery = 10, checkpointEvery = 5)
+    val history = EnergyHistory()
+
+    override fun population() = Population(
+        doubleArrayOf(-1.0, 1.0), DoubleArray(2), DoubleArray(2),
+        DoubleArray(2), doubleArrayOf(0.3, -0.3), DoubleArray(2),
+        doubleArrayOf(0.01, 0.01), doubleArrayOf(1.0, 1.0),
+    )
+
+    override fun simulation(population: Population): Simulation {
+        val collisions = CollisionForcing(ConstantRestitution(1.0))
+        return Simulation(population, Open, collisions, FixedTimeStep(0.1), listOf(CentralSpring(1.0)))
+    }
+
+    override fun outputs() = mapOf("history" to history)
 }
 // end
 
@@ -139,17 +175,33 @@ class LibraryGuideTest {
     }
 
     @Test
+    fun `a program stopped and resumed ends as one in one go`(@TempDir home: Path) {
+        val directory = home.resolve("chain")
+        // example: resume
+        Run.start(Chain(), directory).use { run ->
+            run.execute(cancelled = { run.simulation.step >= 7 })
+        }
+        val summary = Run.resume(Chain(), directory).use { it.execute() }
+        // end
+        val whole = Chain()
+        val inOneGo = Run.start(whole, home.resolve("whole")).use { it.execute() }
+        assertEquals(inOneGo.stateDigest, summary.stateDigest)
+        assertEquals(21, whole.history.energies.size)
+    }
+
+    @Test
     fun `the guide shows this code`() {
         val root = generateSequence(Path.of("").toAbsolutePath()) {
             it.parent
         }.first { Files.exists(it.resolve("settings.gradle.kts")) }
         val guide = Files.readString(root.resolve("docs/library.md"))
-        val code = Files.readString(root.resolve("core/src/test/kotlin/daphnis/core/LibraryGuideTest.kt"))
+        val code = listOf("kotlin/daphnis/core/LibraryGuideTest.kt", "java/daphnis/core/run/JavaProgramTest.java")
+            .joinToString("\n") { Files.readString(root.resolve("core/src/test/$it")) }
         val examples = Regex(
             """// example: (\w+)\n(.*?)\n\s*// end\n""",
             RegexOption.DOT_MATCHES_ALL,
         ).findAll(code).toList()
-        assertEquals(5, examples.size)
+        assertEquals(8, examples.size)
         for (example in examples) {
             assertTrue(example.groupValues[2].trimIndent() in guide) {
                 "docs/library.md lacks the example '${example.groupValues[1]}' as it stands here"

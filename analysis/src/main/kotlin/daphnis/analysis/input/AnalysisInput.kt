@@ -12,6 +12,7 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormat
 import daphnis.core.population.Population
+import daphnis.core.run.ProgramRecord
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
@@ -86,27 +87,58 @@ public class AnalysisInput private constructor(
         public fun ofRun(path: Path, acceptLoss: Boolean = false): AnalysisInput {
             val run = RunDirectory(path)
             run.requireRun()
+            if (Files.exists(run.program)) return ofProgram(run, acceptLoss)
             val read = ScenarioJson.read(run.scenario)
             val notices = checked(run, read, acceptLoss)
             val scenario = read.atHome(path)
-            val steps = run.snapshotSteps()
-            if (steps.isEmpty()) {
-                throw InputException(path.toString(), null, "has no snapshots", WayOut.WRITE_SNAPSHOTS)
-            }
-            fun frame(k: Int) = run.frame(steps[k])
+            val steps = steps(run)
             val around = Surroundings.of(scenario, run.scenario.toString())
             val step = around.timeStep
             val times = DoubleArray(steps.size) { k ->
-                if (step is TimeStepSpec.Fixed) scenario.startTime + steps[k] * step.dt else frame(k).time
+                if (step is TimeStepSpec.Fixed) scenario.startTime + steps[k] * step.dt else run.frame(steps[k]).time
             }
+            return ofRun(run, scenario.name, scenario, steps, times, around.boundary, around.angularSpeed, notices)
+        }
+
+        /** The run of a program's own: the box and whether it repeats are what its snapshots say. */
+        private fun ofProgram(run: RunDirectory, acceptLoss: Boolean): AnalysisInput {
+            val record = ProgramRecord.read(run.program)
+            val notices = checked(run, null, acceptLoss)
+            val steps = steps(run)
+            val times = DoubleArray(steps.size) {
+                val frame = run.frame(steps[it])
+                if (frame.shearOffset != 0.0) {
+                    val why = "holds a run of $record, in which images slide; it takes a scenario to say how"
+                    throw InputException("${run.path}", null, "$why: export it, and analyze the file with one")
+                }
+                frame.time
+            }
+            val notice = "${run.path}: is of $record: without a scenario units, rotating frame and bodies are not known"
+            return ofRun(run, record.program, null, steps, times, ofFrame(run.frame(steps[0])), null, notices + notice)
+        }
+
+        private fun steps(run: RunDirectory): List<Long> = run.snapshotSteps().ifEmpty {
+            throw InputException("${run.path}", null, "has no snapshots", WayOut.WRITE_SNAPSHOTS)
+        }
+
+        private fun ofRun(
+            run: RunDirectory,
+            name: String,
+            scenario: Scenario?,
+            steps: List<Long>,
+            times: DoubleArray,
+            boundary: BoundaryConditions,
+            omega: Double?,
+            notices: List<String>,
+        ): AnalysisInput {
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
             val series = if (Files.exists(run.series)) SeriesTable.read(run.series) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
-            val bounds = { population: Population -> bounded(around.boundary, population) }
-            val firstBody = scenario.firstBody(frame(0).size)
+            val firstBody = scenario?.firstBody(run.frame(steps[0]).size) ?: Int.MAX_VALUE
+            val bounds = { population: Population -> bounded(boundary, population) }
             return AnalysisInput(
-                scenario.name, scenario, firstBody, summary, times, ::frame, bounds, around.angularSpeed,
+                name, scenario, firstBody, summary, times, { run.frame(steps[it]) }, bounds, omega,
                 transport, series, impacts, run, notices,
             )
         }
@@ -114,14 +146,14 @@ public class AnalysisInput private constructor(
         /**
          * Holds what is read beside the states against what the run says it wrote. @return what differs and is accepted
          */
-        private fun checked(run: RunDirectory, scenario: Scenario, acceptLoss: Boolean): List<String> {
+        private fun checked(run: RunDirectory, scenario: Scenario?, acceptLoss: Boolean): List<String> {
             val record = RunRecord.of(run)
-            val problems =
-                record.changes(scenario) + record.problems(run.summary, run.series, run.transport, run.impacts)
+            val changes = scenario?.let { record.changes(it) }.orEmpty()
+            val problems = changes + record.problems(run.summary, run.series, run.transport, run.impacts)
             if (problems.isNotEmpty() && !acceptLoss) {
                 throw InputException("", null, problems.first(), WayOut.ANALYSE_WITH_LOSS)
             }
-            return problems + record.losses + record.harmlessChanges(scenario)
+            return problems + record.losses + scenario?.let { record.harmlessChanges(it) }.orEmpty()
         }
 
         /**

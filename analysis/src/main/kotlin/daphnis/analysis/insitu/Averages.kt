@@ -2,6 +2,7 @@ package daphnis.analysis.insitu
 
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.Output
+import daphnis.core.OutputState
 import daphnis.core.Simulation
 import kotlin.math.abs
 
@@ -37,6 +38,23 @@ public class Averages(
 
     override fun write(simulation: Simulation) {
         if (simulation.time >= from && simulation.step % every == 0L) add(State.of(simulation, omega))
+    }
+
+    override fun save(state: OutputState) {
+        state.put(COUNT, longArrayOf(size.toLong()))
+        state.put(SAMPLES, DoubleArray(samples.sumOf { it.size }).also { all -> fill(all) })
+    }
+
+    private fun fill(all: DoubleArray) {
+        for ((k, sample) in samples.withIndex()) sample.copyInto(all, k * sample.size)
+    }
+
+    override fun restore(state: OutputState) {
+        val all = state.doubles(SAMPLES)
+        val count = state.longs(COUNT).single().toInt()
+        samples.clear()
+        for (k in 0 until count) samples += all.copyOfRange(k * (all.size / count), (k + 1) * (all.size / count))
+        pool = null
     }
 
     /**
@@ -94,5 +112,9 @@ public class Averages(
 
     private companion object {
         const val ROUNDING = 1e-12
+
+        // Names of what is saved.
+        const val COUNT = "count"
+        const val SAMPLES = "samples"
     }
 }

@@ -2,6 +2,7 @@ package daphnis.analysis.plot
 
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
+import daphnis.core.run.SeriesColumns
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -42,7 +43,7 @@ public object RunPlot {
 
     private fun charts(table: SeriesTable, title: String, scale: PlotScale): List<LineChart> {
         val curves = SeriesPlots(table, scale)
-        val times = table["time"]
+        val times = table[SeriesColumns.TIME]
         val time = Time(UnitNames.axis("time", scale.timeName), times.first() / scale.time, times.last() / scale.time)
         return listOfNotNull(
             curves.temperature()?.let { chart(it, title, time, SeriesPlots.TEMPERATURE, scale.temperatureName) },

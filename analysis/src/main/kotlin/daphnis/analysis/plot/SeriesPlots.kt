@@ -2,6 +2,11 @@ package daphnis.analysis.plot
 
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
+import daphnis.core.run.SeriesColumns
+import daphnis.core.run.SeriesColumns.POTENTIAL_ENERGY
+import daphnis.core.run.SeriesColumns.TIME
+import daphnis.core.table.Column
+import daphnis.core.table.Dimension
 import org.jetbrains.letsPlot.intern.Plot
 
 /**
@@ -16,22 +21,23 @@ internal class SeriesPlots(
     private val from: Double? = null,
 ) {
     private val rows = thinned()
-    private val time = DoubleArray(rows.size) { series["time"][rows[it]] / scale.time }
+    private val time = DoubleArray(rows.size) { series[TIME][rows[it]] / scale.time }
     private val timeLabel = UnitNames.axis("time", scale.timeName)
 
     /** Granular temperature in [PlotScale.temperatureName]. */
-    fun temperature(): Curve? = column("granular_temperature", "granular temperature", scale.speed * scale.speed)
+    fun temperature(): Curve? = column(SeriesColumns.GRANULAR_TEMPERATURE, "granular temperature", scale.speed * scale.speed)
 
-    /** Every column that ends in `_energy`, in the scenario's units, by the name of the column. */
+    /** Every column that is an energy, in the scenario's units, by its name. */
     fun energies(): List<Curve> {
-        val all = series.names.filter { it.endsWith("_energy") }
+        val all = SeriesColumns.columns.filter { it.dimension == Dimension.ENERGY && it in series }
         // Without forces the total is the kinetic energy.
-        val isFree = "potential_energy" in series && series["potential_energy"].all { it == 0.0 }
-        val told = if (isFree) all - "potential_energy" - "total_energy" else all
-        return told.mapNotNull {
-            column(it, it.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' '), 1.0)
-        }
+        val isFree = POTENTIAL_ENERGY in series && series[POTENTIAL_ENERGY].all { it == 0.0 }
+        val told = if (isFree) all - POTENTIAL_ENERGY - SeriesColumns.TOTAL_ENERGY else all
+        return told.mapNotNull { column(it, spoken(it), 1.0) }
     }
+
+    private fun spoken(energy: Column) =
+        energy.name.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' ')
 
     /**
      * Collisions of a particle in a unit of time, between rows so far apart that the noise of single steps does not
@@ -39,9 +45,9 @@ internal class SeriesPlots(
      */
     fun collisionRate(): Curve? {
         val stride = maxOf(1, rows.size / MOST_BINS)
-        val n = series["particles"]
-        val collisions = series["collisions"]
-        val t = series["time"]
+        val n = series[SeriesColumns.PARTICLES]
+        val collisions = series[SeriesColumns.COLLISIONS]
+        val t = series[TIME]
         val apart = rows.filterIndexed { k, _ -> k % stride == 0 }.zipWithNext()
         val pairs = apart.filter { (a, b) -> t[b] > t[a] && n[b] > 0 }
         if (pairs.isEmpty()) return null
@@ -67,16 +73,13 @@ internal class SeriesPlots(
             timeLabel,
             UnitNames.axis(quantity, unit),
             logY = log,
-            vertical = from?.let {
-                it /
-                    scale.time
-            },
+            vertical = from?.let { it / scale.time },
         )
     }
 
-    private fun column(name: String, shown: String, unit: Double): Curve? {
-        if (name !in series) return null
-        val values = series[name]
+    private fun column(column: Column, shown: String, unit: Double): Curve? {
+        if (column !in series) return null
+        val values = series[column]
         val drawn = DoubleArray(rows.size) { values[rows[it]] / unit }
         return if (drawn.count { it.isFinite() } >= 2) Curve(shown, time, drawn) else null
     }

@@ -3,6 +3,7 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.insitu.State
 import daphnis.core.run.Version
+import daphnis.core.run.TransportColumns
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -90,7 +91,7 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
     /** When a run is hoped to be steady. */
     private fun steady(): Double {
         val begin = input.times.first()
-        val lastRow = input.transport?.let { it["time"].lastOrNull() } ?: Double.NEGATIVE_INFINITY
+        val lastRow = input.transport?.let { it[TransportColumns.TIME].lastOrNull() } ?: Double.NEGATIVE_INFINITY
         val end = maxOf(input.times.last(), lastRow)
         return begin + (end - begin) * UNSTEADY
     }

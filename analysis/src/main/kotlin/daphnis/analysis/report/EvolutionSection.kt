@@ -6,6 +6,7 @@ import daphnis.analysis.plot.SeriesPlots
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
+import daphnis.core.run.TransportColumns
 import kotlin.math.sqrt
 
 /**
@@ -88,9 +89,9 @@ internal class EvolutionSection(private val study: Study) : Section {
 
     private fun dispersions(page: ReportPage) {
         val t = transport!!
-        val time = DoubleArray(t.size) { t["time"][it] / scale.time }
+        val time = DoubleArray(t.size) { t[TransportColumns.TIME][it] / scale.time }
         val names = listOf("xx" to "σ_x", "yy" to "σ_y", "zz" to "σ_z")
-        val sigma = names.map { (component, _) -> DoubleArray(t.size) { sqrt(t["c_$component"][it]) / scale.speed } }
+        val sigma = names.map { (component, _) -> DoubleArray(t.size) { sqrt(t[TransportColumns.moment(component)][it]) / scale.speed } }
         val curves = names.indices.map { Curve(names[it].second, thinned(time), thinned(sigma[it])) }
         val plot = Chart.lines(
             curves,

@@ -4,6 +4,10 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.transport.TransportTable
+import daphnis.core.run.SeriesColumns
+import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
+import daphnis.core.run.TransportColumns
+import daphnis.core.run.TransportColumns.moment
 import kotlin.math.sqrt
 
 /** A quantity over the whole of a run; [times] ascending. */
@@ -18,29 +22,29 @@ internal object RunHistory {
     fun of(input: AnalysisInput, from: Double): List<History> {
         val series = input.series?.let { ofSeries(it) }.orEmpty()
         val transport = input.transport?.takeIf { it.size >= 2 } ?: return series
-        val isShort = transport["time"].count { it >= from } < Steadiness.FEWEST
+        val isShort = transport[TransportColumns.TIME].count { it >= from } < Steadiness.FEWEST
         return if (isShort && series.isNotEmpty()) series else ofTransport(transport, input.omega != null)
     }
 
     private fun ofTransport(t: TransportTable, ring: Boolean): List<History> {
-        val trace = DoubleArray(t.size) { t["c_xx"][it] + t["c_yy"][it] + t["c_zz"][it] }
-        val time = t["time"]
+        val trace = DoubleArray(t.size) { t[moment("xx")][it] + t[moment("yy")][it] + t[moment("zz")][it] }
+        val time = t[TransportColumns.TIME]
         val speeds = if (ring) {
             listOf(
                 History("velocity dispersion", time, DoubleArray(t.size) { sqrt(trace[it]) }),
-                History("scale height", time, t["scale_height"]),
+                History("scale height", time, t[TransportColumns.SCALE_HEIGHT]),
             )
         } else {
             listOf(History("granular temperature", time, DoubleArray(t.size) { trace[it] / 3 }))
         }
-        return speeds + rate(time, t["collisions"], t["particles"])
+        return speeds + rate(time, t[TransportColumns.COLLISIONS], t[TransportColumns.PARTICLES])
     }
 
     private fun ofSeries(s: SeriesTable): List<History> {
         if (s.size < 2) return emptyList()
-        val rates = rate(s["time"], s["collisions"], s["particles"])
-        if (TEMPERATURE !in s) return listOf(rates)
-        return listOf(History("granular temperature", s["time"], s[TEMPERATURE]), rates)
+        val rates = rate(s[SeriesColumns.TIME], s[SeriesColumns.COLLISIONS], s[SeriesColumns.PARTICLES])
+        if (GRANULAR_TEMPERATURE !in s) return listOf(rates)
+        return listOf(History("granular temperature", s[SeriesColumns.TIME], s[GRANULAR_TEMPERATURE]), rates)
     }
 
     /** Collisions of a particle between rows, at the time of the later one. */
@@ -51,6 +55,4 @@ internal object RunHistory {
         }
         return History("collisions of a particle", time.copyOfRange(1, time.size), rates)
     }
-
-    private const val TEMPERATURE = "granular_temperature"
 }

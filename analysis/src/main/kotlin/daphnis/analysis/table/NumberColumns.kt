@@ -1,6 +1,8 @@
 package daphnis.analysis.table
 
 import daphnis.core.format.FormatException
+import daphnis.core.table.TableColumns
+import daphnis.core.table.needed
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -8,15 +10,16 @@ import java.nio.file.Path
 /** Reads a CSV file of numbers that a run appends to, by the names of its columns. */
 internal object NumberColumns {
     /**
-     * The columns of [path] by name, all equally long, in order of time; columns beyond those [needed] come along, with
+     * The columns of [path] by name, all equally long, in order of time; columns beyond those needed come along, with
      * NaN for an empty cell. A run may be writing still: what follows the last line end is left out, and a last line
      * with too few values. A file without a whole line has no rows.
      *
-     * @param needed names that must be there, `time` among them
+     * @param declared which columns must be there, `time` among them
      * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no number or
      * time runs backward
      */
-    fun read(path: Path, needed: List<String>): Map<String, DoubleArray> {
+    fun read(path: Path, declared: TableColumns): Map<String, DoubleArray> {
+        val needed = declared.needed
         val text = try {
             Files.readString(path)
         } catch (e: IOException) {

@@ -1,6 +1,7 @@
 package daphnis.analysis.table
 
 import daphnis.core.scenario.UnitsSpec
+import daphnis.core.table.Dimension
 import kotlin.math.abs
 
 /**
@@ -15,14 +16,14 @@ public class UnitNames(units: UnitsSpec?) {
         "mass" to nameOf(units?.massInKg.takeIf { units?.lengthInMetres != null }, MASSES),
     )
 
-    public val length: String = of("length")
-    public val time: String = of("time")
-    public val mass: String = of("mass")
-    public val speed: String = of("length/time")
+    public val length: String = of(Dimension.LENGTH)
+    public val time: String = of(Dimension.TIME)
+    public val mass: String = of(Dimension.MASS)
+    public val speed: String = of(Dimension.SPEED)
 
     /** Of ⟨c²⟩/3. */
-    public val temperature: String = of("length^2/time^2")
-    public val energy: String = of("mass length^2/time^2").let { if (it == "kg m^2/s^2") "J" else it }
+    public val temperature: String = of(Dimension.SPEED_SQUARED)
+    public val energy: String = of(Dimension.ENERGY).let { if (it == "kg m^2/s^2") "J" else it }
     public val area: String = of("length^2")
     public val viscosity: String = of("length^2/time")
     public val surfaceDensity: String = of("mass/length^2")

@@ -1,6 +1,8 @@
 package daphnis.analysis.transport
 
 import daphnis.core.format.FormatException
+import daphnis.core.run.ImpactColumns
+import daphnis.core.table.Column
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -21,8 +23,6 @@ public class ImpactTable private constructor(
     public val size: Int get() = from.size
 
     public companion object {
-        private const val COLUMNS = 3
-
         /** Reads [path]. @throws FormatException naming file and line when it is no such file or damaged */
         public fun read(path: Path): ImpactTable {
             val lines = try {
@@ -31,14 +31,20 @@ public class ImpactTable private constructor(
                 throw FormatException("$path: cannot be read: ${e.message}")
             }
             val rows = lines.mapIndexed { k, line -> row(line) ?: throw damaged(path, k + 2, line) }
-            return ImpactTable(column(rows, 0), column(rows, 1), column(rows, 2))
+            fun column(column: Column) = place(column).let { c -> DoubleArray(rows.size) { rows[it][c] } }
+            return ImpactTable(
+                column(ImpactColumns.SPEED_FROM),
+                column(ImpactColumns.SPEED_TO),
+                column(ImpactColumns.COLLISIONS),
+            )
         }
 
-        private fun column(rows: List<DoubleArray>, c: Int) = DoubleArray(rows.size) { rows[it][c] }
+        /** This file has had the same columns since there is one, and is read by their places. */
+        private fun place(column: Column) = ImpactColumns.columns.indexOf(column)
 
         private fun row(line: String): DoubleArray? {
             val cells = line.split(',').map { it.toDoubleOrNull() ?: return null }
-            if (cells.size != COLUMNS || !cells.all { it.isFinite() }) return null
+            if (cells.size != ImpactColumns.columns.size || !cells.all { it.isFinite() }) return null
             val (from, to, collisions) = cells
             return if (from > 0 && to > from && collisions >= 0) cells.toDoubleArray() else null
         }

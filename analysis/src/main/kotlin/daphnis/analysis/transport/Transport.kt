@@ -2,6 +2,17 @@ package daphnis.analysis.transport
 
 import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
+import daphnis.core.run.TransportColumns
+import daphnis.core.run.TransportColumns.COLLISIONS
+import daphnis.core.run.TransportColumns.DISSIPATED
+import daphnis.core.run.TransportColumns.GRAVITY_XY
+import daphnis.core.run.TransportColumns.MASS
+import daphnis.core.run.TransportColumns.PARTICLES
+import daphnis.core.run.TransportColumns.SCALE_HEIGHT
+import daphnis.core.run.TransportColumns.SUM_IMPACT_SPEED
+import daphnis.core.run.TransportColumns.TIME
+import daphnis.core.run.TransportColumns.virial
+import daphnis.core.table.Column
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.atan2
@@ -40,7 +51,7 @@ public class Transport(private val table: TransportTable, private val shearRate:
         }
     }
 
-    private val time = table["time"]
+    private val time = table[TIME]
     private val intervals = table.size - 1
     private val length = DoubleArray(intervals) { time[it + 1] - time[it] }
 
@@ -57,19 +68,19 @@ public class Transport(private val table: TransportTable, private val shearRate:
      * False for a file of an older version, whose columns c_ab are around the boundary's straight flow, and with them
      * temperature and dispersion.
      */
-    public val isPeculiar: Boolean get() = "kinetic_xx" in table
+    public val isPeculiar: Boolean get() = TransportColumns.kinetic("xx") in table
 
     /** ⟨c_a c_b⟩ by component name, such as `xx`. */
-    public fun moment(component: String): BlockAverage = average(during("c_$component")) { it[0] }
+    public fun moment(component: String): BlockAverage = average(during(TransportColumns.moment(component))) { it[0] }
 
     /** ⟨w_a w_b⟩ by component name: the kinetic part of the pressure tensor, times volume over mass. */
-    public fun kinetic(component: String): BlockAverage = average(during(carried + component)) { it[0] }
+    public fun kinetic(component: String): BlockAverage = average(during(carried(component))) { it[0] }
 
     /** √(⟨c_x²⟩ + ⟨c_y²⟩ + ⟨c_z²⟩). */
-    public val dispersion: BlockAverage get() = average(*diagonal("c_")) { sqrt(it[0] + it[1] + it[2]) }
+    public val dispersion: BlockAverage get() = average(*diagonal(TransportColumns::moment)) { sqrt(it[0] + it[1] + it[2]) }
 
     /** Granular temperature ⟨c²⟩/3. */
-    public val temperature: BlockAverage get() = average(*diagonal("c_")) { (it[0] + it[1] + it[2]) / 3 }
+    public val temperature: BlockAverage get() = average(*diagonal(TransportColumns::moment)) { (it[0] + it[1] + it[2]) / 3 }
 
     /** Of the averaged tensor. */
     public val ellipsoid: VelocityEllipsoid
@@ -78,83 +89,78 @@ public class Transport(private val table: TransportTable, private val shearRate:
     /** Angle from x to the long axis of the averaged tensor in the plane, toward y, in radians, in (−π/2, π/2]. */
     public val orientation: BlockAverage
         get() {
-            val columns = arrayOf(during("c_xx"), during("c_yy"), during("c_xy"))
+            val columns = listOf("xx", "yy", "xy").map { during(TransportColumns.moment(it)) }.toTypedArray()
             val whole = ellipsoid.orientation
             // The same axis half a turn on is the same axis: the nearer one is meant.
             return average(*columns) { angle(it).let { a -> a - PI * Math.rint((a - whole) / PI) } }
         }
 
-    public val scaleHeight: BlockAverage get() = average(during("scale_height")) { it[0] }
+    public val scaleHeight: BlockAverage get() = average(during(SCALE_HEIGHT)) { it[0] }
 
     /** Collisions of a particle in a unit of time. */
-    public val collisionRate: BlockAverage get() = average(added("collisions", "particles")) { 2 * it[0] }
+    public val collisionRate: BlockAverage get() = average(added(COLLISIONS, PARTICLES)) { 2 * it[0] }
 
     /** Mean impact speed. */
-    public val impactSpeed: BlockAverage get() = average(added("sum_impact_speed", null), added("collisions", null)) {
-        it[0] /
-            it[1]
+    public val impactSpeed: BlockAverage get() = average(added(SUM_IMPACT_SPEED, null), added(COLLISIONS, null)) {
+        it[0] / it[1]
     }
 
     public val translational: BlockAverage get() = kinetic("xy") * toViscosity
-    public val collisional: BlockAverage get() = average(added("virial_xy", "mass")) { it[0] } * toViscosity
+    public val collisional: BlockAverage get() = average(added(virial("xy"), MASS)) { it[0] } * toViscosity
     public val gravitational: BlockAverage get() = average(gravity()) { it[0] } * toViscosity
 
     /** Sum of the three viscosities. */
     public val viscosity: BlockAverage get() = average(*stresses()) { it[0] + it[1] + it[2] } * toViscosity
 
     /** Energy dissipated in a unit of time and mass. */
-    public val dissipation: BlockAverage get() = average(added("dissipated", "mass")) { it[0] }
+    public val dissipation: BlockAverage get() = average(added(DISSIPATED, MASS)) { it[0] }
 
     /** γ² ν over the dissipation: 1 in a steady state. NaN without dissipation. */
     public val energyBalance: BlockAverage
-        get() = average(*stresses(), added("dissipated", "mass")) {
+        get() = average(*stresses(), added(DISSIPATED, MASS)) {
             if (it[3] == 0.0) Double.NaN else (it[0] + it[1] + it[2]) / it[3]
         } *
             (toViscosity * shearRate * shearRate)
 
     /** Pressure tensor times volume over mass, by component: ⟨w_a w_b⟩ + Σ Δp_a δ_b / (M T). */
     public fun pressure(component: String): BlockAverage =
-        average(during(carried + component), added("virial_$component", "mass")) {
-            it[0] +
-                it[1]
-        }
+        average(during(carried(component)), added(virial(component), MASS)) { it[0] + it[1] }
 
     /** Pressure times volume over mass: a third of the trace of the tensor. */
-    public val pressure: BlockAverage get() = average(*diagonal(carried), *virials()) { it.sum() / 3 }
+    public val pressure: BlockAverage get() = average(*diagonal(::carried), *virials()) { it.sum() / 3 }
 
     /**
      * Compressibility: pressure over [temperature], the pressure too without the mean flow as it is measured; 1 for
      * points, whatever flows.
      */
     public val compressibility: BlockAverage
-        get() = average(*diagonal("c_"), *virials()) { it.sum() / (it[0] + it[1] + it[2]) }
+        get() = average(*diagonal(TransportColumns::moment), *virials()) { it.sum() / (it[0] + it[1] + it[2]) }
 
     /** Orbits averaged, for an angular speed. */
     public fun orbits(omega: Double): Double = duration * omega / (2 * PI)
 
     /** Columns of ⟨w_a w_b⟩. */
-    private val carried get() = if (isPeculiar) "kinetic_" else "c_"
+    private fun carried(component: String): Column =
+        if (isPeculiar) TransportColumns.kinetic(component) else TransportColumns.moment(component)
 
     private fun angle(m: DoubleArray) = 0.5 * atan2(2 * m[2], m[0] - m[1])
 
-    private fun diagonal(prefix: String) = arrayOf(during("${prefix}xx"), during("${prefix}yy"), during("${prefix}zz"))
+    private fun diagonal(tensor: (String) -> Column) =
+        arrayOf(during(tensor("xx")), during(tensor("yy")), during(tensor("zz")))
 
-    private fun virials() = arrayOf(added("virial_xx", "mass"), added("virial_yy", "mass"), added("virial_zz", "mass"))
+    private fun virials() = arrayOf(added(virial("xx"), MASS), added(virial("yy"), MASS), added(virial("zz"), MASS))
 
-    private fun stresses() = arrayOf(during("${carried}xy"), added("virial_xy", "mass"), gravity())
+    private fun stresses() = arrayOf(during(carried("xy")), added(virial("xy"), MASS), gravity())
 
-    private fun gravity() = table["gravity_xy"].let { g ->
-        DoubleArray(intervals) {
-            g[it + 1] / table["mass"][it + 1] *
-                length[it]
-        }
+    private fun gravity() = table[GRAVITY_XY].let { g ->
+        DoubleArray(intervals) { g[it + 1] / table[MASS][it + 1] * length[it] }
     }
 
     /** The state's [column] times the length of each interval. */
-    private fun during(column: String) = table[column].let { c -> DoubleArray(intervals) { c[it + 1] * length[it] } }
+    private fun during(column: Column) = table[column].let { c -> DoubleArray(intervals) { c[it + 1] * length[it] } }
 
     /** What the running sum [column] gained in each interval, for each of [per]. */
-    private fun added(column: String, per: String?): DoubleArray {
+    private fun added(column: Column, per: Column?): DoubleArray {
         val sum = table[column]
         return DoubleArray(intervals) { (sum[it + 1] - sum[it]) / if (per == null) 1.0 else table[per][it] }
     }

@@ -1,34 +1,33 @@
 package daphnis.analysis.transport
 
 import daphnis.analysis.table.NumberColumns
+import daphnis.core.run.TransportColumns
+import daphnis.core.table.Column
 import java.nio.file.Path
 
 /** The rows of a run's `transport.csv` as columns, in order of time. */
 public class TransportTable private constructor(private val columns: Map<String, DoubleArray>) {
     /** Number of rows. */
-    public val size: Int get() = columns.getValue("time").size
+    public val size: Int get() = this[TransportColumns.TIME].size
 
-    /** Column [name] of the file. */
-    public operator fun get(name: String): DoubleArray = columns.getValue(name)
+    /** The numbers of [column], in the run's units. @throws NoSuchElementException when the file lacks it */
+    public operator fun get(column: Column): DoubleArray = columns.getValue(column.name)
 
-    /** Whether the file has a column [name]. */
-    public operator fun contains(name: String): Boolean = name in columns
+    /** Whether the file has [column]; an older one may lack it. */
+    public operator fun contains(column: Column): Boolean = column.name in columns
 
     /** The rows from [time] on. */
     public fun from(time: Double): TransportTable {
-        val first = this["time"].indexOfFirst { it >= time }.let { if (it < 0) size else it }
+        val first = this[TransportColumns.TIME].indexOfFirst { it >= time }.let { if (it < 0) size else it }
         return TransportTable(columns.mapValues { it.value.copyOfRange(first, size) })
     }
 
     public companion object {
-        private val NEEDED =
-            listOf("time", "particles", "mass", "c_xx", "c_yy", "c_zz", "c_xy", "scale_height", "collisions", "dissipated", "virial_xy")
-
         /**
          * Reads [path]; a last line that is cut short, as of a run that goes on, is left out.
          *
          * @throws daphnis.core.format.FormatException when it is no such file
          */
-        public fun read(path: Path): TransportTable = TransportTable(NumberColumns.read(path, NEEDED))
+        public fun read(path: Path): TransportTable = TransportTable(NumberColumns.read(path, TransportColumns))
     }
 }

@@ -10,11 +10,16 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.VelocityMoments
+import daphnis.core.run.Run
+import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Path
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.ln
@@ -23,6 +28,21 @@ import kotlin.math.sin
 import kotlin.math.sqrt
 
 class AveragesTest {
+    @Test
+    fun `averages of a run that was stopped and resumed are those of one in one go`(@TempDir home: Path) {
+        fun averages() = Averages(Measure { doubleArrayOf(it.population.vx[it.population.indexOf(0)], it.time) }, every = 2)
+        val scenario = BuiltIn.scenario("elastic-gas", listOf("particles.count=50", "until=2", "timeStep.dt=0.1"))
+        fun start(name: String, kept: Averages) =
+            Run.start(scenario, "gas", home.resolve(name), outputs = mapOf("averages" to kept))
+        val whole = averages()
+        start("whole", whole).use { it.execute() }
+        assertEquals(11, whole.size)
+        start("broken", averages()).use { run -> run.execute(cancelled = { run.simulation.step >= 7 }) }
+        val resumed = averages()
+        Run.resume(home.resolve("broken"), outputs = mapOf("averages" to resumed)).use { it.execute() }
+        for (k in 0..1) assertArrayEquals(whole.series(k), resumed.series(k))
+    }
+
     private val box = Box.centred(10.0, 12.0, 8.0)
 
     /**

@@ -67,6 +67,7 @@ public class Box(
 
     public companion object {
         /** A box of the given edge lengths, centred on the origin. */
+        @JvmStatic
         public fun centred(lengthX: Double, lengthY: Double, lengthZ: Double): Box = Box(
             -lengthX / 2,
             -lengthY / 2,

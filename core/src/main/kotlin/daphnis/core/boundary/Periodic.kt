@@ -4,7 +4,7 @@ package daphnis.core.boundary
  * A box that repeats along the axes marked in [periodic] (x, y, z) and is open along the others; contacts are found
  * through the faces.
  */
-public class Periodic(
+public class Periodic @JvmOverloads constructor(
     override val box: Box,
     periodicX: Boolean = true,
     periodicY: Boolean = true,

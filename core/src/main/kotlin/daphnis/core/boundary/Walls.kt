@@ -4,7 +4,7 @@ package daphnis.core.boundary
  * Reflecting walls: the surface of a sphere never passes a face; its normal velocity is reversed at the moment of
  * contact and multiplied by [wallRestitution]. Axes for which [walled] is false are periodic.
  */
-public class Walls(
+public class Walls @JvmOverloads constructor(
     override val box: Box,
     override val wallRestitution: Double = 1.0,
     private val walled: BooleanArray = booleanArrayOf(true, true, true),

@@ -30,7 +30,7 @@ public class ConstantRestitution(public val value: Double) : Restitution {
  *
  * @property cmPerSecond how many cm/s one unit of speed of the scenario is
  */
-public class BridgesRestitution(
+public class BridgesRestitution @JvmOverloads constructor(
     public val prefactor: Double = LEWIS_PREFACTOR,
     public val exponent: Double = EXPONENT,
     public val cmPerSecond: Double = 1.0,
@@ -67,8 +67,10 @@ public class BridgesRestitution(
  * @property criticalSpeed v* in cm/s
  * @property cmPerSecond how many cm/s one unit of speed of the scenario is
  */
-public class BorderiesRestitution(public val criticalSpeed: Double, public val cmPerSecond: Double = 1.0) :
-    Restitution {
+public class BorderiesRestitution @JvmOverloads constructor(
+    public val criticalSpeed: Double,
+    public val cmPerSecond: Double = 1.0,
+) : Restitution {
     init {
         require(criticalSpeed > 0 && criticalSpeed.isFinite()) {
             "critical speed is $criticalSpeed cm/s; it must be > 0"

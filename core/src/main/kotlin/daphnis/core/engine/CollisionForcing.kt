@@ -17,7 +17,7 @@ import daphnis.core.step.CollisionStep
  * @param search how neighbours are found; changes nothing but the time it takes
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
  */
-public class CollisionForcing(
+public class CollisionForcing @JvmOverloads constructor(
     restitution: Restitution,
     guard: CollapseGuard = NoGuard,
     public val engine: CollisionEngine = SerialEngine(),

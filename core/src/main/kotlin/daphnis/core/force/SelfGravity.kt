@@ -26,7 +26,7 @@ import daphnis.core.population.SphereSum
  * @param softening ε in 1/(r² + ε²), length
  * @param images boxes on each side, in 0..[MOST_IMAGES]: gravity reaches ([images] + ½) of the shortest periodic edge
  */
-public class SelfGravity(
+public class SelfGravity @JvmOverloads constructor(
     private val boundary: BoundaryConditions,
     public val constant: Double,
     public val openingAngle: Double = 0.5,

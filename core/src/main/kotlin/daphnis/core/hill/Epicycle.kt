@@ -57,6 +57,7 @@ public class Epicycle(
          * The elements of a particle at ([x], [y], [z]) with velocity ([vx], [vy], [vz]) in a frame of angular speed
          * [omega]. Allocates.
          */
+        @JvmStatic
         public fun of(
             x: Double,
             y: Double,

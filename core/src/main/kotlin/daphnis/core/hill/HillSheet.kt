@@ -26,8 +26,11 @@ import daphnis.core.population.MeanFlow
  * @param box finite along x and y; its extent along z is nominal: spheres are put there at the start and may leave it
  * @param radiallyOpen whether the patch ends at its radial faces (a ringlet, a ring edge) instead of going on as images
  */
-public class HillSheet(override val box: Box, public val omega: Double, public val radiallyOpen: Boolean = false) :
-    PerSphereBoundary {
+public class HillSheet @JvmOverloads constructor(
+    override val box: Box,
+    public val omega: Double,
+    public val radiallyOpen: Boolean = false,
+) : PerSphereBoundary {
     init {
         requireFinite(box) { true }
         require(omega > 0 && omega.isFinite()) { "angular speed is $omega; it must be > 0" }

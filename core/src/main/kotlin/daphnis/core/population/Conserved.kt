@@ -18,6 +18,7 @@ public class Conserved private constructor(
 ) {
     public companion object {
         /** The sums of [population] as it stands. */
+        @JvmStatic
         public fun of(population: Population): Conserved {
             val s = PopulationSums(null)
             s.take(population)

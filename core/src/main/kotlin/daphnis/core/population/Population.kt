@@ -18,7 +18,7 @@ package daphnis.core.population
  * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not positive,
  *   or an id occurs twice
  */
-public class Population(
+public class Population @JvmOverloads constructor(
     x: DoubleArray,
     y: DoubleArray,
     z: DoubleArray,
@@ -47,20 +47,6 @@ public class Population(
     public val mass: DoubleArray get() = now.mass
     public val id: IntArray get() = now.id
 
-    /** Positions along [axis]: 0 = x, 1 = y, 2 = z. */
-    internal fun position(axis: Int): DoubleArray = when (axis) {
-        0 -> x
-        1 -> y
-        else -> z
-    }
-
-    /** Velocities along [axis]. */
-    internal fun velocity(axis: Int): DoubleArray = when (axis) {
-        0 -> vx
-        1 -> vy
-        else -> vz
-    }
-
     /**
      * Time since each sphere's last collision, as a negative number counted from the end of the last step, or −∞ when
      * it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the
@@ -68,22 +54,18 @@ public class Population(
      */
     public val lastCollision: DoubleArray get() = now.lastCollision
 
-    /** Positions along [axis] (0 = x, 1 = y, 2 = z). */
-    public fun position(axis: Int): DoubleArray = if (axis == 0) {
-        x
-    } else if (axis == 1) {
-        y
-    } else {
-        z
+    /** Positions along [axis]: 0 = x, 1 = y, 2 = z. */
+    public fun position(axis: Int): DoubleArray = when (axis) {
+        0 -> x
+        1 -> y
+        else -> z
     }
 
     /** Velocities along [axis]. */
-    public fun velocity(axis: Int): DoubleArray = if (axis == 0) {
-        vx
-    } else if (axis == 1) {
-        vy
-    } else {
-        vz
+    public fun velocity(axis: Int): DoubleArray = when (axis) {
+        0 -> vx
+        1 -> vy
+        else -> vz
     }
 
     /** Number of spheres. */

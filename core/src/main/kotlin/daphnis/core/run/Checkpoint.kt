@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.OutputState
 import daphnis.core.population.Population
 import kotlinx.serialization.json.Json
 import java.io.DataOutputStream
@@ -13,23 +14,39 @@ import java.nio.file.Path
  * The file: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name,
  * a long with the length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON
  * ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are arrays in the order of ids;
- * `END.` is empty and last. A file cut short or with flipped bytes does not pass. Format 2 has no `SCEN`, and of other
- * files their lengths only.
+ * `OUTS`, only where there is something to say, is what outputs keep ([SavedOutputs]), but for the sums of
+ * `transport.csv`, which stand in `META`; `END.` is empty and last. A file cut short or with flipped bytes does not
+ * pass. Format 2 has no `SCEN`, and of other files their lengths only. In the run of a [Program] `SCEN` is `run.json`.
  *
  * @property scenario null in format 2
  */
-internal class Checkpoint(val head: Head, val population: Population) {
+internal class Checkpoint(
+    val head: Head,
+    val population: Population,
+    private val own: Map<String, OutputState> = emptyMap(),
+) {
     val meta: CheckpointMeta get() = head.meta
     val scenario: String? get() = head.scenario
+
+    /** What outputs have saved, by name. */
+    val outputs: Map<String, OutputState> get() = own + SavedOutputs.ofTransport(meta)
 
     /** All but the spheres. */
     class Head(val meta: CheckpointMeta, val scenario: String?)
 
     companion object {
+        private const val OUTPUTS = "OUTS"
         private val IMAGES = listOf("IMGX", "IMGY", "IMGZ")
         private val json = Json { encodeDefaults = true }
 
-        fun write(meta: CheckpointMeta, scenario: String, population: Population, path: Path) {
+        /** @param own what outputs have saved that has no place in [meta], by name */
+        fun write(
+            meta: CheckpointMeta,
+            scenario: String,
+            population: Population,
+            own: Map<String, OutputState>,
+            path: Path,
+        ) {
             val order = population.indicesById()
             DataOutputStream(Files.newOutputStream(path).buffered(1 shl 16)).use { out ->
                 val records = RecordWriter(out)
@@ -48,6 +65,7 @@ internal class Checkpoint(val head: Head, val population: Population) {
                     for (k in order) bytes.putInt(population.boxesCrossed(population.id[k], axis))
                     records.write(name, bytes.array())
                 }
+                if (own.isNotEmpty()) records.write(OUTPUTS, SavedOutputs.bytes(own))
                 records.write(Records.END, ByteArray(0))
             }
         }
@@ -60,7 +78,10 @@ internal class Checkpoint(val head: Head, val population: Population) {
         /** @throws CheckpointException that says in one line what is wrong with the file */
         fun read(path: Path): Checkpoint {
             val records = Records.read(path, Records.END)
-            return decoded(path) { Checkpoint(head(records), population(records)) }
+            return decoded(path) {
+                val own = if (OUTPUTS in records) SavedOutputs.of(records.bytes(OUTPUTS)) else emptyMap()
+                Checkpoint(head(records), population(records), own)
+            }
         }
 
         /** Reads what stands before the spheres. @throws CheckpointException as [read] does, as far as it reads */

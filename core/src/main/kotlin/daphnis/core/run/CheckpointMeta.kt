@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.collision.CollisionCounters
 import kotlinx.serialization.Serializable
 
 /**
@@ -27,7 +28,16 @@ internal class CheckpointMeta(
     val collisionSums: List<Double> = emptyList(),
     val impactSpeeds: List<Long> = emptyList(),
     val losses: List<String> = emptyList(),
-)
+) {
+    /** Sets [counters] to what had been counted. */
+    fun countInto(counters: CollisionCounters) {
+        counters.collisions = collisions
+        counters.wallCollisions = wallCollisions
+        counters.guardActivations = guardActivations
+        counters.redoneSteps = redoneSteps
+        counters.causalityReplays = causalityReplays
+    }
+}
 
 /** [CheckpointMeta] as format 2 has it. */
 @Serializable

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.OutputState
 import daphnis.core.population.Population
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.WayOut
@@ -29,8 +30,10 @@ internal class Checkpoints(private val directory: RunDirectory) {
     private val files = directory.files
     private var isLastGood = false
 
-    fun write(meta: CheckpointMeta, scenario: String, population: Population) {
-        files.writeWhole(directory.newCheckpoint) { Checkpoint.write(meta, scenario, population, it) }
+    /** @param saved what outputs have saved, by name */
+    fun write(meta: CheckpointMeta, scenario: String, population: Population, saved: Map<String, OutputState>) {
+        val own = saved - RunOutputs.TRANSPORT
+        files.writeWhole(directory.newCheckpoint) { Checkpoint.write(meta, scenario, population, own, it) }
         if (isLastGood) files.move(directory.checkpoint, directory.previousCheckpoint)
         files.move(directory.newCheckpoint, directory.checkpoint)
         files.forceDirectory(directory.path)

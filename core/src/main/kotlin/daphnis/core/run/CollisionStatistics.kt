@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.Output
+import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.population.ExactSum
@@ -96,6 +97,15 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
         waiting = 0
     }
 
+    override fun save(state: OutputState) {
+        state.put(SUMS_SAVED, sums().toDoubleArray())
+        state.put(SPEEDS_SAVED, speeds)
+    }
+
+    override fun restore(state: OutputState) {
+        restore(state.doubles(SUMS_SAVED).asList(), state.longs(SPEEDS_SAVED))
+    }
+
     private fun add(record: CollisionRecord, k: Int) {
         val speed = record.impactSpeed(k)
         val coefficient = record.coefficient(k)
@@ -129,6 +139,8 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
         private const val VIRIAL = 3
         private const val SUMS = VIRIAL + TENSOR
         private const val BLOCK = 256
+        internal const val SUMS_SAVED = "collisionSums"
+        internal const val SPEEDS_SAVED = "impactSpeeds"
         public const val BINS_A_DECADE: Int = 10
         public const val LEAST_DECADE: Int = -12
         private const val MOST_DECADE = 6

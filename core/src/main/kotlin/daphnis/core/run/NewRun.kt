@@ -19,12 +19,11 @@ import kotlin.io.path.name
  * Takes a directory for a new run: one that is not there or is empty, or with [force] one that holds a run. First
  * [claim] looks and locks, then [begin] writes; the run that was there goes only when all that the new one needs has
  * been written beside it. A process killed in between leaves the old run, or a start that was cut short:
- * `scenario.json.tmp` without `scenario.json`, which anyone may start over.
+ * `scenario.json.tmp` without `scenario.json`, which anyone may start over. `run.json` of a [Program] likewise.
  */
 internal class NewRun(private val directory: RunDirectory, private val force: Boolean) {
     private val path = directory.path
     private val files = directory.files
-    private val pending = files.besideOf(directory.scenario)
     private var isMade = false
 
     /**
@@ -75,12 +74,12 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         fun refuse(why: String, wayOut: WayOut? = null): Nothing =
             throw InputException(path.toString(), null, why, wayOut)
         if (!path.isDirectory()) refuse("exists and is no directory")
-        if (directory.scenario.exists()) {
+        if (directory.holdsRun()) {
             if (!force) refuse("exists", WayOut.REPLACE_RUN)
             checkReplaceable { refuse("cannot be replaced: $it") }
             return
         }
-        if (pending.exists()) return
+        if (directory.origins.any { files.besideOf(it).exists() }) return
         val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptySnapshots(it) }
         if (others.isEmpty()) return
         if (force) refuse("is not empty and holds no run", WayOut.ONLY_RUNS_ARE_REPLACED)
@@ -89,7 +88,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
 
     /** Whether all that [removeRun] takes away can go, asked before anything goes. */
     private inline fun checkReplaceable(refuse: (String) -> Nothing) {
-        for (file in directory.ownFiles() + directory.scenario) {
+        for (file in directory.ownFiles() + directory.origins) {
             if (Files.isDirectory(file, NOFOLLOW_LINKS)) refuse("$file is a directory")
         }
         for (part in parts()) {
@@ -121,22 +120,33 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         val original = (scenario.placement as? PlacementSpec.File)?.let { Path.of(it.path) }
         val copy = original?.let { directory.initial(it) }
         val resolved = if (copy == null) scenario else scenario.placedFrom(copy.name)
+        replace(directory.scenario, ScenarioJson.write(resolved), original, copy)
+        return resolved
+    }
+
+    /** The same for a program; the text that the directory holds. */
+    fun begin(program: ProgramRecord): String = program.text().also { replace(directory.program, it, null, null) }
+
+    private fun replace(origin: Path, text: String, original: Path?, copy: Path?) {
+        val pending = files.besideOf(origin)
         try {
-            files.writeWhole(pending) { Files.writeString(it, ScenarioJson.write(resolved)) }
-            if (copy != null) files.writeWhole(files.besideOf(copy)) { Files.copy(original, it, REPLACE) }
+            files.writeWhole(pending) { Files.writeString(it, text) }
+            if (original != null && copy != null) {
+                files.writeWhole(files.besideOf(copy)) { Files.copy(original, it, REPLACE) }
+            }
         } catch (e: IOException) {
-            takeBack(copy)
+            takeBack(pending, copy)
             throw e
         }
         removeRun()
         Files.createDirectories(directory.snapshots)
         if (copy != null) files.move(files.besideOf(copy), copy)
-        files.move(pending, directory.scenario)
+        files.move(pending, origin)
+        for (other in directory.origins - origin) files.deleteQuietly(files.besideOf(other))
         files.forceDirectory(path)
-        return resolved
     }
 
-    private fun takeBack(copy: Path?) {
+    private fun takeBack(pending: Path, copy: Path?) {
         files.deleteQuietly(pending)
         if (copy != null) files.deleteQuietly(files.besideOf(copy))
         unmake()
@@ -152,9 +162,8 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     }
 
     private fun removeRun() {
-        // The scenario goes first: a directory without one is no run, so a kill in between leaves nothing that looks
-        // whole.
-        files.delete(directory.scenario)
+        // What says that there is a run goes first: a kill in between leaves nothing that looks whole.
+        for (origin in directory.origins) if (origin.exists()) files.delete(origin)
         for (file in directory.ownFiles()) files.delete(file)
         for (part in parts()) {
             if (part.isDirectory()) for (file in part.listDirectoryEntries().filter(::isOwn)) files.delete(file)

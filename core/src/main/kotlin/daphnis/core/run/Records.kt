@@ -13,15 +13,15 @@ import java.util.zip.CRC32C
 internal class Records private constructor(val version: Int, private val bytes: Map<String, ByteArray>) {
     operator fun contains(name: String): Boolean = name in bytes
 
-    private operator fun get(name: String): ByteArray = requireNotNull(bytes[name]) { "record $name is missing" }
+    fun bytes(name: String): ByteArray = requireNotNull(bytes[name]) { "record $name is missing" }
 
-    fun text(name: String): String = String(get(name), Charsets.UTF_8)
+    fun text(name: String): String = String(bytes(name), Charsets.UTF_8)
 
-    fun integers(name: String): IntArray = ByteBuffer.wrap(get(name)).asIntBuffer().let { b ->
+    fun integers(name: String): IntArray = ByteBuffer.wrap(bytes(name)).asIntBuffer().let { b ->
         IntArray(b.remaining()).also { b.get(it) }
     }
 
-    fun doubles(name: String): DoubleArray = ByteBuffer.wrap(get(name)).asDoubleBuffer().let { b ->
+    fun doubles(name: String): DoubleArray = ByteBuffer.wrap(bytes(name)).asDoubleBuffer().let { b ->
         DoubleArray(b.remaining()).also { b.get(it) }
     }
 

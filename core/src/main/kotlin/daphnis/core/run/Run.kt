@@ -1,6 +1,8 @@
 package daphnis.core.run
 
 import daphnis.core.Engines
+import daphnis.core.Opening
+import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.EngineFactory
@@ -9,11 +11,12 @@ import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.warnings
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
+import java.util.function.BooleanSupplier
 
 /**
- * A scenario being carried out in a run directory: made by [start] or [resume], done by [execute]. One thread.
+ * A scenario or a [Program] being carried out in a run directory: made by [start] or [resume], done by [execute], once.
+ * One thread.
  *
  * @property resumedFrom the step it goes on from; 0 at a start
  * @property notices what a user should know, a line each, such as [warnings] or a damaged checkpoint that was passed
@@ -21,122 +24,131 @@ import java.nio.file.Path
  */
 public class Run internal constructor(
     public val directory: RunDirectory,
-    public val scenario: ResolvedScenario,
-    private val scenarioText: String,
-    private val parts: RunParts,
+    private val plan: RunPlan,
+    private val origin: String,
     private val checkpoints: Checkpoints,
     private val from: GoodCheckpoint?,
     private val lock: AutoCloseable,
     public val notices: List<String>,
 ) : AutoCloseable {
-    public val simulation: Simulation = parts.simulation
+    public val simulation: Simulation = plan.simulation
     public val resumedFrom: Long = simulation.step
     private val secondsBefore = from?.checkpoint?.meta?.wallSeconds ?: 0.0
+    private var isExecuted = false
+
+    /** What is carried out; null for a [Program]. */
+    public val scenario: ResolvedScenario? get() = plan.scenario
 
     /** Whether it writes a time series. */
-    public val hasSeries: Boolean get() = scenario.output.seriesEvery > 0
+    public val hasSeries: Boolean get() = plan.output.seriesEvery > 0
 
     /** Time at which it ends. */
-    public val until: Double get() = scenario.end
+    public val until: Double get() = plan.until
 
     /**
      * Advances to the end.
      *
+     * @param watcher an output that looks on behind all others; nothing of it is kept
      * @param cancelled asked before every step; when true the run ends with a checkpoint and a summary that says
      *   unfinished
      * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stands
+     * @throws IllegalStateException when it has been called before; [resume] goes on
      */
+    @JvmOverloads
     public fun execute(
-        observer: RunObserver = RunObserver { _, _, _ -> },
-        cancelled: () -> Boolean = { false },
+        watcher: Output = Output { },
+        cancelled: BooleanSupplier = BooleanSupplier { false },
     ): Summary {
-        val begin = System.nanoTime()
-        fun seconds() = (System.nanoTime() - begin) * 1e-9
+        check(!isExecuted) { "this run was carried out before; resume goes on with it" }
+        isExecuted = true
         try {
-            RunOutputs(
-                directory,
-                scenario.output,
-                parts.sums,
-                parts.transport,
-                parts.statistics,
-                from?.beginnings,
-            ).use { outputs ->
-                if (from == null) {
-                    outputs.write(simulation)
-                    checkpoint(outputs, 0.0)
-                }
-                var finished = isDone()
-                while (!finished && !cancelled()) {
-                    advance(outputs) { secondsBefore + seconds() }
-                    outputs.write(simulation)
-                    observer.afterStep(simulation, until, seconds())
-                    finished = isDone()
-                    val every = scenario.output.checkpointEvery
-                    if (!finished && every > 0 && simulation.step % every == 0L) {
-                        checkpoint(outputs, secondsBefore + seconds())
-                    }
-                }
-                if (finished && outputs.lastSnapshot != simulation.step) outputs.writeSnapshot(simulation)
-                val summary = Summary.of(scenario, parts, finished, secondsBefore + seconds())
-                checkpoint(outputs, summary.wallSeconds, summary)
-                summary.write(directory)
-                return summary
+            RunFiles(directory, from?.beginnings.orEmpty()).use { files ->
+                val usual = RunOutputs.of(plan.output, plan.sums, files, directory)
+                from?.let { restore(usual, it.checkpoint.outputs, "${directory.path}") }
+                RunOutputs(usual + plan.own, watcher).use { return Execution(files, it).carryOut(cancelled) }
             }
         } catch (e: IllegalStateException) {
-            throw RunException(e.message.orEmpty())
+            throw RunException(e.message.orEmpty(), e)
         } catch (e: IllegalArgumentException) {
-            throw RunException("step ${simulation.step + 1}: ${e.message}")
+            throw RunException("step ${simulation.step + 1}: ${e.message}", e)
         } catch (e: IOException) {
-            throw RunException("${cannotWrite(directory, e).message}; ${wayOn()}")
+            throw RunException("${cannotWrite(directory, e).message}; ${wayOn()}", e)
         }
     }
 
-    private fun wayOn() = if (Files.exists(directory.scenario)) {
+    private fun wayOn() = if (directory.holdsRun()) {
         "what was written before stands, go on with resume when that is mended"
     } else {
         "the run was removed while it went on"
     }
 
-    /** One step. When it fails, the state before it is kept as a checkpoint. */
-    private fun advance(outputs: RunOutputs, wallSeconds: () -> Double) {
-        try {
-            simulation.advance()
-        } catch (e: RuntimeException) {
-            checkpoint(outputs, wallSeconds())
-            throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}")
-        } catch (e: Error) {
-            // There may be no memory for it, and then the error is what matters.
-            try {
-                checkpoint(outputs, wallSeconds())
-            } catch (another: Throwable) {
-                if (another !== e) e.addSuppressed(another)
+    private fun isDone(): Boolean = simulation.time >= until - plan.endSlack
+
+    /** The run between its first look at the outputs and the last. */
+    private inner class Execution(private val files: RunFiles, private val outputs: RunOutputs) {
+        private val begin = System.nanoTime()
+        private fun seconds() = secondsBefore + (System.nanoTime() - begin) * 1e-9
+
+        fun carryOut(cancelled: BooleanSupplier): Summary {
+            outputs.open(simulation, if (from == null) Opening.START else Opening.RESUME)
+            if (from == null) {
+                outputs.write(simulation)
+                checkpoint(0.0)
             }
-            throw e
+            var finished = isDone()
+            while (!finished && !cancelled.asBoolean) {
+                advance()
+                outputs.write(simulation)
+                files.flushIfDue()
+                finished = isDone()
+                if (!finished && isDue(plan.output.checkpointEvery, simulation.step)) checkpoint(seconds())
+            }
+            if (finished) outputs.finish(simulation)
+            val summary = Summary.of(plan, finished, seconds())
+            checkpoint(summary.wallSeconds, summary)
+            summary.write(directory)
+            return summary
+        }
+
+        /** One step. When it fails, the state before it is kept as a checkpoint. */
+        private fun advance() {
+            try {
+                simulation.advance()
+            } catch (e: RuntimeException) {
+                checkpoint(seconds())
+                throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}", e)
+            } catch (e: Error) {
+                // There may be no memory for it, and then the error is what matters.
+                try {
+                    checkpoint(seconds())
+                } catch (another: Throwable) {
+                    if (another !== e) e.addSuppressed(another)
+                }
+                throw e
+            }
+        }
+
+        /** @param summary of a run that ends here, which the checkpoint knows before it is written */
+        private fun checkpoint(wallSeconds: Double, summary: Summary? = null) {
+            val saved = outputs.save()
+            val appended = files.force()
+            val whole = files.whole + listOfNotNull(summary?.let { RunDirectory.SUMMARY to FileMark.of(it.bytes()) })
+            val c = simulation.collisions?.counters ?: CollisionCounters()
+            val transport = saved[RunOutputs.TRANSPORT]
+            val meta = CheckpointMeta(
+                simulation.step, simulation.time,
+                c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
+                wallSeconds, appended, whole,
+                transport?.doubles(CollisionStatistics.SUMS_SAVED)?.asList().orEmpty(),
+                transport?.longs(CollisionStatistics.SPEEDS_SAVED)?.asList().orEmpty(),
+                from?.losses.orEmpty(),
+            )
+            checkpoints.write(meta, origin, simulation.population, saved)
         }
     }
 
-    private fun isDone(): Boolean = simulation.time >= until - endSlack(scenario.timeStep)
-
-    /** @param summary of a run that ends here, which the checkpoint knows before it is written */
-    private fun checkpoint(outputs: RunOutputs, wallSeconds: Double, summary: Summary? = null) {
-        val appended = outputs.force()
-        val whole = listOfNotNull(
-            outputs.writeImpacts()?.let { RunDirectory.IMPACTS to it },
-            summary?.let { RunDirectory.SUMMARY to FileMark.of(it.bytes()) },
-        ).toMap()
-        val c = simulation.collisions?.counters ?: CollisionCounters()
-        val statistics = parts.statistics.takeIf { parts.transport != null }
-        val meta = CheckpointMeta(
-            simulation.step, simulation.time,
-            c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
-            wallSeconds, appended, whole, statistics?.sums().orEmpty(), statistics?.speeds?.asList().orEmpty(),
-            from?.losses.orEmpty(),
-        )
-        checkpoints.write(meta, scenarioText, simulation.population)
-    }
-
     override fun close() {
-        simulation.use { lock.close() }
+        plan.use { lock.close() }
     }
 
     public companion object {
@@ -145,16 +157,21 @@ public class Run internal constructor(
          *
          * @param source what to call the scenario in messages
          * @param force whether a run that is in the directory may be replaced
+         * @param outputs further outputs by name, in the order in which they see a step; what they save is found again
+         *   by name
          * @throws InputException for wrong input; what was in the directory is as it was
          * @throws RunException when the directory cannot be written
          */
+        @JvmStatic
+        @JvmOverloads
         public fun start(
             scenario: Scenario,
             source: String,
             path: Path,
             force: Boolean = false,
             engines: EngineFactory = Engines,
-        ): Run = startRun(scenario, source, RunDirectory(path), force, engines)
+            outputs: Map<String, Output> = emptyMap(),
+        ): Run = startRun(scenario, source, RunDirectory(path), force, engines, outputs)
 
         /**
          * Goes on with the run in [path] from its last good checkpoint, or from the start when it was killed before the
@@ -162,15 +179,47 @@ public class Run internal constructor(
          *
          * @param until a new end, or null for the scenario's
          * @param acceptLoss whether tables that are damaged are gone on with as they are; [notices] say what is lost
+         * @param outputs as at [start]; what others had saved is given up, which [notices] say
          * @throws InputException when there is no run, no checkpoint can be used, a table is damaged, or the scenario
          *   was changed in what makes the run
          * @throws RunException when the directory cannot be written
          */
+        @JvmStatic
+        @JvmOverloads
         public fun resume(
             path: Path,
             until: Double? = null,
             engines: EngineFactory = Engines,
             acceptLoss: Boolean = false,
-        ): Run = resumeRun(RunDirectory(path), until, engines, acceptLoss)
+            outputs: Map<String, Output> = emptyMap(),
+        ): Run = resumeRun(RunDirectory(path), until, engines, acceptLoss, outputs)
+
+        /**
+         * Makes the run directory [path] for [program], which starts from its own population.
+         *
+         * @param force whether a run that is in the directory may be replaced
+         * @throws IllegalArgumentException when the program's simulation is not as [Program.simulation] wants it
+         * @throws InputException when the directory is in use or holds something else, which is as it was then
+         * @throws RunException when the directory cannot be written
+         */
+        @JvmStatic
+        @JvmOverloads
+        public fun start(program: Program, path: Path, force: Boolean = false): Run =
+            startRun(program, RunDirectory(path), force)
+
+        /**
+         * Goes on with the run of [program] in [path] from its last good checkpoint, or from the start when it was
+         * killed before the first. It ends in the same bits as an unbroken one.
+         *
+         * @param acceptLoss as for a scenario
+         * @throws IllegalArgumentException when the program's simulation is not as [Program.simulation] wants it
+         * @throws InputException when there is no run of this program and version, no checkpoint can be used, or a
+         *   table is damaged
+         * @throws RunException when the directory cannot be written
+         */
+        @JvmStatic
+        @JvmOverloads
+        public fun resume(program: Program, path: Path, acceptLoss: Boolean = false): Run =
+            resumeRun(program, RunDirectory(path), acceptLoss)
     }
 }

@@ -17,6 +17,9 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     public constructor(path: Path) : this(path, FileOperations())
 
     public val scenario: Path get() = path.resolve(SCENARIO)
+
+    /** In place of [scenario] in the run of a [Program]. */
+    public val program: Path get() = path.resolve(PROGRAM)
     public val summary: Path get() = path.resolve(SUMMARY)
     public val series: Path get() = path.resolve(SERIES)
     public val collisions: Path get() = path.resolve(COLLISIONS)
@@ -77,18 +80,31 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         return frame
     }
 
+    /** What says that there is a run, one of the two; what a start that was cut short leaves is beside it. */
+    internal val origins: List<Path> get() = listOf(scenario, program)
+
+    internal fun holdsRun(): Boolean = origins.any { it.exists() }
+
+    /** @throws InputException when there is no run here, or none of a scenario */
+    public fun requireScenario() {
+        requireRun()
+        if (scenario.exists()) return
+        throw InputException("$path", null, "holds a run of ${ProgramRecord.read(program)}; only it can go on with it")
+    }
+
     /** @throws InputException when there is no run here */
     public fun requireRun() {
         if (!path.exists()) throw InputException(path.toString(), null, "no such file or directory")
         if (!path.isDirectory()) throw InputException(path.toString(), null, "is no directory")
-        if (scenario.exists()) return
-        val isCutShort = files.besideOf(scenario).exists()
+        if (holdsRun()) return
+        val isCutShort = origins.any { files.besideOf(it).exists() }
         val why = if (isCutShort) "its start was cut short, run the scenario again" else "it has no $SCENARIO"
         throw InputException(path.toString(), null, "is no run directory: $why")
     }
 
     internal companion object {
         const val SCENARIO = "scenario.json"
+        const val PROGRAM = "run.json"
         const val SUMMARY = "summary.json"
         const val SERIES = "series.csv"
         const val TRANSPORT = "transport.csv"

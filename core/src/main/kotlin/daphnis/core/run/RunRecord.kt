@@ -47,6 +47,7 @@ public class RunRecord private constructor(
 
     public companion object {
         /** Reads the beginning of the last checkpoint of [directory] that has a readable one. */
+        @JvmStatic
         public fun of(directory: RunDirectory): RunRecord {
             for (file in listOf(directory.checkpoint, directory.previousCheckpoint)) {
                 try {

@@ -1,9 +1,11 @@
 package daphnis.core.run
 
+import daphnis.core.FixedTimeStep
+import daphnis.core.Output
+import daphnis.core.TimeStep
 import daphnis.core.engine.EngineFactory
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
-import daphnis.core.scenario.RunTimes
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
@@ -20,42 +22,60 @@ internal fun startRun(
     directory: RunDirectory,
     force: Boolean,
     engines: EngineFactory,
+    own: Map<String, Output> = emptyMap(),
 ): Run {
     val setup = ScenarioSetup.of(scenario, source)
-    val parts = RunParts(setup, null, source, engines)
+    val notices = setup.notices + warnings(setup)
+    val plan = planOf(setup, null, source, engines, own)
+    return begun(directory, force, plan, notices) { ScenarioJson.write(it.begin(setup.scenario)) }
+}
+
+/** A run of [plan] in a directory that [begin] writes into, and closes the plan when it throws. */
+internal inline fun begun(
+    directory: RunDirectory,
+    force: Boolean,
+    plan: RunPlan,
+    notices: List<String>,
+    begin: (NewRun) -> String,
+): Run {
     var lock: AutoCloseable? = null
     try {
         val place = NewRun(directory, force)
         lock = place.claim()
-        val resolved = place.begin(setup.scenario)
-        val notices = setup.notices + warnings(setup)
-        return Run(
-            directory,
-            resolved,
-            ScenarioJson.write(resolved),
-            parts,
-            Checkpoints(directory),
-            null,
-            lock,
-            notices,
-        )
+        val origin = begin(place)
+        return Run(directory, plan, origin, Checkpoints(directory), null, lock, notices)
     } catch (e: IOException) {
-        parts.simulation.use { lock?.close() }
+        plan.use { lock?.close() }
         throw cannotWrite(directory, e)
     } catch (e: Throwable) {
-        parts.simulation.use { lock?.close() }
+        plan.use { lock?.close() }
         throw e
     }
 }
 
 /** Goes on from the last good checkpoint; see [Run.resume]. */
-internal fun resumeRun(directory: RunDirectory, until: Double?, engines: EngineFactory, acceptLoss: Boolean): Run {
-    directory.requireRun()
+internal fun resumeRun(
+    directory: RunDirectory,
+    until: Double?,
+    engines: EngineFactory,
+    acceptLoss: Boolean,
+    own: Map<String, Output> = emptyMap(),
+): Run = locked(directory, RunDirectory::requireScenario) { lock ->
+    resumed(directory, until, engines, acceptLoss, own, lock)
+}
+
+/** What [resume] makes of [directory], in which there must be what [require] wants. */
+internal inline fun locked(
+    directory: RunDirectory,
+    require: (RunDirectory) -> Unit,
+    resume: (lock: AutoCloseable) -> Run,
+): Run {
+    require(directory)
     val lock = RunLock.take(directory.path)
     try {
         // Once more: another process may have replaced it before the lock was taken.
-        directory.requireRun()
-        return resumed(directory, until, engines, acceptLoss, lock)
+        require(directory)
+        return resume(lock)
     } catch (e: IOException) {
         lock.close()
         throw cannotWrite(directory, e)
@@ -70,6 +90,7 @@ private fun resumed(
     until: Double?,
     engines: EngineFactory,
     acceptLoss: Boolean,
+    own: Map<String, Output>,
     lock: AutoCloseable,
 ): Run {
     val read = ScenarioJson.read(directory.scenario)
@@ -85,22 +106,50 @@ private fun resumed(
     val now = checkpoint?.meta?.time ?: 0.0
     val source = directory.scenario.toString()
     val times = FrameSetup.times(scenario, source)
+    val slack = endSlack(times.timeStep)
     if (until != null) {
-        checkLater(until, now, times) { wrongArgument(UNTIL, null, it) }
+        checkLater(until, now, slack) { wrongArgument(UNTIL, null, it) }
     } else if (changes.harmless.any { it.startsWith("until") }) {
-        checkLater(times.end, now, times) { InputException(source, "until", it) }
+        checkLater(times.end, now, slack) { InputException(source, "until", it) }
     }
     val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
-    val parts = RunParts(setup, checkpoint?.meta, source, engines)
+    val plan = planOf(setup, checkpoint?.meta, source, engines, own)
+    return goingOn(directory, plan, ScenarioJson.write(read), checkpoints, good, lock, notices)
+}
+
+/** A run of [plan] that goes on from [good]. Closes the plan when it throws, and not the [lock]. */
+internal fun goingOn(
+    directory: RunDirectory,
+    plan: RunPlan,
+    origin: String,
+    checkpoints: Checkpoints,
+    good: GoodCheckpoint?,
+    lock: AutoCloseable,
+    notices: MutableList<String>,
+): Run {
     try {
+        if (good != null) giveBack(plan.own, good.checkpoint, directory, notices)
         // Snapshots after the checkpoint are written again, to the same bits; the summary is of a run that goes on.
         Files.deleteIfExists(directory.summary)
         Files.createDirectories(directory.snapshots)
-    } catch (e: IOException) {
-        parts.simulation.close()
+        return Run(directory, plan, origin, checkpoints, good, lock, notices)
+    } catch (e: Throwable) {
+        plan.close()
         throw e
     }
-    return Run(directory, setup.scenario, ScenarioJson.write(read), parts, checkpoints, good, lock, notices)
+}
+
+/** Gives the outputs of a program's own what they saved, and says which had saved nothing, or are gone. */
+private fun giveBack(
+    own: Map<String, Output>,
+    checkpoint: Checkpoint,
+    directory: RunDirectory,
+    notices: MutableList<String>,
+) {
+    restore(own, checkpoint.outputs, "${directory.path}")
+    for (name in checkpoint.outputs.keys - own.keys - RunOutputs.RESERVED) {
+        notices += "${directory.path}: output '$name' is no longer there; what it had saved is given up"
+    }
 }
 
 /** Another scenario would go on from the checkpoint to a run that never was. */
@@ -120,14 +169,17 @@ private fun checkSame(
 }
 
 /** A time that is past cannot be an end; the last step may have fallen on either side of it by round-off. */
-private fun checkLater(until: Double, now: Double, times: RunTimes, refusal: (String) -> InputException) {
-    if (until >= now - endSlack(times.timeStep)) return
+internal fun checkLater(until: Double, now: Double, slack: Double, refusal: (String) -> InputException) {
+    if (until >= now - slack) return
     throw refusal("is $until; the run is at time $now, give a later end")
 }
 
 /** A whole number of fixed steps can fall short of the end by round-off; so much is no other step. */
 internal fun endSlack(timeStep: TimeStepSpec): Double =
     (timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
+
+/** The same for a step that is made. */
+internal fun endSlack(step: TimeStep): Double = if (step is FixedTimeStep) step.duration * END_SLACK else 0.0
 
 internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException =
     RunException("cannot write to ${directory.path}: ${reasonOf(e)}")

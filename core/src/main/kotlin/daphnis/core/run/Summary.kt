@@ -2,9 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.format.FormatException
-import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.stateDigest
-import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.search.Overlap
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
@@ -63,6 +61,7 @@ public class Summary(
          *
          * @throws FormatException when it cannot be read or is none
          */
+        @JvmStatic
         public fun read(path: Path): Summary = try {
             JSON.decodeFromString(serializer(), Files.readString(path))
         } catch (e: CharacterCodingException) {
@@ -73,16 +72,16 @@ public class Summary(
             throw FormatException("$path: is not a summary of daphnis: ${e.message.orEmpty().lineSequence().first()}")
         }
 
-        internal fun of(scenario: ResolvedScenario, parts: RunParts, finished: Boolean, seconds: Double): Summary {
-            val simulation = parts.simulation
+        internal fun of(plan: RunPlan, finished: Boolean, seconds: Double): Summary {
+            val simulation = plan.simulation
             val population = simulation.population
-            parts.sums.take(population, simulation.collisions?.engine?.loop ?: InlineLoop)
+            val sums = plan.sums.take(simulation)
             val c = simulation.collisions?.counters ?: CollisionCounters()
             val engine = simulation.collisions?.engine
             return Summary(
                 stateDigest = stateDigest(population),
                 finished = finished,
-                scenario = scenario.name,
+                scenario = plan.name,
                 particles = population.size,
                 steps = simulation.step,
                 time = simulation.time,
@@ -101,9 +100,9 @@ public class Summary(
                 guardActivations = c.guardActivations,
                 redoneSteps = c.redoneSteps,
                 causalityReplays = c.causalityReplays,
-                energy = parts.sums.kineticEnergy,
-                temperature = parts.sums.granularTemperature,
-                momentum = List(3) { parts.sums.momentum(it) },
+                energy = sums.kineticEnergy,
+                temperature = sums.granularTemperature,
+                momentum = List(3) { sums.momentum(it) },
                 version = Version.text,
                 jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
             )

@@ -255,7 +255,7 @@ public class EngineSpec(public val name: String = "islands", public val threads:
  *   carried
  */
 @Serializable
-public class OutputSpec(
+public class OutputSpec @JvmOverloads constructor(
     public val seriesEvery: Int = 1,
     public val snapshotEvery: Int = 0,
     public val checkpointEvery: Int = 100,

@@ -217,7 +217,7 @@ class ResumeTest {
         val directory = home.resolve("live")
         startIn(directory).use { run ->
             val place = RunDirectory(directory)
-            run.execute({ _, _, _ ->
+            run.execute({
                 val record = RunRecord.of(place)
                 assertEquals(
                     emptyList<String>(),

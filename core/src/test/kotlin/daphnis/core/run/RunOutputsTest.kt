@@ -1,6 +1,8 @@
 package daphnis.core.run
 
 import daphnis.core.FixedTimeStep
+import daphnis.core.Opening
+import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
@@ -96,9 +98,10 @@ class RunOutputsTest {
             )
         val spec = OutputSpec(seriesEvery = 1, transportEvery = 1, collisionLog = true)
         val files = listOf(directory.series, directory.transport, directory.collisions)
-        RunOutputs(directory, spec, PopulationSums(null), TransportRows(null), CollisionStatistics(), null) {
-            now
-        }.use { outputs ->
+        RunFiles(directory, clock = { now }).use { tables ->
+            val usual = RunOutputs.of(spec, StepSums(PopulationSums(null)), tables, directory)
+            val outputs = RunOutputs(usual, Output { tables.flushIfDue() })
+            outputs.open(s, Opening.START)
             fun step(nanoseconds: Long) {
                 now += nanoseconds
                 s.advance()

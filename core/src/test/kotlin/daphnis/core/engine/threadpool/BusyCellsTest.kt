@@ -55,7 +55,7 @@ class BusyCellsTest {
                 if (isMixed && it.nextInt(20) == 0) 4.0 else 0.2
             }
             val field = fieldOf(p, boundary)
-            val busy = BusyCells(field.rows, field.grid).apply { prepare(p, boundary) }
+            val busy = BusyCells(field.rows, field.grid).apply { prepare(p) }
             val expected = ArrayList<Triple<Int, Int, Double>>()
             fun slot() = random.nextInt(60)
             fun partner() = if (random.nextInt(4) == 0) -1 - random.nextInt(6) else slot()

@@ -25,7 +25,7 @@ class SafeQueueTest {
     private val population = randomSpheres(n, boundary, 1, 0.5) { 0.5 }
     private val field = fieldOf(population, boundary)
 
-    private fun newBusy() = BusyCells(field.rows, field.grid).apply { prepare(population, boundary) }
+    private fun newBusy() = BusyCells(field.rows, field.grid).apply { prepare(population) }
 
     private fun newQueue() =
         SafeQueue(newBusy(), StepLimits().apply { start(n, 0.0) }).apply { reset(1.0, field.rows.id, n) }

@@ -1,0 +1,74 @@
+package daphnis.core
+
+/** Outputs that are asked together, in their order. One thread opens and writes; any thread may [close]. */
+internal class OutputList(private val outputs: List<Output>) {
+    private val lock = Any()
+    private var inUse = false
+    private var isClosed = false
+
+    /** How many are open. */
+    private var opened = 0
+
+    /** How many have seen the state at hand; more than none when one threw, and the others are to see it once only. */
+    private var shown = 0
+
+    val isEmpty: Boolean get() = outputs.isEmpty()
+
+    /** Opens those that are not yet open. */
+    fun open(simulation: Simulation, opening: Opening) = use {
+        while (opened < outputs.size) {
+            outputs[opened].open(simulation, opening)
+            opened++
+        }
+    }
+
+    /** Shows the state to those that have not seen it. */
+    fun write(simulation: Simulation) = use {
+        while (shown < outputs.size) {
+            outputs[shown].write(simulation)
+            shown++
+        }
+        shown = 0
+    }
+
+    fun finish(simulation: Simulation) = use { for (output in outputs) output.finish(simulation) }
+
+    /**
+     * Closes those that are open, last to first, each though another throws. A call under way on another thread ends
+     * first, and that thread closes them; so does the caller of an output that asks for it.
+     */
+    fun close() {
+        synchronized(lock) {
+            if (isClosed) return
+            isClosed = true
+            if (inUse) return
+        }
+        closeOpened()
+    }
+
+    private inline fun use(act: () -> Unit) {
+        synchronized(lock) {
+            check(!isClosed) { "the simulation is closed" }
+            inUse = true
+        }
+        try {
+            act()
+        } finally {
+            val isLast = synchronized(lock) {
+                inUse = false
+                isClosed
+            }
+            if (isLast) closeOpened()
+        }
+    }
+
+    private fun closeOpened() {
+        closeAll(outputs.take(opened).map { AutoCloseable { it.close() } })
+        opened = 0
+    }
+}
+
+/** Closes each of [all], last to first, though another throws. */
+internal fun closeAll(all: Iterable<AutoCloseable>) {
+    all.fold(AutoCloseable {}) { before, next -> AutoCloseable { before.use { next.close() } } }.close()
+}

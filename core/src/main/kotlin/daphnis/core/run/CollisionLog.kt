@@ -1,0 +1,49 @@
+package daphnis.core.run
+
+import daphnis.core.Output
+import daphnis.core.Simulation
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.table.Column
+import daphnis.core.table.Columns
+import daphnis.core.table.Dimension
+import daphnis.core.table.TableColumns
+
+/** `collisions.csv`: a row for every collision, in order of time. */
+internal class CollisionLog(files: RunFiles) : Output {
+    private val file = files.table(CollisionColumns.rows)
+
+    override fun write(simulation: Simulation) {
+        if (simulation.step == 0L) return
+        val record = simulation.collisions?.record ?: return
+        val row = LoggedCollision(simulation.step, record)
+        for (k in 0 until record.size) {
+            row.k = k
+            CollisionColumns.rows.write(row, file.line())
+            file.endLine()
+        }
+    }
+}
+
+/** Collision [k] of those in [record], of step [step]. */
+internal class LoggedCollision(val step: Long, val record: CollisionRecord) {
+    var k = 0
+}
+
+/** The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
+public object CollisionColumns : TableColumns {
+    internal val rows = Columns<LoggedCollision>(RunDirectory.COLLISIONS)
+    override val file: String get() = rows.file
+    override val columns: List<Column> get() = rows.columns
+
+    public val STEP: Column = rows.whole("step") { it.step }
+    public val TIME_IN_STEP: Column = rows.number("time_in_step", Dimension.TIME) { it.record.time[it.k] }
+    public val ID_LOWER: Column = rows.whole("id_lower") { it.record.lower[it.k].toLong() }
+    public val ID_HIGHER: Column = rows.whole("id_higher") { it.record.higher[it.k].toLong() }
+    public val IMPACT_SPEED: Column = rows.number("impact_speed", Dimension.SPEED) { it.record.impactSpeed(it.k) }
+    public val COEFFICIENT: Column = rows.number("coefficient") { it.record.coefficient(it.k) }
+    public val IMPULSE: Column = rows.number("impulse", Dimension.MOMENTUM) { it.record.impulse(it.k) }
+    public val SEPARATION: List<Column> =
+        rows.each(listOf("separation_x", "separation_y", "separation_z"), Dimension.LENGTH) { row, axis ->
+            row.record.separation(row.k, axis)
+        }
+}

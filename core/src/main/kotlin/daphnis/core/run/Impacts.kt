@@ -1,0 +1,39 @@
+package daphnis.core.run
+
+import daphnis.core.table.Column
+import daphnis.core.table.Columns
+import daphnis.core.table.Dimension
+import daphnis.core.table.Need
+import daphnis.core.table.TableColumns
+
+/** Bin [k] of the impact speeds in [statistics]. */
+internal class ImpactBin(val statistics: CollisionStatistics, val k: Int)
+
+/** The columns of `impacts.csv`, a row for each bin; `docs/guide.md` says what they mean. */
+public object ImpactColumns : TableColumns {
+    internal val rows = Columns<ImpactBin>(RunDirectory.IMPACTS)
+    override val file: String get() = rows.file
+    override val columns: List<Column> get() = rows.columns
+
+    /** Lower edge of the bin, > 0. */
+    public val SPEED_FROM: Column =
+        rows.number("speed_from", Dimension.SPEED, Need.NEEDED) { CollisionStatistics.binEdge(it.k) }
+
+    /** Upper edge of the bin. */
+    public val SPEED_TO: Column =
+        rows.number("speed_to", Dimension.SPEED, Need.NEEDED) { CollisionStatistics.binEdge(it.k + 1) }
+    public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.statistics.speeds[it.k] }
+
+    /** The whole file: from the first bin with a collision to the last. */
+    internal fun table(statistics: CollisionStatistics): ByteArray {
+        val text = StringBuilder(rows.header).append('\n')
+        val filled = statistics.speeds.indices.filter { statistics.speeds[it] > 0 }
+        if (filled.isNotEmpty()) {
+            for (k in filled.first()..filled.last()) {
+                rows.write(ImpactBin(statistics, k), text)
+                text.append('\n')
+            }
+        }
+        return text.toString().toByteArray(Charsets.UTF_8)
+    }
+}

@@ -1,0 +1,38 @@
+package daphnis.core.run
+
+import daphnis.core.scenario.InputException
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** `run.json`: what program made a run, in place of a scenario. */
+@Serializable
+public class ProgramRecord internal constructor(public val program: String, public val version: String) {
+    internal fun text(): String = JSON.encodeToString(serializer(), this) + "\n"
+
+    /** Whether [other] makes the same run. */
+    internal fun isSame(other: ProgramRecord): Boolean = program == other.program && version == other.version
+
+    override fun toString(): String = "the program '$program', version '$version'"
+
+    public companion object {
+        private val JSON = Json { prettyPrint = true }
+
+        /** Reads the `run.json` of a run. @throws InputException when it cannot be read or is none */
+        @JvmStatic
+        public fun read(path: Path): ProgramRecord = try {
+            parse(Files.readString(path), "$path")
+        } catch (e: IOException) {
+            throw InputException("$path", null, "cannot be read: ${reasonOf(e)}")
+        }
+
+        internal fun parse(text: String, source: String): ProgramRecord = try {
+            JSON.decodeFromString(serializer(), text)
+        } catch (e: IllegalArgumentException) {
+            val why = e.message.orEmpty().lineSequence().first()
+            throw InputException(source, null, "does not name a program of daphnis: $why")
+        }
+    }
+}

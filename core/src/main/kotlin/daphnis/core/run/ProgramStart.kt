@@ -1,0 +1,78 @@
+package daphnis.core.run
+
+import daphnis.core.hill.HillFrame
+import daphnis.core.population.Population
+import daphnis.core.population.PopulationSums
+import daphnis.core.scenario.InputException
+
+/** Makes the program's simulation, then the directory: what is refused leaves everything as it was. */
+internal fun startRun(program: Program, directory: RunDirectory, force: Boolean): Run {
+    val plan = planOf(program, program.population(), null)
+    return begun(directory, force, plan, emptyList()) { it.begin(recordOf(program)) }
+}
+
+/** Goes on from the last good checkpoint; see [Run.resume]. */
+internal fun resumeRun(program: Program, directory: RunDirectory, acceptLoss: Boolean): Run =
+    locked(directory, { requireSame(it, program) }) { lock ->
+        val notices = ArrayList<String>()
+        val checkpoints = Checkpoints(directory)
+        val good = checkpoints.lastGood(acceptLoss, notices)
+        val checkpoint = good?.checkpoint
+        checkpoint?.scenario?.let { text ->
+            requireSame(ProgramRecord.parse(text, "${directory.checkpoint}"), program, directory)
+        }
+        val plan = planOf(program, checkpoint?.population ?: program.population(), checkpoint?.meta)
+        try {
+            checkpoint?.let { from ->
+                checkLater(program.until, from.meta.time, plan.endSlack) {
+                    InputException("${directory.path}", "until", it)
+                }
+            }
+        } catch (e: InputException) {
+            plan.use { throw e }
+        }
+        goingOn(directory, plan, recordOf(program).text(), checkpoints, good, lock, notices)
+    }
+
+private fun recordOf(program: Program) = ProgramRecord(program.name, program.version)
+
+private fun requireSame(directory: RunDirectory, program: Program) {
+    directory.requireRun()
+    if (directory.scenario.toFile().exists()) {
+        throw InputException("${directory.path}", null, "holds a run of a scenario, not of ${recordOf(program)}")
+    }
+    requireSame(ProgramRecord.read(directory.program), program, directory)
+}
+
+private fun requireSame(made: ProgramRecord, program: Program, directory: RunDirectory) {
+    val now = recordOf(program)
+    if (made.isSame(now)) return
+    throw InputException("${directory.path}", null, "holds a run of $made; this is $now, which would make another run")
+}
+
+/** The plan of [program] for [population], which stands where [meta] says, or at the start. */
+private fun planOf(program: Program, population: Population, meta: CheckpointMeta?): RunPlan {
+    val simulation = program.simulation(population)
+    try {
+        val output = program.output
+        require(simulation.population === population) { "the program's simulation has another population than its own" }
+        require(simulation.step == 0L) { "the program's simulation has made ${simulation.step} steps; it must be new" }
+        require(!simulation.hasOutputs) { "the program's simulation has outputs; give them to the run, by name" }
+        require(simulation.collisions?.record != null || !output.collisionLog && output.transportEvery == 0) {
+            "the log of collisions and transport need a CollisionForcing with recordCollisions = true"
+        }
+        require(program.until.isFinite() && program.until > simulation.runStart) {
+            "the program runs until ${program.until}; it must be later than its start, ${simulation.runStart}"
+        }
+        if (meta != null) {
+            simulation.goOnFrom(meta.time, meta.step)
+            simulation.collisions?.let { meta.countInto(it.counters) }
+        }
+        val omega = simulation.forces.filterIsInstance<HillFrame>().firstOrNull()?.omega
+        val sums = PopulationSums(simulation.boundary.meanFlow, omega, program.firstBody)
+        val own = program.outputs().also { RunOutputs.requireFree(it.keys) }
+        return RunPlan(null, program.name, program.until, endSlack(simulation.timeStep), output, own, simulation, sums)
+    } catch (e: Throwable) {
+        simulation.use { throw e }
+    }
+}

@@ -1,0 +1,48 @@
+package daphnis.core.run
+
+import daphnis.core.closeAll
+import daphnis.core.table.Columns
+import java.nio.file.Files
+
+/**
+ * The tables that outputs of a run write into [directory], and what a checkpoint is to know of them (ADR 33).
+ *
+ * @param beginnings of tables, by name, to go on from; one that has none begins anew
+ * @param clock nanoseconds; rows that have waited for a second are written
+ */
+internal class RunFiles(
+    private val directory: RunDirectory,
+    private val beginnings: Map<String, Beginning> = emptyMap(),
+    private val clock: () -> Long = System::nanoTime,
+) : AutoCloseable {
+    private val tables = LinkedHashMap<String, AppendedFile>()
+    private val marks = LinkedHashMap<String, FileMark>()
+
+    /** Files that were written whole since the start, as they are. */
+    val whole: Map<String, FileMark> get() = marks
+
+    /** Opens the table of [columns], which grows row by row and is closed with this. */
+    fun table(columns: Columns<*>): AppendedFile {
+        val name = columns.file
+        val path = directory.path.resolve(name)
+        return AppendedFile(path, columns.header, beginnings[name], directory.files, clock).also { tables[name] = it }
+    }
+
+    /** Writes a small file anew, atomically. */
+    fun writeWhole(name: String, bytes: ByteArray) {
+        directory.files.writeAtomically(directory.path.resolve(name)) { Files.write(it, bytes) }
+        marks[name] = FileMark.of(bytes)
+    }
+
+    /** To be called after each step: writes rows that have waited for a second. */
+    fun flushIfDue() {
+        for (table in tables.values) table.flushIfDue()
+    }
+
+    /** Forces all tables to the disk. @return what they are now, by name */
+    fun force(): Map<String, FileMark> = tables.mapValues { it.value.force() }
+
+    override fun close() {
+        closeAll(tables.values)
+    }
+}

@@ -1,0 +1,72 @@
+package daphnis.core.run
+
+import daphnis.core.Output
+import daphnis.core.Simulation
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.EngineFactory
+import daphnis.core.population.PopulationSums
+import daphnis.core.scenario.OutputSpec
+import daphnis.core.scenario.ResolvedScenario
+import daphnis.core.scenario.ScenarioSetup
+
+/**
+ * What is carried out in a run directory, whoever asks for it: a scenario or a [Program].
+ *
+ * @property scenario null for a program
+ * @property name what the summary calls it
+ * @property until time at which it ends
+ * @property endSlack how much a whole number of steps may fall short of [until] by round-off
+ * @property output how often what is written
+ * @property own outputs beside those, by name
+ * @property sums of the simulation's population, for all who need them
+ */
+internal class RunPlan(
+    val scenario: ResolvedScenario?,
+    val name: String,
+    val until: Double,
+    val endSlack: Double,
+    val output: OutputSpec,
+    val own: Map<String, Output>,
+    val simulation: Simulation,
+    sums: PopulationSums,
+) : AutoCloseable {
+    val sums = StepSums(sums)
+
+    override fun close() {
+        simulation.close()
+    }
+}
+
+/**
+ * The plan of a scenario.
+ *
+ * @param meta of the checkpoint it goes on from, or null at a start
+ * @param source what to call the scenario in messages
+ */
+internal fun planOf(
+    setup: ScenarioSetup,
+    meta: CheckpointMeta?,
+    source: String,
+    engines: EngineFactory,
+    own: Map<String, Output>,
+): RunPlan {
+    RunOutputs.requireFree(own.keys)
+    val scenario = setup.scenario
+    val output = scenario.output
+    val records = output.collisionLog || output.transportEvery > 0
+    val engine = engineOf(scenario, source, engines)
+    val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, scenario.search)
+    meta?.countInto(forcing.counters)
+    val simulation = Simulation(
+        setup.population,
+        setup.boundary,
+        forcing,
+        setup.timeStep,
+        setup.forces,
+        startTime = meta?.time ?: scenario.startTime,
+        startStep = meta?.step ?: 0,
+        runStart = scenario.startTime,
+    )
+    val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, scenario.firstBody)
+    return RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
+}

@@ -1,0 +1,78 @@
+package daphnis.core.run
+
+import daphnis.core.OutputState
+import java.io.ByteArrayInputStream
+import java.io.ByteArrayOutputStream
+import java.io.DataInputStream
+import java.io.DataOutputStream
+import java.io.IOException
+
+/**
+ * What outputs keep in a checkpoint, as bytes: how many outputs; of each its name and how many arrays; of each of these
+ * its name, `D` for doubles or `L` for longs, how many, and the numbers. Names as [DataOutputStream.writeUTF] has them,
+ * counts as ints, all big-endian.
+ */
+internal object SavedOutputs {
+    fun bytes(saved: Map<String, OutputState>): ByteArray {
+        val bytes = ByteArrayOutputStream()
+        DataOutputStream(bytes).use { out ->
+            out.writeInt(saved.size)
+            for ((name, state) in saved) {
+                out.writeUTF(name)
+                out.writeInt(state.names.size)
+                for (array in state.names) write(out, array, state.array(array))
+            }
+        }
+        return bytes.toByteArray()
+    }
+
+    private fun write(out: DataOutputStream, name: String, array: Any) {
+        out.writeUTF(name)
+        if (array is DoubleArray) {
+            out.writeByte('D'.code)
+            out.writeInt(array.size)
+            for (value in array) out.writeDouble(value)
+        } else {
+            array as LongArray
+            out.writeByte('L'.code)
+            out.writeInt(array.size)
+            for (value in array) out.writeLong(value)
+        }
+    }
+
+    /** @throws IllegalArgumentException when [bytes] are no saved outputs */
+    fun of(bytes: ByteArray): Map<String, OutputState> = try {
+        val input = DataInputStream(ByteArrayInputStream(bytes))
+        val saved = LinkedHashMap<String, OutputState>()
+        repeat(input.readInt()) {
+            val name = input.readUTF()
+            val state = OutputState(name)
+            repeat(input.readInt()) { read(input, state) }
+            saved[name] = state
+        }
+        saved
+    } catch (e: IOException) {
+        throw IllegalArgumentException("what outputs keep ends too soon, or is none", e)
+    }
+
+    private fun read(input: DataInputStream, state: OutputState) {
+        val name = input.readUTF()
+        val kind = input.readByte().toInt().toChar()
+        val size = input.readInt()
+        require(size in 0..input.available() / Long.SIZE_BYTES) { "an array of an output says it has $size numbers" }
+        when (kind) {
+            'D' -> state.put(name, DoubleArray(size) { input.readDouble() })
+            'L' -> state.put(name, LongArray(size) { input.readLong() })
+            else -> throw IllegalArgumentException("an array of an output is of kind '$kind'")
+        }
+    }
+
+    /** What the output that writes `transport.csv` keeps, from where checkpoints have it. */
+    fun ofTransport(meta: CheckpointMeta): Map<String, OutputState> {
+        if (meta.collisionSums.isEmpty()) return emptyMap()
+        val state = OutputState(RunOutputs.TRANSPORT)
+        state.put(CollisionStatistics.SUMS_SAVED, meta.collisionSums.toDoubleArray())
+        state.put(CollisionStatistics.SPEEDS_SAVED, meta.impactSpeeds.toLongArray())
+        return mapOf(RunOutputs.TRANSPORT to state)
+    }
+}

@@ -1,0 +1,53 @@
+package daphnis.core.run
+
+import daphnis.core.Output
+import daphnis.core.Simulation
+import daphnis.core.population.PopulationSums
+import daphnis.core.table.Column
+import daphnis.core.table.Columns
+import daphnis.core.table.Dimension
+import daphnis.core.table.Need
+import daphnis.core.table.TableColumns
+import kotlin.math.sqrt
+
+/** `series.csv`: a row every [every] steps, 0 for none. */
+internal class Series(private val every: Int, private val sums: StepSums, files: RunFiles) : Output {
+    private val file = files.table(SeriesColumns.rows)
+
+    override fun write(simulation: Simulation) {
+        if (!isDue(every, simulation.step)) return
+        SeriesColumns.rows.write(SeriesRow(simulation, sums.of(simulation)), file.line())
+        file.endLine()
+    }
+}
+
+/** What a row of `series.csv` is computed from: a [simulation] after a step and the [sums] over its population. */
+internal class SeriesRow(val simulation: Simulation, val sums: PopulationSums) {
+    val energies = Energies(simulation, sums.kineticEnergy)
+}
+
+/** The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
+public object SeriesColumns : TableColumns {
+    internal val rows = Columns<SeriesRow>(RunDirectory.SERIES)
+    override val file: String get() = rows.file
+    override val columns: List<Column> get() = rows.columns
+
+    public val STEP: Column = rows.whole("step") { it.simulation.step }
+    public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
+    public val PARTICLES: Column = rows.whole("particles", Need.NEEDED) { it.sums.count.toLong() }
+    public val COLLISIONS: Column =
+        rows.whole("collisions", Need.NEEDED) { it.simulation.collisions?.counters?.collisions ?: 0 }
+    public val KINETIC_ENERGY: Column = rows.number("kinetic_energy", Dimension.ENERGY) { it.sums.kineticEnergy }
+    public val GRANULAR_TEMPERATURE: Column =
+        rows.number("granular_temperature", Dimension.SPEED_SQUARED) { it.sums.granularTemperature }
+    public val RMS_COMPONENT_SPEED: Column = rows.number("rms_component_speed", Dimension.SPEED) {
+        if (it.sums.mass > 0) sqrt(2 * it.sums.kineticEnergy / it.sums.mass / 3) else 0.0
+    }
+    public val MOMENTUM: List<Column> =
+        rows.each(listOf("momentum_x", "momentum_y", "momentum_z"), Dimension.MOMENTUM) { row, axis ->
+            row.sums.momentum(axis)
+        }
+    public val POTENTIAL_ENERGY: Column = rows.number("potential_energy", Dimension.ENERGY) { it.energies.potential }
+    public val TOTAL_ENERGY: Column = rows.number("total_energy", Dimension.ENERGY) { it.energies.total }
+    public val HILL_ENERGY: Column = rows.number("hill_energy", Dimension.ENERGY) { it.energies.hill }
+}

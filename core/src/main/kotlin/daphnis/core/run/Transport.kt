@@ -1,0 +1,105 @@
+package daphnis.core.run
+
+import daphnis.core.Opening
+import daphnis.core.Output
+import daphnis.core.OutputState
+import daphnis.core.Simulation
+import daphnis.core.force.SelfGravity
+import daphnis.core.population.PopulationSums
+import daphnis.core.table.Column
+import daphnis.core.table.Columns
+import daphnis.core.table.Dimension
+import daphnis.core.table.Need
+import daphnis.core.table.TableColumns
+
+/**
+ * `transport.csv`: a row every [every] steps with what viscosities, pressure and energy balance are computed from. Sums
+ * over collisions count from the start of the run. Beside it `impacts.csv`, the distribution of impact speeds, written
+ * anew with each checkpoint.
+ */
+internal class Transport(private val every: Int, private val sums: StepSums, private val files: RunFiles) : Output {
+    private val file = files.table(TransportColumns.rows)
+    private val statistics = CollisionStatistics()
+    private var gravity: SelfGravity? = null
+
+    override fun open(simulation: Simulation, opening: Opening) {
+        gravity = simulation.forces.filterIsInstance<SelfGravity>().firstOrNull()
+    }
+
+    override fun write(simulation: Simulation) {
+        statistics.write(simulation)
+        if (!isDue(every, simulation.step)) return
+        TransportColumns.rows.write(TransportRow(simulation, sums.of(simulation), statistics, gravity), file.line())
+        file.endLine()
+    }
+
+    override fun save(state: OutputState) {
+        statistics.save(state)
+        files.writeWhole(RunDirectory.IMPACTS, ImpactColumns.table(statistics))
+    }
+
+    override fun restore(state: OutputState) {
+        statistics.restore(state)
+    }
+}
+
+/** What a row of `transport.csv` is computed from; [collisions] counts from the start of the run. */
+internal class TransportRow(
+    val simulation: Simulation,
+    val sums: PopulationSums,
+    val collisions: CollisionStatistics,
+    private val gravity: SelfGravity?,
+) {
+    val gravityXY: Double get() = gravity?.stressXY(simulation.population, simulation.time) ?: 0.0
+}
+
+/** The columns of `transport.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
+public object TransportColumns : TableColumns {
+    private val COMPONENTS = listOf("xx", "yy", "zz", "xy", "xz", "yz")
+
+    /** [COMPONENTS] among the nine entries by row; the tensor is symmetric. */
+    private val NINE = intArrayOf(0, 4, 8, 1, 2, 5)
+    internal val rows = Columns<TransportRow>(RunDirectory.TRANSPORT)
+    override val file: String get() = rows.file
+    override val columns: List<Column> get() = rows.columns
+
+    public val STEP: Column = rows.whole("step") { it.simulation.step }
+    public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
+    public val PARTICLES: Column = rows.whole("particles", Need.NEEDED) { it.sums.count.toLong() }
+    public val MASS: Column = rows.number("mass", Dimension.MASS, Need.NEEDED) { it.sums.particleMass }
+    private val moments =
+        tensor("c_", Dimension.SPEED_SQUARED, setOf("xx", "yy", "zz", "xy")) { row, k -> row.sums.moments[k] }
+    public val MEAN_VELOCITY: List<Column> =
+        rows.each(listOf("mean_vx", "mean_vy", "mean_vz"), Dimension.SPEED) { row, axis -> row.sums.mean[axis] }
+    public val CENTRE_Z: Column = rows.number("centre_z", Dimension.LENGTH) { it.sums.centreZ }
+    public val SCALE_HEIGHT: Column =
+        rows.number("scale_height", Dimension.LENGTH, Need.NEEDED) { it.sums.scaleHeight }
+    public val GUIDING_X: Column = rows.number("guiding_x", Dimension.LENGTH) { it.sums.guidingX }
+    public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.collisions.count }
+    public val SUM_IMPACT_SPEED: Column = rows.number("sum_impact_speed", Dimension.SPEED) { it.collisions.sumSpeed }
+    public val DISSIPATED: Column = rows.number("dissipated", Dimension.ENERGY, Need.NEEDED) { it.collisions.dissipated }
+    private val virials =
+        tensor("virial_", Dimension.ACTION, setOf("xy")) { row, k -> row.collisions.virial[NINE[k]] }
+    public val GRAVITY_XY: Column = rows.number("gravity_xy", Dimension.ENERGY) { it.gravityXY }
+    private val kinetics = tensor("kinetic_", Dimension.SPEED_SQUARED) { row, k -> row.sums.kinetic[k] }
+
+    /** ⟨c_a c_b⟩ by component, such as `xx`. */
+    public fun moment(component: String): Column = moments.getValue(component)
+
+    /** Σ Δp_a δ_b over all collisions since the start, by component. */
+    public fun virial(component: String): Column = virials.getValue(component)
+
+    /** ⟨w_a w_b⟩ by component. */
+    public fun kinetic(component: String): Column = kinetics.getValue(component)
+
+    private fun tensor(
+        prefix: String,
+        dimension: String,
+        needed: Set<String> = emptySet(),
+        value: Columns.Component<TransportRow>,
+    ): Map<String, Column> {
+        val names = COMPONENTS.map { prefix + it }
+        val columns = rows.each(names, dimension, needed.map { prefix + it }.toSet(), value)
+        return COMPONENTS.zip(columns).toMap()
+    }
+}

@@ -1,0 +1,40 @@
+package daphnis.core.table
+
+/**
+ * A column of a table that runs write, declared once for whoever writes, reads, draws or explains it.
+ *
+ * @property name as the file's header has it
+ * @property dimension of its numbers, see [Dimension]
+ * @property need whether a reader can do without it
+ */
+public class Column internal constructor(
+    public val name: String,
+    public val dimension: String,
+    public val need: Need,
+) {
+    override fun toString(): String = name
+}
+
+/** Whether a table without a column is of use. */
+public enum class Need {
+    /** A file without it is no such table, and its cells are numbers, never empty. */
+    NEEDED,
+
+    /** Older files may lack it. */
+    OPTIONAL,
+}
+
+/** Dimensions of quantities, in the words length, time and mass; empty for pure numbers. */
+public object Dimension {
+    public const val NUMBER: String = ""
+    public const val LENGTH: String = "length"
+    public const val TIME: String = "time"
+    public const val MASS: String = "mass"
+    public const val SPEED: String = "length/time"
+    public const val SPEED_SQUARED: String = "length^2/time^2"
+    public const val MOMENTUM: String = "mass length/time"
+    public const val ENERGY: String = "mass length^2/time^2"
+
+    /** Momentum carried over a length, Σ Δp δ. */
+    public const val ACTION: String = "mass length^2/time"
+}

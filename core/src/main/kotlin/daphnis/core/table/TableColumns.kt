@@ -1,0 +1,73 @@
+package daphnis.core.table
+
+import java.util.function.ToDoubleFunction
+import java.util.function.ToLongFunction
+
+/** What a file that runs write consists of. */
+public interface TableColumns {
+    /** Name of the file in the run directory. */
+    public val file: String
+
+    /** In the order of the file. */
+    public val columns: List<Column>
+}
+
+/** Names of the columns without which a file is no such table. */
+public val TableColumns.needed: List<String> get() = columns.filter { it.need == Need.NEEDED }.map { it.name }
+
+/**
+ * The columns of [file], each with how it is computed from a [Row]. They stand in the file as they are declared.
+ * Writing allocates nothing but what the line grows by.
+ */
+internal class Columns<Row>(override val file: String) : TableColumns {
+    private val cells = ArrayList<Cell<Row>>()
+    override val columns = ArrayList<Column>()
+
+    /** The first line of the file. */
+    val header: String get() = columns.joinToString(",") { it.name }
+
+    /** Declares a column of whole numbers. */
+    fun whole(name: String, need: Need = Need.OPTIONAL, value: ToLongFunction<Row>): Column =
+        add(Column(name, Dimension.NUMBER, need)) { line, row -> line.append(value.applyAsLong(row)) }
+
+    /** Declares a column of numbers. */
+    fun number(
+        name: String,
+        dimension: String = Dimension.NUMBER,
+        need: Need = Need.OPTIONAL,
+        value: ToDoubleFunction<Row>,
+    ): Column = add(Column(name, dimension, need)) { line, row -> line.append(value.applyAsDouble(row)) }
+
+    /** Declares a column for each of the components [names] of a quantity, of which those in [needed] are needed. */
+    fun each(
+        names: List<String>,
+        dimension: String,
+        needed: Set<String> = emptySet(),
+        value: Component<Row>,
+    ): List<Column> = names.mapIndexed { k, name ->
+        number(name, dimension, if (name in needed) Need.NEEDED else Need.OPTIONAL) { value.of(it, k) }
+    }
+
+    /** Component `k` of a quantity of several numbers. */
+    fun interface Component<Row> {
+        fun of(row: Row, k: Int): Double
+    }
+
+    private fun add(column: Column, cell: Cell<Row>): Column {
+        columns += column
+        cells += cell
+        return column
+    }
+
+    /** Appends the line of [row], without its end. */
+    fun write(row: Row, line: StringBuilder) {
+        for (k in cells.indices) {
+            if (k > 0) line.append(',')
+            cells[k].append(line, row)
+        }
+    }
+
+    private fun interface Cell<Row> {
+        fun append(line: StringBuilder, row: Row)
+    }
+}

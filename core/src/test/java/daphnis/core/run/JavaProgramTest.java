@@ -1,0 +1,141 @@
+package daphnis.core.run;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import daphnis.core.FixedTimeStep;
+import daphnis.core.Opening;
+import daphnis.core.Output;
+import daphnis.core.OutputState;
+import daphnis.core.Simulation;
+import daphnis.core.boundary.Box;
+import daphnis.core.boundary.Periodic;
+import daphnis.core.collision.ConstantRestitution;
+import daphnis.core.engine.CollisionForcing;
+import daphnis.core.force.Kick;
+import daphnis.core.population.Conserved;
+import daphnis.core.population.Population;
+import daphnis.core.scenario.OutputSpec;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A program in Java with a law, a force and an output of its own in a run directory. */
+class JavaProgramTest {
+    @TempDir Path home;
+
+    // example: javaProgram
+    /** Spheres on springs, in a periodic box. */
+    static class Springs implements Program {
+        final Energies energies = new Energies();
+
+        @Override public String getName() { return "springs"; }
+
+        @Override public String getVersion() { return "1"; }
+
+        @Override public double getUntil() { return 4.0; }
+
+        @Override public OutputSpec getOutput() { return new OutputSpec(1, 10, 10); }
+
+        @Override public Map<String, Output> outputs() { return Map.of("energies", energies); }
+
+        @Override public Population population() {
+            double[] x = {-3.0, 0.0, 3.0};
+            double[] vx = {1.0, 0.0, -0.5};
+            double[] zero = new double[3];
+            double[] one = {1.0, 1.0, 1.0};
+            return new Population(x, zero, zero.clone(), vx, zero.clone(), zero.clone(), one.clone(), one);
+        }
+
+        @Override public Simulation simulation(Population population) {
+            Kick spring = (p, time, duration) -> {
+                for (int k = 0; k < p.getSize(); k++) p.getVx()[k] -= 0.1 * duration * p.getX()[k];
+            };
+            var boundary = new Periodic(Box.centred(10.0, 10.0, 10.0));
+            var collisions = new CollisionForcing(new ConstantRestitution(0.8));
+            return new Simulation(population, boundary, collisions, new FixedTimeStep(0.1), List.of(spring));
+        }
+    }
+
+    /** The kinetic energy after every step, kept over a resume. */
+    static class Energies implements Output {
+        final List<Double> all = new ArrayList<>();
+
+        @Override public void write(Simulation simulation) {
+            all.add(Conserved.of(simulation.getPopulation()).getKineticEnergy());
+        }
+
+        @Override public void save(OutputState state) {
+            state.put("all", array());
+        }
+
+        @Override public void restore(OutputState state) {
+            for (double energy : state.doubles("all")) all.add(energy);
+        }
+
+        double[] array() {
+            return all.stream().mapToDouble(Double::doubleValue).toArray();
+        }
+    }
+    // end
+
+    private final Springs whole = new Springs();
+
+    private String wholeDigest() {
+        try (Run run = Run.start(whole, home.resolve("whole"))) {
+            Summary summary = run.execute();
+            assertTrue(summary.getFinished() && summary.getCollisions() > 0);
+            return summary.getStateDigest();
+        }
+    }
+
+    @Test
+    void closedMidwayAndResumedItEndsAsInOneGo() {
+        String digest = wholeDigest();
+        Path path = home.resolve("closed");
+        try (Run run = Run.start(new Springs(), path)) {
+            assertFalse(run.execute(simulation -> {}, () -> run.getSimulation().getStep() >= 17).getFinished());
+        }
+        Springs resumed = new Springs();
+        try (Run run = Run.resume(resumed, path)) {
+            assertEquals(17, run.getResumedFrom());
+            assertEquals(List.of(), run.getNotices());
+            assertEquals(digest, run.execute().getStateDigest());
+        }
+        assertArrayEquals(whole.energies.array(), resumed.energies.array());
+        assertEquals(41, resumed.energies.all.size());
+        assertEquals(digest, Summary.read(path.resolve("summary.json")).getStateDigest());
+    }
+
+    @Test
+    void killedBetweenCheckpointsItGoesOnFromTheLast() {
+        String digest = wholeDigest();
+        Path path = home.resolve("killed");
+        List<String> calls = new ArrayList<>();
+        try (Run run = Run.start(new Springs(), path)) {
+            Output killer = new Output() {
+                @Override public void open(Simulation simulation, Opening opening) { calls.add(opening.name()); }
+
+                @Override public void write(Simulation simulation) {
+                    if (simulation.getStep() == 25) throw new IllegalStateException("killed");
+                }
+
+                @Override public void close() { calls.add("closed"); }
+            };
+            assertEquals("killed", assertThrows(RunException.class, () -> run.execute(killer)).getMessage());
+        }
+        assertEquals(List.of("START", "closed"), calls);
+        Springs resumed = new Springs();
+        try (Run run = Run.resume(resumed, path)) {
+            assertEquals(20, run.getResumedFrom());
+            assertEquals(digest, run.execute().getStateDigest());
+        }
+        assertArrayEquals(whole.energies.array(), resumed.energies.array());
+    }
+}

@@ -1,0 +1,62 @@
+package daphnis.core.table
+
+import daphnis.core.run.CollisionColumns
+import daphnis.core.run.ImpactColumns
+import daphnis.core.run.Run
+import daphnis.core.run.SeriesColumns
+import daphnis.core.run.TransportColumns
+import daphnis.core.run.tableScenario
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Columns are declared once: files and guide say the same. */
+class TableColumnsTest {
+    @TempDir
+    lateinit var home: Path
+
+    private val tables = listOf(SeriesColumns, TransportColumns, ImpactColumns, CollisionColumns)
+
+    @Test
+    fun `the files of a run have the declared columns and as many numbers in every row`() {
+        Run.start(tableScenario(), "test", home.resolve("run")).use { it.execute() }
+        for (table in tables) {
+            val lines = Files.readAllLines(home.resolve("run").resolve(table.file)).map { it.split(',') }
+            assertEquals(table.columns.map { it.name }, lines[0])
+            assertTrue(lines.size > 2) { table.file }
+            for (line in lines.drop(1)) {
+                assertEquals(table.columns.size, line.size) { table.file }
+                for (cell in line) cell.toDouble()
+            }
+        }
+    }
+
+    @Test
+    fun `the guide has a table for each file, with every column and its dimension`() {
+        val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+            .first { Files.exists(it.resolve("settings.gradle.kts")) }
+        val guide = Files.readAllLines(root.resolve("docs/guide.md"))
+        for (table in tables) {
+            val head = guide.indexOf("| `${table.file}` | dimension | what |")
+            assertTrue(head >= 0) { "docs/guide.md has no table of the columns of ${table.file}" }
+            val rows = guide.drop(head + 2).takeWhile { it.startsWith("|") }.map { it.split('|') }
+            val told = rows.flatMap { cells ->
+                Regex("`(\\w+)`").findAll(cells[1]).map { it.groupValues[1] to cells[2].trim() }
+            }
+            val declared = table.columns.map { it.name to it.dimension.replace("^2", "²") }
+            assertEquals(declared, told) { table.file }
+        }
+    }
+
+    @Test
+    fun `what readers cannot do without is what they needed before columns were declared`() {
+        assertEquals(listOf("time", "particles", "collisions"), SeriesColumns.needed)
+        assertEquals(
+            "time particles mass c_xx c_yy c_zz c_xy scale_height collisions dissipated virial_xy",
+            TransportColumns.needed.joinToString(" "),
+        )
+    }
+}
