@@ -47,8 +47,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         if (count > 0) rows.add("outputs", "${written(count)} $what, ${bytes(disk)}")
     }
 
-    private fun written(count: Double) =
-        if (count < MOST_WRITTEN) "%.0f".format(Locale.ROOT, count) else number(count)
+    private fun written(count: Double) = if (count < MOST_WRITTEN) "%.0f".format(Locale.ROOT, count) else number(count)
 
     /**
      * From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a
