@@ -89,15 +89,14 @@ class EventStoreTest {
     }
 
     @Test
-    fun `the order is by time, then by ids, whichever sphere is named first`() {
+    fun `ties are broken by ids, whichever sphere is named first`() {
         val ids = intArrayOf(5, 3, 9)
         val store = EventStore()
         store.add(0.5, 0, 2, 0) // ids 5, 9
         store.add(0.5, 2, 1, 0) // ids 3, 9
-        store.add(0.25, 2, 0, 0)
+        store.add(0.5, 1, 0, 0) // ids 3, 5
         store.add(0.5, 1, -1, 0) // a wall
-        val order = (0..3).sortedWith { a, b -> if (store.precedes(a, b, ids)) -1 else 1 }
-        assertEquals(listOf(2, 3, 1, 0), order)
-        for (e in 0..3) assertTrue(!store.precedes(e, e, ids))
+        assertEquals(listOf(3, 2, 1, 0), (0..3).sortedWith { a, b -> store.compareTied(a, b, ids) })
+        for (e in 0..3) assertEquals(0, store.compareTied(e, e, ids))
     }
 }
