@@ -15,9 +15,12 @@ class EventStoreTest {
         var link: Int = EventStore.NONE,
     )
 
-    private fun EventStore.all() = List(size) { Event(time(it).toRawBits(), first(it), second(it), image(it), link(it)) }
+    private fun EventStore.all() = List(size) {
+        Event(time(it).toRawBits(), first(it), second(it), image(it), link(it))
+    }
 
-    private val times = doubleArrayOf(0.0, -0.0, 1.0, Double.NaN, Double.MIN_VALUE, Double.MAX_VALUE, Double.POSITIVE_INFINITY)
+    private val times =
+        doubleArrayOf(0.0, -0.0, 1.0, Double.NaN, Double.MIN_VALUE, Double.MAX_VALUE, Double.POSITIVE_INFINITY)
     private val numbers = intArrayOf(0, 1, -1, -6, Int.MAX_VALUE, Int.MIN_VALUE, 0x00ff80ff)
 
     private fun drawEvent(random: SeededRandom) = Event(
@@ -85,7 +88,10 @@ class EventStoreTest {
         store.reserve(100)
         assertEquals(0, store.size)
         store.put(99, 0.5, 3, -2, 7)
-        assertEquals(listOf(3, -2, 7, EventStore.NONE), listOf(store.first(99), store.second(99), store.image(99), store.link(99)))
+        assertEquals(
+            listOf(3, -2, 7, EventStore.NONE),
+            listOf(store.first(99), store.second(99), store.image(99), store.link(99)),
+        )
     }
 
     @Test
