@@ -91,13 +91,19 @@ class RegionMapTest {
             val field = fieldOf(p, boundary, 0.02)
             for (layout in layouts) {
                 val map = RegionMap(layout).apply { prepare(field.rows, field.grid, boundary) }
-                for (a in 0 until p.size) for (b in 0..a) {
-                    if (!maySee(field, boundary, a, b)) continue
-                    assertTrue(map.areNeighbours(map.regionOf(a), map.regionOf(b))) { "seed $seed, $layout: $a, $b" }
+                for (a in 0 until p.size) {
+                    for (b in 0..a) {
+                        if (!maySee(field, boundary, a, b)) continue
+                        assertTrue(map.areNeighbours(map.regionOf(a), map.regionOf(b))) {
+                            "seed $seed, $layout: $a, $b"
+                        }
+                    }
                 }
-                for (a in 0 until map.count) for (b in 0 until map.count) {
-                    assertEquals(map.areNeighbours(a, b), map.areNeighbours(b, a))
-                    if (!map.areNeighbours(a, b)) strangers++
+                for (a in 0 until map.count) {
+                    for (b in 0 until map.count) {
+                        assertEquals(map.areNeighbours(a, b), map.areNeighbours(b, a))
+                        if (!map.areNeighbours(a, b)) strangers++
+                    }
                 }
             }
         }

@@ -3,8 +3,7 @@ package daphnis.analysis.correlation
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.search.CellRuns
-import daphnis.core.search.Grid
+import daphnis.core.search.NearPairs
 import daphnis.core.search.SearchStructure
 import kotlin.math.PI
 import kotlin.math.sqrt
@@ -63,40 +62,21 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
     /** Counts pairs by bin; the number of particles. */
     private fun count(state: State, inPlane: Boolean, counts: DoubleArray): Int {
         val p = state.population
-        val grid = Grid()
-        grid.build(p, state.boundary, state.time, 0.0, DoubleArray(3), structure = SearchStructure.GRID)
-        val near = CellRuns(grid)
+        val pairs = NearPairs(p, state.boundary, state.time, structure = SearchStructure.GRID)
+        val runs = pairs.runs()
         // In the plane all spheres above and below are near.
         var height = 0.0
         if (inPlane && p.size > 0) height = p.z.max() - p.z.min()
+        // A sphere of that size touches every sphere that is near enough.
+        val radius = sqrt(farthest * farthest + height * height)
         var n = 0
         for (slot in 0 until p.size) {
-            val k = grid.order[slot]
-            if (!state.isParticle(k)) continue
+            if (!state.isParticle(pairs.index(slot))) continue
             n++
-            // A sphere of that size touches every sphere that is near enough.
-            val runs = near.ahead(
-                slot,
-                p.x[k],
-                p.y[k],
-                p.z[k],
-                0.0,
-                0.0,
-                0.0,
-                sqrt(
-                    farthest * farthest + height * height,
-                ),
-            )
-            for (r in 0 until runs) {
-                val image = near.image[r]
-                for (other in near.from[r] until near.to[r]) {
-                    val j = grid.order[other]
-                    if (!state.isParticle(j)) continue
-                    val dx = p.x[j] - p.x[k] + grid.images.shift(image, 0)
-                    val dy = p.y[j] - p.y[k] + grid.images.shift(image, 1)
-                    val dz = if (inPlane) 0.0 else p.z[j] - p.z[k] + grid.images.shift(image, 2)
-                    val distance = sqrt(dx * dx + dy * dy + dz * dz)
-                    if (distance < nearest) continue
+            pairs.forEach(runs, slot, radius) { _, j, dx, dy, z ->
+                val dz = if (inPlane) 0.0 else z
+                val distance = sqrt(dx * dx + dy * dy + dz * dz)
+                if (distance >= nearest && state.isParticle(j)) {
                     val bin = ((distance - nearest) / width).toInt()
                     if (bin < bins) counts[bin]++
                 }

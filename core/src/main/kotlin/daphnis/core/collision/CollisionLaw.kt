@@ -32,26 +32,25 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
     ): Boolean {
         rows.advance(first, time)
         rows.advance(second, time)
-        val state = rows.state
-        val p = first * STRIDE
-        val q = second * STRIDE
-        val dx = state[q] - state[p] + (images.shift(image, 0) + images.slide(image, 0) * time)
-        val dy = state[q + 1] - state[p + 1] + (images.shift(image, 1) + images.slide(image, 1) * time)
-        val dz = state[q + 2] - state[p + 2] + images.shift(image, 2)
-        val ux = state[q + VX] - state[p + VX] + images.slide(image, 0)
-        val uy = state[q + VX + 1] - state[p + VX + 1] + images.slide(image, 1)
-        val uz = state[q + VX + 2] - state[p + VX + 2]
-        val b = dx * ux + dy * uy + dz * uz
-        if (b >= 0.0) return false
-        val d2 = dx * dx + dy * dy + dz * dz
-        outcome.separationX = dx
-        outcome.separationY = dy
-        outcome.separationZ = dz
-        outcome.impactSpeed = -b / sqrt(d2)
-        judge(rows, first, second, time, outcome)
-        // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
-        // energy.
-        exchange(rows, first, second, (1.0 + outcome.coefficient) * b / d2, outcome)
+        separation(rows, first, second, image, images, time) { dx, dy, dz ->
+            val state = rows.state
+            val p = first * STRIDE + VX
+            val q = second * STRIDE + VX
+            val ux = state[q] - state[p] + images.slide(image, 0)
+            val uy = state[q + 1] - state[p + 1] + images.slide(image, 1)
+            val uz = state[q + 2] - state[p + 2]
+            val b = dx * ux + dy * uy + dz * uz
+            if (b >= 0.0) return false
+            val d2 = dx * dx + dy * dy + dz * dz
+            outcome.separationX = dx
+            outcome.separationY = dy
+            outcome.separationZ = dz
+            outcome.impactSpeed = -b / sqrt(d2)
+            judge(rows, first, second, time, outcome)
+            // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
+            // energy.
+            exchange(rows, first, second, (1.0 + outcome.coefficient) * b / d2, outcome)
+        }
         outcome.rank = 1 + maxOf(rows.rank(first), rows.rank(second))
         rows.marks[first * MARKS] = outcome.rank
         rows.marks[second * MARKS] = outcome.rank

@@ -45,6 +45,28 @@ public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: In
 }
 
 /**
+ * Calls [use] with the vector from the centre of [first] to the centre of [second], both at their places at [time], and
+ * returns what it does.
+ */
+internal inline fun <R> separation(
+    rows: StepRows,
+    first: Int,
+    second: Int,
+    image: Int,
+    images: Images,
+    time: Double,
+    use: (dx: Double, dy: Double, dz: Double) -> R,
+): R {
+    val state = rows.state
+    val p = first * STRIDE
+    val q = second * STRIDE
+    val dx = state[q] - state[p] + (images.shift(image, 0) + images.slide(image, 0) * time)
+    val dy = state[q + 1] - state[p + 1] + (images.shift(image, 1) + images.slide(image, 1) * time)
+    val dz = state[q + 2] - state[p + 2] + images.shift(image, 2)
+    return use(dx, dy, dz)
+}
+
+/**
  * The root described at [contactTime], counted from the moment of the given relative position and velocity; ≥ 0 or
  * [NEVER].
  */

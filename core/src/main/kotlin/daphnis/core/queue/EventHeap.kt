@@ -25,7 +25,10 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
 
     private var ids = IntArray(0)
     private var validFrom = IntArray(capacity)
+
+    // The heap, side by side since most comparisons need no more than the time: number of the event, and its time.
     private var heap = IntArray(capacity)
+    private var times = DoubleArray(capacity)
     private var size = 0
 
     override fun reset(duration: Double, ids: IntArray, count: Int) {
@@ -49,11 +52,14 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
 
     override fun pop(): Boolean {
         while (size > 0) {
+            val t = times[0]
             val e = takeLeast()
-            if (isDead(e)) continue
-            time = store.time(e)
-            first = store.first(e)
-            second = store.second(e)
+            val a = store.first(e)
+            val b = store.second(e)
+            if (isDead(e, a, b)) continue
+            time = t
+            first = a
+            second = b
             image = store.image(e)
             // It must not come back when the store is squeezed.
             store.take(e)
@@ -67,11 +73,9 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
     }
 
     /** Whether event [e] was removed or handed out. */
-    fun isDead(e: Int): Boolean {
-        val a = store.first(e)
-        val b = store.second(e)
-        return a < 0 || e < validFrom[a] || (b >= 0 && e < validFrom[b])
-    }
+    fun isDead(e: Int): Boolean = isDead(e, store.first(e), store.second(e))
+
+    private fun isDead(e: Int, a: Int, b: Int): Boolean = a < 0 || e < validFrom[a] || (b >= 0 && e < validFrom[b])
 
     /** Forgets the dead and gives the events that are alive new numbers, in the same order. The heap is empty then. */
     fun squeeze() {
@@ -84,39 +88,54 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
 
     /** Puts event [e] of the store into the heap. */
     fun push(e: Int) {
-        if (size == heap.size) heap = heap.copyOf(size * 2)
+        if (size == heap.size) grow()
         val heap = heap
+        val times = times
+        val time = store.time(e)
         var k = size++
         while (k > 0) {
             val parent = (k - 1) shr 1
-            if (!store.precedes(e, heap[parent], ids)) break
+            if (!precedes(time, e, times[parent], heap[parent])) break
             heap[k] = heap[parent]
+            times[k] = times[parent]
             k = parent
         }
         heap[k] = e
+        times[k] = time
     }
 
     private fun takeLeast(): Int {
-        val heap = heap
         val least = heap[0]
         val n = --size
-        if (n > 0) sink(heap[n], n)
+        if (n > 0) sink(heap[n], times[n], n)
         return least
     }
 
-    /** Puts [e] where it belongs among the first [n] entries, of which the one on top is free. */
-    private fun sink(e: Int, n: Int) {
+    /** Puts event [e], which is at [time], where it belongs among the first [n] entries, of which the top is free. */
+    private fun sink(e: Int, time: Double, n: Int) {
         val heap = heap
+        val times = times
         var k = 0
         while (true) {
             var child = 2 * k + 1
             if (child >= n) break
-            if (child + 1 < n && store.precedes(heap[child + 1], heap[child], ids)) child++
-            if (!store.precedes(heap[child], e, ids)) break
+            if (child + 1 < n && precedes(times[child + 1], heap[child + 1], times[child], heap[child])) child++
+            if (!precedes(times[child], heap[child], time, e)) break
             heap[k] = heap[child]
+            times[k] = times[child]
             k = child
         }
         heap[k] = e
+        times[k] = time
+    }
+
+    /** Whether event [a] at time [s] comes before event [b] at time [t]. */
+    private fun precedes(s: Double, a: Int, t: Double, b: Int): Boolean =
+        s < t || s == t && store.compareTied(a, b, ids) < 0
+
+    private fun grow() {
+        heap = heap.copyOf(size * 2)
+        times = times.copyOf(size * 2)
     }
 
     private companion object {

@@ -84,13 +84,9 @@ internal class EventStore(capacity: Int = INITIAL) : EventSink {
         if (capacity < count) data = LongArray((count + count / 2) * WIDTH)
     }
 
-    /** Whether event [a] comes before event [b] in the order of [EventQueue], for slots with these [ids]. */
-    fun precedes(a: Int, b: Int, ids: IntArray): Boolean {
-        val s = time(a)
-        val t = time(b)
-        if (s != t) return s < t
-        return compareTied(ids, first(a), second(a), image(a), first(b), second(b), image(b)) < 0
-    }
+    /** The order of events [a] and [b], which are at one time, like a comparator; the slots have these [ids]. */
+    fun compareTied(a: Int, b: Int, ids: IntArray): Int =
+        compareTied(ids, first(a), second(a), image(a), first(b), second(b), image(b))
 
     private fun pack(high: Int, low: Int): Long = (high.toLong() shl 32) or (low.toLong() and 0xffffffffL)
 

@@ -39,14 +39,13 @@ public class Overlap private constructor(public val first: Int, public val secon
             time: Double,
             loop: RangeLoop,
         ): Overlap {
-            val grid = Grid()
-            grid.build(population, boundary, time, 0.0, DoubleArray(3), loop)
-            val searches = Array(loop.workers) { CellRuns(grid) }
+            val pairs = NearPairs(population, boundary, time, loop)
+            val runs = Array(loop.workers) { pairs.runs() }
             var deepest = Overlap(-1, -1, 0.0)
             var slot = Int.MAX_VALUE
             loop.run(population.size) { worker, from, to ->
-                val found = deepest(population, grid, searches[worker], from, to)
-                synchronized(grid) {
+                val found = deepest(population, pairs, runs[worker], from, to)
+                synchronized(pairs) {
                     if (found.depth > deepest.depth || found.depth == deepest.depth && from < slot) {
                         deepest = found
                         slot = from
@@ -57,42 +56,23 @@ public class Overlap private constructor(public val first: Int, public val secon
         }
 
         /** Of the pairs that the spheres in the slots [from] until [to] look for. */
-        private fun deepest(population: Population, grid: Grid, near: CellRuns, from: Int, to: Int): Overlap {
+        private fun deepest(population: Population, pairs: NearPairs, runs: CellRuns, from: Int, to: Int): Overlap {
             var first = -1
             var second = -1
             var depth = 0.0
+            val radius = population.radius
             for (slot in from until to) {
-                val k = grid.order[slot]
-                val runs = near.ahead(
-                    slot,
-                    population.x[k],
-                    population.y[k],
-                    population.z[k],
-                    0.0,
-                    0.0,
-                    0.0,
-                    population.radius[k],
-                )
-                for (r in 0 until runs) {
-                    for (other in near.from[r] until near.to[r]) {
-                        if (other == slot) continue
-                        val found = depth(population, grid, k, grid.order[other], near.image[r])
-                        if (found <= depth) continue
+                pairs.forEach(runs, slot, radius[pairs.index(slot)]) { k, j, dx, dy, dz ->
+                    val s = radius[k] + radius[j]
+                    val found = (s - sqrt(dx * dx + dy * dy + dz * dz)) / s
+                    if (found > depth) {
                         depth = found
                         first = population.id[k]
-                        second = population.id[grid.order[other]]
+                        second = population.id[j]
                     }
                 }
             }
             return Overlap(minOf(first, second), maxOf(first, second), depth)
-        }
-
-        private fun depth(population: Population, grid: Grid, a: Int, b: Int, image: Int): Double {
-            val dx = population.x[b] - population.x[a] + grid.images.shift(image, 0)
-            val dy = population.y[b] - population.y[a] + grid.images.shift(image, 1)
-            val dz = population.z[b] - population.z[a] + grid.images.shift(image, 2)
-            val s = population.radius[a] + population.radius[b]
-            return (s - sqrt(dx * dx + dy * dy + dz * dz)) / s
         }
 
         /** Below some milliseconds of work the threads are not worth their start. */

@@ -115,8 +115,13 @@ class EventQueueTest {
     }
 
     /** An event seen from the lower slot. */
-    private fun seen(time: Double, first: Int, second: Int, image: Int): List<Any> =
-        if (second in 0 until first) listOf(time, second, first, Images.negated(image)) else listOf(time, first, second, image)
+    private fun seen(time: Double, first: Int, second: Int, image: Int): List<Any> = if (second in
+        0 until first
+    ) {
+        listOf(time, second, first, Images.negated(image))
+    } else {
+        listOf(time, first, second, image)
+    }
 
     @Test
     fun `ties between images of one pair are broken from the side of the lower id`() {

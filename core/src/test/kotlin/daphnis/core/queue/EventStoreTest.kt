@@ -15,9 +15,12 @@ class EventStoreTest {
         var link: Int = EventStore.NONE,
     )
 
-    private fun EventStore.all() = List(size) { Event(time(it).toRawBits(), first(it), second(it), image(it), link(it)) }
+    private fun EventStore.all() = List(size) {
+        Event(time(it).toRawBits(), first(it), second(it), image(it), link(it))
+    }
 
-    private val times = doubleArrayOf(0.0, -0.0, 1.0, Double.NaN, Double.MIN_VALUE, Double.MAX_VALUE, Double.POSITIVE_INFINITY)
+    private val times =
+        doubleArrayOf(0.0, -0.0, 1.0, Double.NaN, Double.MIN_VALUE, Double.MAX_VALUE, Double.POSITIVE_INFINITY)
     private val numbers = intArrayOf(0, 1, -1, -6, Int.MAX_VALUE, Int.MIN_VALUE, 0x00ff80ff)
 
     private fun drawEvent(random: SeededRandom) = Event(
@@ -85,19 +88,21 @@ class EventStoreTest {
         store.reserve(100)
         assertEquals(0, store.size)
         store.put(99, 0.5, 3, -2, 7)
-        assertEquals(listOf(3, -2, 7, EventStore.NONE), listOf(store.first(99), store.second(99), store.image(99), store.link(99)))
+        assertEquals(
+            listOf(3, -2, 7, EventStore.NONE),
+            listOf(store.first(99), store.second(99), store.image(99), store.link(99)),
+        )
     }
 
     @Test
-    fun `the order is by time, then by ids, whichever sphere is named first`() {
+    fun `ties are broken by ids, whichever sphere is named first`() {
         val ids = intArrayOf(5, 3, 9)
         val store = EventStore()
         store.add(0.5, 0, 2, 0) // ids 5, 9
         store.add(0.5, 2, 1, 0) // ids 3, 9
-        store.add(0.25, 2, 0, 0)
+        store.add(0.5, 1, 0, 0) // ids 3, 5
         store.add(0.5, 1, -1, 0) // a wall
-        val order = (0..3).sortedWith { a, b -> if (store.precedes(a, b, ids)) -1 else 1 }
-        assertEquals(listOf(2, 3, 1, 0), order)
-        for (e in 0..3) assertTrue(!store.precedes(e, e, ids))
+        assertEquals(listOf(3, 2, 1, 0), (0..3).sortedWith { a, b -> store.compareTied(a, b, ids) })
+        for (e in 0..3) assertEquals(0, store.compareTied(e, e, ids))
     }
 }

@@ -5,6 +5,7 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.contactTime
+import daphnis.core.collision.separation
 import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
@@ -59,12 +60,10 @@ internal class PoolWorker(
      */
     private fun searchLate(slot: Int, except: Int): Boolean {
         val state = rows.state
-        val p = slot * STRIDE
         val time = taken.time
         val isInTime = candidates.view(slot) { other, image ->
-            val q = other * STRIDE
-            val isPartner = other == taken.first || other == taken.second
-            if (!isPartner && state[q + TIME] >= time && wouldHaveHit(p, q, image, time)) return@view false
+            val isAhead = state[other * STRIDE + TIME] >= time && other != taken.first && other != taken.second
+            if (isAhead && wouldHaveHit(slot, other, image, time)) return@view false
             if (other != except) {
                 val t = contactTime(rows, slot, other, image, prepared.grid.images)
                 if (t <= prepared.duration) found.add(t, slot, other, image)
@@ -76,38 +75,36 @@ internal class PoolWorker(
     }
 
     /**
-     * Whether the sphere in row [p], on its way since [time], could have hit the path that the one in row [q] left at
-     * that time or later.
+     * Whether the sphere in [slot], on its way since [time], could have hit the path that [other] left at that time or
+     * later.
      */
-    private fun wouldHaveHit(p: Int, q: Int, image: Int, time: Double): Boolean {
+    private fun wouldHaveHit(slot: Int, other: Int, image: Int, time: Double): Boolean {
+        val q = other * STRIDE
         val left = rows.state[q + TIME]
-        if (left == 0.0 && trails.atZero[q / STRIDE] == NEVER_COLLIDED) return false
+        if (left == 0.0 && trails.atZero[other] == NEVER_COLLIDED) return false
         // Its collision at this very moment had its turn: all that comes before it in the order of events had been
         // done.
-        if (left == time && !trails.early[q / STRIDE]) return false
+        if (left == time && !trails.early[other]) return false
         // Or it was with one of the two that collide now, hence before.
-        if (left == time && precedes(trails.partner[q / STRIDE])) return false
+        if (left == time && precedes(trails.partner[other])) return false
         // What came before the path left last is not known; then it is taken for a hit if it could be one.
         val isKnown = if (left == 0.0) {
-            trails.atZero[q / STRIDE] == ONCE
+            trails.atZero[other] == ONCE
         } else {
             trails.rows[q + TIME] < time || time == 0.0
         }
-        if (!isKnown) return left > time || touches(p, q, image, time)
-        return contactTime(rows.state, p, trails.rows, q, image, prepared.grid.images) <= left
+        if (!isKnown) return left > time || touches(slot, other, image, time)
+        return contactTime(rows.state, slot * STRIDE, trails.rows, q, image, prepared.grid.images) <= left
     }
 
     private fun precedes(partner: Int): Boolean = partner == taken.first || (partner >= 0 && partner == taken.second)
 
     /** Whether two spheres, both at their places at [time], touch or overlap. */
-    private fun touches(p: Int, q: Int, image: Int, time: Double): Boolean {
-        val state = rows.state
-        val images = prepared.grid.images
-        val dx = state[q] - state[p] + (images.shift(image, 0) + images.slide(image, 0) * time)
-        val dy = state[q + 1] - state[p + 1] + (images.shift(image, 1) + images.slide(image, 1) * time)
-        val dz = state[q + 2] - state[p + 2] + images.shift(image, 2)
-        val s = (state[p + RADIUS] + state[q + RADIUS]) * (1 + TOUCH)
-        return dx * dx + dy * dy + dz * dz <= s * s
+    private fun touches(slot: Int, other: Int, image: Int, time: Double): Boolean {
+        val s = (rows.state[slot * STRIDE + RADIUS] + rows.state[other * STRIDE + RADIUS]) * (1 + TOUCH)
+        return separation(rows, slot, other, image, prepared.grid.images, time) { dx, dy, dz ->
+            dx * dx + dy * dy + dz * dz <= s * s
+        }
     }
 
     private companion object {

@@ -162,7 +162,12 @@ class IslandBoardTest {
         board.claim(5, 0)
         board.prepare(6)
         for (slot in 0 until 6) {
-            assertEquals(listOf(slot, FREE, 0, FREE), board.run { listOf(find(slot), owner(slot), attempt(slot), place(slot)) })
+            assertEquals(
+                listOf(slot, FREE, 0, FREE),
+                board.run {
+                    listOf(find(slot), owner(slot), attempt(slot), place(slot))
+                },
+            )
             assertEquals(FREE, board.firstSeed(slot))
         }
         board.seed(2 to 3)
@@ -171,7 +176,12 @@ class IslandBoardTest {
         for (slot in 2..3) board.release(slot, 1)
         board.leaveClean()
         for (slot in 0 until 6) {
-            assertEquals(listOf(slot, FREE, 0, FREE), board.run { listOf(find(slot), owner(slot), attempt(slot), place(slot)) })
+            assertEquals(
+                listOf(slot, FREE, 0, FREE),
+                board.run {
+                    listOf(find(slot), owner(slot), attempt(slot), place(slot))
+                },
+            )
         }
     }
 

@@ -55,8 +55,12 @@ class MarkFenceSearchTest {
     @Test
     fun `without the fence, or with the search before the mark, both can miss`() {
         assertTrue((false to false) in ends(course - Op.FENCE))
-        assertTrue((false to false) in ends(listOf(Op.WRITE_BOUND, Op.FENCE, Op.READ_BOUND, Op.READ_MARK, Op.WRITE_MARK)))
-        assertTrue((false to false) in ends(listOf(Op.WRITE_MARK, Op.FENCE, Op.WRITE_BOUND, Op.READ_BOUND, Op.READ_MARK)))
+        assertTrue(
+            (false to false) in ends(listOf(Op.WRITE_BOUND, Op.FENCE, Op.READ_BOUND, Op.READ_MARK, Op.WRITE_MARK)),
+        )
+        assertTrue(
+            (false to false) in ends(listOf(Op.WRITE_MARK, Op.FENCE, Op.WRITE_BOUND, Op.READ_BOUND, Op.READ_MARK)),
+        )
     }
 
     /**

@@ -36,7 +36,12 @@ class PathCheckTest {
     private var image = 0
 
     /** Whether the check finds that the islands of the two paths touch; [other] may belong to no island. */
-    private fun touch(own: List<Piece>, other: List<Piece>, isOtherFree: Boolean, boundary: BoundaryConditions): Boolean {
+    private fun touch(
+        own: List<Piece>,
+        other: List<Piece>,
+        isOtherFree: Boolean,
+        boundary: BoundaryConditions,
+    ): Boolean {
         val field = fieldOf(populationOf(*Array(2) { Sphere(x = 5.0 * it) }), boundary)
         images.prepare(boundary, 0.0)
         val slots = IntArray(2) { id -> (0..1).first { field.rows.id[it] == id } }
@@ -77,7 +82,8 @@ class PathCheckTest {
 
     private fun drawPath(random: SeededRandom): List<Piece> {
         fun speed() = (random.nextDouble() - 0.5) * 20
-        val times = List(random.nextInt(6)) { if (random.nextInt(3) == 0) random.nextInt(5) * 0.25 else random.nextDouble() }
+        fun time() = if (random.nextInt(3) == 0) random.nextInt(5) * 0.25 else random.nextDouble()
+        val times = List(random.nextInt(6)) { time() }
         val path = arrayListOf(Piece(0.0, random.nextDouble() * 7, random.nextDouble() * 7, speed(), speed()))
         for (time in times.sorted()) {
             val last = path.last()

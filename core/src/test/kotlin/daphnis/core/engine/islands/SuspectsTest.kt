@@ -28,7 +28,8 @@ class SuspectsTest {
     @Test
     fun `pairs that differ in one number only are different`() {
         val suspects = Suspects()
-        val some = listOf(listOf(1, 2, 3, 4), listOf(0, 2, 3, 4), listOf(1, 0, 3, 4), listOf(1, 2, 0, 4), listOf(1, 2, 3, 0))
+        val some =
+            listOf(listOf(1, 2, 3, 4), listOf(0, 2, 3, 4), listOf(1, 0, 3, 4), listOf(1, 2, 0, 4), listOf(1, 2, 3, 0))
         repeat(3) { for (pair in some) suspects.add(pair[0], pair[1], pair[2], pair[3]) }
         assertEquals(some, suspects.all())
     }

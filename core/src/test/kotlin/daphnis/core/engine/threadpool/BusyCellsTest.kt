@@ -32,13 +32,18 @@ class BusyCellsTest {
         }
         val boxes = List(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) -1..1 else 0..0 }
         val shear = boundary.shear
-        for (kx in boxes[0]) for (ky in boxes[1]) for (kz in boxes[2]) {
-            val k = intArrayOf(kx, ky, kz)
-            val isSeen = (0..2).all {
-                val isAnywhere = shear != null && it == shear.slideAxis && k[shear.normalAxis] != 0
-                isAnywhere || abs(apart[it] + if (k[it] == 0) 0.0 else k[it] * boundary.box.length(it)) <= sight[it]
+        for (kx in boxes[0]) {
+            for (ky in boxes[1]) {
+                for (kz in boxes[2]) {
+                    val k = intArrayOf(kx, ky, kz)
+                    val isSeen = (0..2).all {
+                        val isAnywhere = shear != null && it == shear.slideAxis && k[shear.normalAxis] != 0
+                        val shift = if (k[it] == 0) 0.0 else k[it] * boundary.box.length(it)
+                        isAnywhere || abs(apart[it] + shift) <= sight[it]
+                    }
+                    if (isSeen) return true
+                }
             }
-            if (isSeen) return true
         }
         return false
     }
@@ -74,7 +79,8 @@ class BusyCellsTest {
                 val b = partner()
                 val t = random.nextInt(8) / 8.0
                 val isFree = expected.none { (c, d, time) ->
-                    time == t || listOf(c, d).any { isNear(p, field, boundary, a, it) || b >= 0 && isNear(p, field, boundary, b, it) }
+                    fun isSeen(slot: Int) = slot >= 0 && listOf(c, d).any { isNear(p, field, boundary, slot, it) }
+                    time == t || isSeen(a) || isSeen(b)
                 }
                 assertEquals(isFree, busy.areFree(a, b, t)) { "seed $seed, $boundary: $a with $b beside $expected" }
                 assertEquals(expected.any { it.third < t }, busy.hasBefore(t))

@@ -72,6 +72,10 @@ class SafeQueueTest {
         /** Whether what [next] has found comes after one that is busy. */
         var isEarly = false
 
+        fun remove(event: Event) {
+            pending.removeIf { listOf(it.time, it.first, it.second) == listOf(event.time, event.first, event.second) }
+        }
+
         fun finish(done: Event, found: List<Event>) {
             working -= done
             val gone = setOf(done.first, done.second).filter { it >= 0 }
@@ -86,7 +90,11 @@ class SafeQueueTest {
         val workers = Array(1 + random.nextInt(5)) { Taken() }
         val at = arrayOfNulls<Event>(workers.size)
         val start = EventStore()
-        repeat(random.nextInt(150)) { model.pending += drawEvent(random, 0.0).also { start.add(it.time, it.first, it.second, 0) } }
+        repeat(random.nextInt(150)) {
+            val event = drawEvent(random, 0.0)
+            model.pending += event
+            start.add(event.time, event.first, event.second, 0)
+        }
         queue.addAll(start)
         var together = 0
         var finished = 0
@@ -99,11 +107,14 @@ class SafeQueueTest {
                 assertEquals(expected != null, isTaken) { "seed $seed" }
                 if (expected == null) continue
                 val taken = workers[worker]
-                assertEquals(listOf(expected.time, expected.first, expected.second), listOf(taken.time, taken.first, taken.second))
+                assertEquals(
+                    listOf(expected.time, expected.first, expected.second),
+                    listOf(taken.time, taken.first, taken.second),
+                )
                 assertEquals(model.isEarly, taken.isEarly) { "seed $seed" }
                 assertEquals(expected.time <= model.latestEarly, taken.isLate) { "seed $seed" }
                 if (model.isEarly) model.latestEarly = maxOf(model.latestEarly, expected.time)
-                model.pending.removeIf { it.time == expected.time && it.first == expected.first && it.second == expected.second }
+                model.remove(expected)
                 model.working += expected
                 at[worker] = expected
                 together = maxOf(together, model.working.size)

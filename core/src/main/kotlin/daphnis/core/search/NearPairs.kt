@@ -1,0 +1,67 @@
+package daphnis.core.search
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Population
+
+/**
+ * The pairs of a [population] that are near one another at one moment, through the faces too where contacts are found
+ * through them. Allocates a grid. Any number of threads may ask, each with [runs] of its own.
+ *
+ * @param structure whether sizes are told apart, which finds fewer pairs that are not near
+ */
+public class NearPairs(
+    @PublishedApi internal val population: Population,
+    boundary: BoundaryConditions,
+    time: Double,
+    loop: RangeLoop = InlineLoop,
+    structure: SearchStructure = SearchStructure.AUTO,
+) {
+    @PublishedApi
+    internal val grid: Grid = Grid()
+
+    init {
+        grid.build(population, boundary, time, 0.0, DoubleArray(AXES), loop, structure)
+    }
+
+    /** For one thread. */
+    public fun runs(): CellRuns = CellRuns(grid)
+
+    /** Index in the population of the sphere in [slot]; slots are numbered like spheres, in the order of the grid. */
+    public fun index(slot: Int): Int = grid.order[slot]
+
+    /**
+     * Calls [action] for each pair that the sphere in [slot] has with those it would touch if its radius were [radius];
+     * for farther ones as well. Over all slots, each pair and image is named once. Not a sphere with its own images.
+     *
+     * @param action takes the index in the population of the sphere and of the other, and the vector to that one
+     */
+    public inline fun forEach(
+        runs: CellRuns,
+        slot: Int,
+        radius: Double,
+        action: (first: Int, second: Int, dx: Double, dy: Double, dz: Double) -> Unit,
+    ) {
+        val order = grid.order
+        val p = population
+        val images = grid.images
+        val k = order[slot]
+        val count = runs.ahead(slot, p.x[k], p.y[k], p.z[k], 0.0, 0.0, 0.0, radius)
+        for (r in 0 until count) {
+            val image = runs.image[r]
+            val sx = images.shift(image, 0)
+            val sy = images.shift(image, 1)
+            val sz = images.shift(image, 2)
+            for (other in runs.from[r] until runs.to[r]) {
+                if (other == slot) continue
+                val j = order[other]
+                action(k, j, p.x[j] - p.x[k] + sx, p.y[j] - p.y[k] + sy, p.z[j] - p.z[k] + sz)
+            }
+        }
+    }
+
+    private companion object {
+        const val AXES = 3
+    }
+}
