@@ -79,7 +79,9 @@ public fun timeToContact(
     uz: Double,
     reach: Double,
 ): Double {
-    ifApproaching(dx, dy, dz, ux, uy, uz, reach, Double.NEGATIVE_INFINITY) { a, b, c -> return waitUntilContact(a, b, c) }
+    ifApproaching(dx, dy, dz, ux, uy, uz, reach, Double.NEGATIVE_INFINITY) { a, b, c ->
+        return waitUntilContact(a, b, c)
+    }
     return NEVER
 }
 

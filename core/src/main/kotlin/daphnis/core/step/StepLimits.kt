@@ -48,8 +48,8 @@ internal class StepLimits {
      */
     fun checkWork(collisions: Long) {
         require(collisions <= mostCollisions) {
-            "the step from time $stepStart has more than $mostCollisions collisions: spheres are jammed, or the step is " +
-                "too long; take a smaller dt or a collapse guard"
+            "the step from time $stepStart has more than $mostCollisions collisions: spheres are jammed, or the step " +
+                "is too long; take a smaller dt or a collapse guard"
         }
     }
 
@@ -58,9 +58,9 @@ internal class StepLimits {
         const val MOST_IN_A_ROW = 10_000
 
         private const val LEAST_WORK = 2_000_000L
-        private const val WORK_A_SPHERE = 1000L
+        private const val WORK_PER_SPHERE = 1000L
 
         /** How many collisions a step of [spheres] spheres may have. */
-        fun mostCollisions(spheres: Int): Long = LEAST_WORK + WORK_A_SPHERE * spheres
+        fun mostCollisions(spheres: Int): Long = LEAST_WORK + WORK_PER_SPHERE * spheres
     }
 }

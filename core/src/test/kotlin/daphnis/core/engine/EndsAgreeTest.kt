@@ -16,7 +16,6 @@ import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.simulationOf
-import daphnis.core.step.CollapseException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
