@@ -37,6 +37,34 @@ class RefusalsTest {
     }
 
     @Test
+    fun `what a flag can mend is said with the flag`() {
+        assertDone(small("a"))
+        val instead = "exists; give another directory with --out, or --force to replace the run in it"
+        assertRefused(small("a"), "${at("a")}: $instead")
+        Files.createDirectories(home.resolve("b"))
+        Files.writeString(home.resolve("b/notes"), "mine")
+        assertRefused(small("b"), "${at("b")}: is not empty; give another directory with --out")
+        val forced = daphnis("run", "cooling-gas", "--steps", "1", "--out", at("b"), "--force")
+        assertRefused(forced, "is not empty and holds no run; --force replaces runs only")
+        assertRefused(daphnis("describe", "cooling-gas", "--set", "until"), "daphnis: --set: until: must have the form")
+        assertRefused(daphnis("analyze", at("a"), "--from", "99", "--quiet"), "daphnis: --from: is 99; the last state")
+        val series = home.resolve("a/series.csv")
+        Files.writeString(series, Files.readString(series).dropLast(80))
+        val mend = "; bring it back, or take what is there: analyze --accept-loss"
+        assertRefused(daphnis("analyze", at("a"), "--quiet"), "daphnis: $series: ", mend)
+        for (name in listOf("checkpoint", "checkpoint.previous")) Files.delete(home.resolve("a/$name"))
+        assertRefused(
+            daphnis("resume", at("a")),
+            "though the run has gone on; bring one back, or run it again from its start: resume --accept-loss",
+        )
+        for (file in Files.list(home.resolve("a/snapshots")).toList()) Files.delete(file)
+        val none = "${at("a")}: has no snapshots; run with --set output.snapshotEvery=10, say"
+        for (more in listOf(listOf("analyze"), listOf("export", "--format", "xyz"))) {
+            assertRefused(daphnis(more.first(), at("a"), *more.drop(1).toTypedArray()), none)
+        }
+    }
+
+    @Test
     fun `orbits need a frame, also when a time is given`() {
         assertRefused(daphnis("describe", "cooling-gas", "--set", "untilOrbits=4"), "untilOrbits", "4.0", "frame")
         Files.writeString(
