@@ -91,7 +91,10 @@ internal class EvolutionSection(private val study: Study) : Section {
         val t = transport!!
         val time = DoubleArray(t.size) { t[TransportColumns.TIME][it] / scale.time }
         val names = listOf("xx" to "σ_x", "yy" to "σ_y", "zz" to "σ_z")
-        val sigma = names.map { (component, _) -> DoubleArray(t.size) { sqrt(t[TransportColumns.moment(component)][it]) / scale.speed } }
+        val sigma = names.map { (component, _) ->
+            val moment = t[TransportColumns.moment(component)]
+            DoubleArray(t.size) { sqrt(moment[it]) / scale.speed }
+        }
         val curves = names.indices.map { Curve(names[it].second, thinned(time), thinned(sigma[it])) }
         val plot = Chart.lines(
             curves,
