@@ -64,7 +64,8 @@ internal class EvolutionSection(private val study: Study) : Section {
             )
         }
         if (energies.isNotEmpty()) {
-            val shear = if (study.isRing) " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits." else ""
+            val rotating = " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits."
+            val shear = if (study.isRing) rotating else ""
             study.draw(
                 page,
                 plots.energyPlot(energies),
