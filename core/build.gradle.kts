@@ -9,3 +9,9 @@ dependencies {
     implementation(libs.jhdf)
     testRuntimeOnly(libs.slf4j.nop)
 }
+
+// Tests hold these against the code.
+tasks.test {
+    inputs.files(rootProject.file("docs/library.md"), rootProject.file("docs/guide.md"))
+        .withPathSensitivity(PathSensitivity.NONE)
+}

@@ -6,7 +6,9 @@ import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.population.Conserved
 
-/** Progress of a run to time [until]: one line that rewrites itself on a terminal, a plain line now and then elsewhere. */
+/**
+ * Progress of a run to time [until]: one line that rewrites itself on a terminal, a plain line now and then elsewhere.
+ */
 internal class Progress(private val quiet: Boolean, private val until: Double) : Output {
     private val terminal = Terminal()
     private val live = !quiet && terminal.terminalInfo.outputInteractive

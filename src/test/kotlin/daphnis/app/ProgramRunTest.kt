@@ -68,7 +68,12 @@ class ProgramRunTest {
 
     @Test
     fun `what only its program or a scenario can tell is refused in one line`() {
-        assertRefused(daphnis("resume", run("gas")), "gas", "the program 'gas in a program'", "only it can go on with it")
+        assertRefused(
+            daphnis("resume", run("gas")),
+            "gas",
+            "the program 'gas in a program'",
+            "only it can go on with it",
+        )
         val sheared = run("sheared") { LeesEdwards(it, 0.3) }
         assertRefused(daphnis("analyze", sheared), "images slide", "export it")
         assertRefused(daphnis("run", "cooling-gas", "--out", sheared), "exists")

@@ -80,9 +80,14 @@ class Chain : Program {
     val history = EnergyHistory()
 
     override fun population() = Population(
-        doubleArrayOf(-1.0, 1.0), DoubleArray(2), DoubleArray(2),
-        DoubleArray(2), doubleArrayOf(0.3, -0.3), DoubleArray(2),
-        doubleArrayOf(0.01, 0.01), doubleArrayOf(1.0, 1.0),
+        x = doubleArrayOf(-1.0, 1.0),
+        y = DoubleArray(2),
+        z = DoubleArray(2),
+        vx = DoubleArray(2),
+        vy = doubleArrayOf(0.3, -0.3),
+        vz = DoubleArray(2),
+        radius = doubleArrayOf(0.01, 0.01),
+        mass = doubleArrayOf(1.0, 1.0),
     )
 
     override fun simulation(population: Population): Simulation {

@@ -25,8 +25,14 @@ class OutputsTest {
         }
     }
 
-    private fun simulation(vararg outputs: Output, startStep: Long = 0) =
-        Simulation(populationOf(Sphere(vx = 1.0)), Open, null, FixedTimeStep(1.0), outputs = outputs.asList(), startStep = startStep)
+    private fun simulation(vararg outputs: Output, startStep: Long = 0) = Simulation(
+        populationOf(Sphere(vx = 1.0)),
+        Open,
+        null,
+        FixedTimeStep(1.0),
+        outputs = outputs.asList(),
+        startStep = startStep,
+    )
 
     @Test
     fun `each is opened once, sees every state, and is closed once, last to first`() {

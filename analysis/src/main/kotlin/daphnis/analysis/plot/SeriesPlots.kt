@@ -25,7 +25,8 @@ internal class SeriesPlots(
     private val timeLabel = UnitNames.axis("time", scale.timeName)
 
     /** Granular temperature in [PlotScale.temperatureName]. */
-    fun temperature(): Curve? = column(SeriesColumns.GRANULAR_TEMPERATURE, "granular temperature", scale.speed * scale.speed)
+    fun temperature(): Curve? =
+        column(SeriesColumns.GRANULAR_TEMPERATURE, "granular temperature", scale.speed * scale.speed)
 
     /** Every column that is an energy, in the scenario's units, by its name. */
     fun energies(): List<Curve> {
@@ -36,8 +37,7 @@ internal class SeriesPlots(
         return told.mapNotNull { column(it, spoken(it), 1.0) }
     }
 
-    private fun spoken(energy: Column) =
-        energy.name.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' ')
+    private fun spoken(energy: Column) = energy.name.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' ')
 
     /**
      * Collisions of a particle in a unit of time, between rows so far apart that the noise of single steps does not

@@ -64,7 +64,8 @@ internal class EvolutionSection(private val study: Study) : Section {
             )
         }
         if (energies.isNotEmpty()) {
-            val shear = if (study.isRing) " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits." else ""
+            val rotating = " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits."
+            val shear = if (study.isRing) rotating else ""
             study.draw(
                 page,
                 plots.energyPlot(energies),
@@ -91,7 +92,10 @@ internal class EvolutionSection(private val study: Study) : Section {
         val t = transport!!
         val time = DoubleArray(t.size) { t[TransportColumns.TIME][it] / scale.time }
         val names = listOf("xx" to "σ_x", "yy" to "σ_y", "zz" to "σ_z")
-        val sigma = names.map { (component, _) -> DoubleArray(t.size) { sqrt(t[TransportColumns.moment(component)][it]) / scale.speed } }
+        val sigma = names.map { (component, _) ->
+            val moment = t[TransportColumns.moment(component)]
+            DoubleArray(t.size) { sqrt(moment[it]) / scale.speed }
+        }
         val curves = names.indices.map { Curve(names[it].second, thinned(time), thinned(sigma[it])) }
         val plot = Chart.lines(
             curves,

@@ -77,10 +77,12 @@ public class Transport(private val table: TransportTable, private val shearRate:
     public fun kinetic(component: String): BlockAverage = average(during(carried(component))) { it[0] }
 
     /** √(⟨c_x²⟩ + ⟨c_y²⟩ + ⟨c_z²⟩). */
-    public val dispersion: BlockAverage get() = average(*diagonal(TransportColumns::moment)) { sqrt(it[0] + it[1] + it[2]) }
+    public val dispersion: BlockAverage
+        get() = average(*diagonal(TransportColumns::moment)) { sqrt(it[0] + it[1] + it[2]) }
 
     /** Granular temperature ⟨c²⟩/3. */
-    public val temperature: BlockAverage get() = average(*diagonal(TransportColumns::moment)) { (it[0] + it[1] + it[2]) / 3 }
+    public val temperature: BlockAverage
+        get() = average(*diagonal(TransportColumns::moment)) { (it[0] + it[1] + it[2]) / 3 }
 
     /** Of the averaged tensor. */
     public val ellipsoid: VelocityEllipsoid

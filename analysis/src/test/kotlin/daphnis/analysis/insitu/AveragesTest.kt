@@ -30,7 +30,8 @@ import kotlin.math.sqrt
 class AveragesTest {
     @Test
     fun `averages of a run that was stopped and resumed are those of one in one go`(@TempDir home: Path) {
-        fun averages() = Averages(Measure { doubleArrayOf(it.population.vx[it.population.indexOf(0)], it.time) }, every = 2)
+        val first = Measure { doubleArrayOf(it.population.vx[it.population.indexOf(0)], it.time) }
+        fun averages() = Averages(first, every = 2)
         val scenario = BuiltIn.scenario("elastic-gas", listOf("particles.count=50", "until=2", "timeStep.dt=0.1"))
         fun start(name: String, kept: Averages) =
             Run.start(scenario, "gas", home.resolve(name), outputs = mapOf("averages" to kept))

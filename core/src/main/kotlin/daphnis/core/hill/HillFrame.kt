@@ -31,10 +31,8 @@ import kotlin.math.abs
  * @param verticalFactor ν: vertical over orbital frequency, ≥ 0; 1 for a point-mass planet, larger to mimic
  *   self-gravity (Wisdom & Tremaine 1988, AJ 95, 925, use 3.6), 0 for none
  */
-public class HillFrame @JvmOverloads constructor(
-    public val omega: Double,
-    public val verticalFactor: Double = 1.0,
-) : Drift {
+public class HillFrame @JvmOverloads constructor(public val omega: Double, public val verticalFactor: Double = 1.0) :
+    Drift {
     private var loop: RangeLoop = InlineLoop
     private val sum = SphereSum()
 

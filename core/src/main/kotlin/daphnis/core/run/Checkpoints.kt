@@ -87,7 +87,8 @@ internal class Checkpoints(private val directory: RunDirectory) {
     /** A run has a checkpoint as soon as its start has been written; one that has gone on and has none has lost it. */
     private fun requireUnbegun(acceptLoss: Boolean, notices: MutableList<String>) {
         if (!Files.exists(directory.summary) && directory.snapshotSteps().none { it > 0 }) return
-        val missing = "${directory.checkpoint}: is missing, and so is ${directory.previousCheckpoint.fileName}, though the run has gone on"
+        val other = directory.previousCheckpoint.fileName
+        val missing = "${directory.checkpoint}: is missing, and so is $other, though the run has gone on"
         if (!acceptLoss) {
             throw InputException("", null, missing, WayOut.BEGIN_ANEW)
         }

@@ -55,10 +55,7 @@ public class Run internal constructor(
      * @throws IllegalStateException when it has been called before; [resume] goes on
      */
     @JvmOverloads
-    public fun execute(
-        watcher: Output = Output { },
-        cancelled: BooleanSupplier = BooleanSupplier { false },
-    ): Summary {
+    public fun execute(watcher: Output = Output { }, cancelled: BooleanSupplier = BooleanSupplier { false }): Summary {
         check(!isExecuted) { "this run was carried out before; resume goes on with it" }
         isExecuted = true
         try {

@@ -77,7 +77,9 @@ public object TransportColumns : TableColumns {
     public val GUIDING_X: Column = rows.number("guiding_x", Dimension.LENGTH) { it.sums.guidingX }
     public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.collisions.count }
     public val SUM_IMPACT_SPEED: Column = rows.number("sum_impact_speed", Dimension.SPEED) { it.collisions.sumSpeed }
-    public val DISSIPATED: Column = rows.number("dissipated", Dimension.ENERGY, Need.NEEDED) { it.collisions.dissipated }
+    public val DISSIPATED: Column = rows.number("dissipated", Dimension.ENERGY, Need.NEEDED) {
+        it.collisions.dissipated
+    }
     private val virials =
         tensor("virial_", Dimension.ACTION, setOf("xy")) { row, k -> row.collisions.virial[NINE[k]] }
     public val GRAVITY_XY: Column = rows.number("gravity_xy", Dimension.ENERGY) { it.gravityXY }

@@ -159,7 +159,8 @@ class ProgramTest {
     @Test
     fun `a run json that was damaged is one line`() {
         val path = broken("damaged")
-        for (text in listOf("", "{", "[]", "{\"program\": 3}", "{\"program\": \"sheared gas\", \"version\": \"1\", \"x\": 1}")) {
+        val more = "{\"program\": \"sheared gas\", \"version\": \"1\", \"x\": 1}"
+        for (text in listOf("", "{", "[]", "{\"program\": 3}", more)) {
             Files.writeString(path.resolve("run.json"), text)
             assertTrue("run.json: does not name a program" in refusal(path)) { text }
         }
@@ -217,16 +218,24 @@ class ProgramTest {
             assertFalse(Files.exists(path))
         }
         val boundary = LeesEdwards(Box.centred(7.0, 7.0, 7.0), 0.7)
-        fun plain(p: Population, outputs: List<Output> = emptyList(), step: Long = 0, records: Boolean = true) = Simulation(
-            p, boundary, CollisionForcing(Restitution { 1.0 }, recordCollisions = records), FixedTimeStep(0.1),
-            outputs = outputs, startStep = step,
-        )
+        val elastic = Restitution { 1.0 }
+        fun plain(
+            p: Population,
+            outputs: List<Output> = emptyList(),
+            step: Long = 0,
+            records: Boolean = true,
+            start: Double = 0.0,
+        ): Simulation {
+            val collisions = CollisionForcing(elastic, recordCollisions = records)
+            val timeStep = FixedTimeStep(0.1)
+            return Simulation(p, boundary, collisions, timeStep, emptyList(), outputs, start, step)
+        }
         refused("another population") { plain(population()) }
         refused("has outputs") { plain(it, outputs = listOf(Output { })) }
         refused("has made 3 steps") { plain(it, step = 3) }
         refused("recordCollisions") { plain(it, records = false) }
         refused("must be later than its start, 5.0") {
-            Simulation(it, boundary, CollisionForcing(Restitution { 1.0 }, recordCollisions = true), FixedTimeStep(0.1), startTime = 5.0)
+            plain(it, start = 5.0)
         }
         val taken = ShearedGas(names = listOf("series"))
         assertThrows(IllegalArgumentException::class.java) { Run.start(taken, home.resolve("refused")) }
