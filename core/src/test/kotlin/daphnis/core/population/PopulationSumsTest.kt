@@ -90,11 +90,15 @@ class PopulationSumsTest {
         val central = CentralMoments(flow, bodies).apply { clear(means) }
         for (part in ends.size - 2 downTo 0) {
             first.merge(FirstMoments(0, bodies).apply { add(p, ends[part], ends[part + 1]) })
-            central.merge(CentralMoments(flow, bodies).apply { clear(means) }.apply { add(p, ends[part], ends[part + 1]) })
+            val partial = CentralMoments(flow, bodies)
+            partial.clear(means)
+            partial.add(p, ends[part], ends[part + 1])
+            central.merge(partial)
         }
         val fit = FlowFit(flow.flowAxis)
         central.fill(fit)
-        return List(3) { first.momentum(it) } + List(3) { first.particleMomentum(it) } + List(3) { first.position(it) } +
+        val vectors = (0..2).flatMap { listOf(first.momentum(it), first.particleMomentum(it), first.position(it)) }
+        return vectors +
             listOf(first.count.toDouble(), first.mass, first.particleMass, first.kineticEnergy) +
             listOf(first.least, first.greatest) + List(6) { central.square(it) } + central.squareOfHeight +
             fit.across + fit.slopes.asList() + fit.slabs.asList()

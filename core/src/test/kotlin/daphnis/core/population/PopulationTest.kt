@@ -109,7 +109,10 @@ class PopulationTest {
         assertEquals(501, q.size)
         for (k in 0 until q.size) assertEquals(k, q.indexOf(q.id[k]))
         assertEquals(500, q.indexOf(Int.MAX_VALUE))
-        assertEquals(listOf(3, 0, -4), listOf(q.boxesCrossed(crossed, 0), q.boxesCrossed(7, 2), q.boxesCrossed(Int.MAX_VALUE, 2)))
+        assertEquals(
+            listOf(3, 0, -4),
+            listOf(q.boxesCrossed(crossed, 0), q.boxesCrossed(7, 2), q.boxesCrossed(Int.MAX_VALUE, 2)),
+        )
         assertEquals(-0.5, q.lastCollision[499])
         assertEquals(q.id.sorted(), q.indicesById().map { q.id[it] })
         assertEquals(-1, q.indexOf(500))

@@ -66,7 +66,8 @@ class CollisionStatisticsTest {
     fun `what are no sums is refused`() {
         val speeds = CollisionStatistics().speeds
         val sums = CollisionStatistics().sums()
-        for (bad in listOf(sums.drop(1), sums + 1.0, sums + listOf(12.0, 1.0), sums + listOf(-1.0, 1.0), sums + listOf(0.5, 1.0))) {
+        val wrongPairs = listOf(12.0, -1.0, 0.5).map { sums + listOf(it, 1.0) }
+        for (bad in wrongPairs + listOf(sums.drop(1), sums + 1.0)) {
             assertThrows(IllegalArgumentException::class.java) { CollisionStatistics().restore(bad, speeds) }
         }
         assertThrows(IllegalArgumentException::class.java) { CollisionStatistics().restore(sums, LongArray(3)) }
