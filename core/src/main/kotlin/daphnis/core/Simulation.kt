@@ -18,8 +18,8 @@ import daphnis.core.population.Population
  * ```
  *
  * One step: forces act for its first half · spheres drift with every collision in time order · boundary conditions ·
- * forces act for its second half ([StepPhases]) · outputs look. Not thread-safe: one thread calls; an engine may use more within
- * [advance].
+ * forces act for its second half ([StepPhases]) · outputs look. Not thread-safe: one thread calls; an engine may use
+ * more within [advance].
  *
  * @param collisions null for spheres that pass through one another
  * @param runStart time at step 0, for a run that goes on at [startStep]; null to count back from there, with a fixed

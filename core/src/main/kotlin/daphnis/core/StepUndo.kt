@@ -4,9 +4,9 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.population.Population
 
 /**
- * What a population and its counters were before the step under way, so that the step can be taken back. The engine writes to the
- * population's second set of arrays, so that those of before only need their velocities, which forces change. Taking
- * back allocates nothing, asks nobody and uses no other thread.
+ * What a population and its counters were before the step under way, so that the step can be taken back. The engine
+ * writes to the population's second set of arrays. Those of before only need their velocities, which forces change.
+ * Taking back allocates nothing, asks nobody and uses no other thread.
  */
 internal class StepUndo(private val population: Population, private val counters: CollisionCounters?) {
     private var vx = DoubleArray(0)

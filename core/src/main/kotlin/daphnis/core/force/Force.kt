@@ -28,8 +28,8 @@ public interface Force {
 
     /**
      * Potential energy of [population] in this force at [time], mass · (length/time)². It may not depend on the order
-     * of the arrays. NaN where there is none: by default, and for a force that does work on a sphere each time it goes round through a
-     * periodic face.
+     * of the arrays. NaN where there is none: by default, and for a force that does work on a sphere each time it goes
+     * round through a periodic face.
      */
     public fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double = Double.NaN
 }

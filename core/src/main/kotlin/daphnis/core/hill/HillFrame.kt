@@ -120,7 +120,8 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
         val h = omega * duration
         val hz = h * verticalFactor
         require(h <= LONGEST && hz <= LONGEST) {
-            "a step of $duration is ${h / (2 * Math.PI)} orbits (${hz / (2 * Math.PI)} vertical oscillations); it must be at most a quarter"
+            val orbits = "${h / (2 * Math.PI)} orbits (${hz / (2 * Math.PI)} vertical oscillations)"
+            "a step of $duration is $orbits; it must be at most a quarter"
         }
         this.duration = Double.NaN
         // With Ω t for time the solution is Δx = x·3(1 − c) + v_x s + v_y 2(1 − c), Δy = x·6(s − h) − v_x 2(1 − c) +

@@ -114,8 +114,7 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
         }
     }
 
-    private fun speedSquared(p: Population, k: Int): Double =
-        p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k] + p.vz[k] * p.vz[k]
+    private fun speedSquared(p: Population, k: Int): Double = p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k] + p.vz[k] * p.vz[k]
 
     private fun measure(p: Population, from: Int, to: Int) {
         val along = p.position(axis)

@@ -189,7 +189,8 @@ public class Population @JvmOverloads constructor(
 
     /** A deep copy. */
     public fun copy(): Population = Population(
-        x.copyOf(), y.copyOf(), z.copyOf(), vx.copyOf(), vy.copyOf(), vz.copyOf(), radius.copyOf(), mass.copyOf(), id.copyOf(),
+        x.copyOf(), y.copyOf(), z.copyOf(), vx.copyOf(), vy.copyOf(), vz.copyOf(),
+        radius.copyOf(), mass.copyOf(), id.copyOf(),
     ).also { copy ->
         lastCollision.copyInto(copy.lastCollision)
         crossings.copyInto(copy.crossings, id)

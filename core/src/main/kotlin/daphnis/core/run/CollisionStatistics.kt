@@ -69,8 +69,8 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
      */
     public fun restore(sums: List<Double>, speeds: LongArray) {
         val pairs = sums.drop(1 + SUMS).chunked(2)
-        val isPossible = sums.size >= 1 + SUMS && speeds.size == BINS &&
-            pairs.all { it.size == 2 && it[0].toInt().toDouble() == it[0] && it[0].toInt() in 0 until SUMS }
+        val arePairs = pairs.all { it.size == 2 && (0 until SUMS).any { k -> k.toDouble() == it[0] } }
+        val isPossible = arePairs && sums.size > SUMS && speeds.size == BINS
         require(isPossible) { "these are not the sums of collision statistics" }
         count = sums[0].toLong()
         for (k in 0 until SUMS) {

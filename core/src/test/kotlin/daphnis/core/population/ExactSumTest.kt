@@ -18,7 +18,9 @@ class ExactSumTest {
         LARGEST({ if (it.nextInt(2) == 0) Double.MAX_VALUE else -Double.MAX_VALUE }),
         CANCELLING({ listOf(1e308, -1e308, 1.0, -1.0, 1e-308, -1e-308, Double.MIN_VALUE)[it.nextInt(7)] }),
         POWERS({ Math.scalb(if (it.nextInt(2) == 0) 1.0 else -1.0, it.nextInt(2046) - 1074) }),
-        TIES({ listOf(1.0, Math.ulp(1.0) / 2, -Math.ulp(1.0) / 2, Math.ulp(1.0), 2.0, Double.MIN_VALUE)[it.nextInt(6)] }),
+        TIES({
+            listOf(1.0, Math.ulp(1.0) / 2, -Math.ulp(1.0) / 2, Math.ulp(1.0), 2.0, Double.MIN_VALUE)[it.nextInt(6)]
+        }),
         ZEROS({ if (it.nextInt(2) == 0) 0.0 else -0.0 }),
     }
 

@@ -45,13 +45,13 @@ class PopulationSumsTest {
     }
 
     @Test
-    fun `every last digit is the same on 1, 2, 3 and 7 threads, in any order of the arrays, and with a reused object`() {
+    fun `every last digit is the same on 1 to 8 threads, in any order of the arrays, and with a reused object`() {
         for (id in listOf<(Int) -> Int>({ it }, { 2 * it }, { 3 * it + 1_000 })) {
             val p = gas(20_000, id)
             val expected = row(p)
             assertTrue(expected.all { it.isFinite() })
             val used = PopulationSums(flow, 1.0, firstBody = 3 * p.size - 30)
-            for (threads in listOf(1, 2, 3, 7)) {
+            for (threads in 1..8) {
                 FixedPool(threads).use { pool ->
                     for (strategy in LoopStrategy.entries) {
                         val loop = ParallelLoop(pool, strategy)
@@ -63,6 +63,45 @@ class PopulationSumsTest {
                 }
             }
         }
+    }
+
+    @Test
+    fun `parts of a population merge to the same bits, however many they are and in any order`() {
+        val bodies = 5990
+        val p = gas(6000)
+        val means = Means()
+        for (axis in 0..2) {
+            means.position[axis] = 0.3
+            means.velocity[axis] = 0.1
+        }
+        means.setSlabs(6000, p.x.min(), p.x.max())
+        val expected = merged(p, intArrayOf(0, 6000), means, bodies)
+        val random = SeededRandom(8)
+        for (count in listOf(2, 3, 10, 500)) {
+            val cuts = IntArray(count - 1) { random.nextInt(6001) }.sorted()
+            val ends = (listOf(0) + cuts + 6000).toIntArray()
+            assertEquals(expected, merged(p.permuted(count.toLong()), ends, means, bodies)) { "$count parts" }
+        }
+    }
+
+    /** All sums of the parts of [p] between two of [ends] each, merged from the last one on. */
+    private fun merged(p: Population, ends: IntArray, means: Means, bodies: Int): List<Double> {
+        val first = FirstMoments(0, bodies)
+        val central = CentralMoments(flow, bodies).apply { clear(means) }
+        for (part in ends.size - 2 downTo 0) {
+            first.merge(FirstMoments(0, bodies).apply { add(p, ends[part], ends[part + 1]) })
+            val partial = CentralMoments(flow, bodies)
+            partial.clear(means)
+            partial.add(p, ends[part], ends[part + 1])
+            central.merge(partial)
+        }
+        val fit = FlowFit(flow.flowAxis)
+        central.fill(fit)
+        val vectors = (0..2).flatMap { listOf(first.momentum(it), first.particleMomentum(it), first.position(it)) }
+        return vectors +
+            listOf(first.count.toDouble(), first.mass, first.particleMass, first.kineticEnergy) +
+            listOf(first.least, first.greatest) + List(6) { central.square(it) } + central.squareOfHeight +
+            fit.across + fit.slopes.asList() + fit.slabs.asList()
     }
 
     @Test

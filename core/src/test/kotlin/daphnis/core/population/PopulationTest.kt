@@ -96,6 +96,55 @@ class PopulationTest {
     }
 
     @Test
+    fun `spheres that are added are found by id, with all that is known of them`() {
+        val q = p.permuted(3)
+        q.addCrossing(5, 0, 3)
+        val crossed = q.id[5]
+        q.retain { q.id[it] != 7 }
+        val one = DoubleArray(2) { 1.0 + it }
+        val others = Population(one, one, one, one, one, one, one, one, intArrayOf(7, Int.MAX_VALUE))
+        others.addCrossing(1, 2, -4)
+        others.lastCollision[0] = -0.5
+        q.add(others)
+        assertEquals(501, q.size)
+        for (k in 0 until q.size) assertEquals(k, q.indexOf(q.id[k]))
+        assertEquals(500, q.indexOf(Int.MAX_VALUE))
+        assertEquals(
+            listOf(3, 0, -4),
+            listOf(q.boxesCrossed(crossed, 0), q.boxesCrossed(7, 2), q.boxesCrossed(Int.MAX_VALUE, 2)),
+        )
+        assertEquals(-0.5, q.lastCollision[499])
+        assertEquals(q.id.sorted(), q.indicesById().map { q.id[it] })
+        assertEquals(-1, q.indexOf(500))
+    }
+
+    @Test
+    fun `a population that grew from nothing is the one that was made at once`() {
+        val grown = populationOf()
+        for (from in 499 downTo 0 step 125) {
+            val part = p.permuted(4)
+            part.retain { part.id[it] in from - 124..from }
+            grown.add(part)
+        }
+        assertEquals(stateDigest(p), stateDigest(grown))
+    }
+
+    @Test
+    fun `a sphere whose id is taken is refused and changes nothing, and one that was removed leaves no crossings`() {
+        val q = p.copy()
+        val two = DoubleArray(2) { 1.0 }
+        fun others(vararg ids: Int) = Population(two, two, two, two, two, two, two, two, ids)
+        assertThrows(IllegalArgumentException::class.java) { q.add(others(600, 499)) }
+        assertThrows(IllegalArgumentException::class.java) { q.add(q) }
+        assertEquals(500, q.size)
+        assertEquals(-1, q.indexOf(600))
+        q.addCrossing(q.indexOf(3), 1, 9)
+        q.retain { q.id[it] != 3 }
+        q.add(others(3, 600))
+        assertEquals(0, q.boxesCrossed(3, 1))
+    }
+
+    @Test
     fun `the granular temperature leaves out the mean and the sheared flow`() {
         val still = granularTemperature(p, null)
         val moving = p.copy()

@@ -1,0 +1,132 @@
+package daphnis.core
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.force.Kick
+import daphnis.core.force.UniformAcceleration
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.population.Population
+import daphnis.core.population.stateDigest
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Test
+
+class StepPhasesTest {
+    private val boundary = Periodic(Box.centred(12.0, 12.0, 12.0))
+    private val gas = randomSpheres(300, boundary, 2, 1.0) { 0.4 }
+    private val swirl = Kick { p, _, h -> for (k in 0 until p.size) p.vx[k] += h * p.y[k] }
+    private val forces = listOf(UniformAcceleration(0.0, 0.3, 0.0), swirl)
+    private val timeStep = CellCrossingTimeStep(0.5, 2.0, 1.0)
+
+    private fun forcing() = CollisionForcing(ConstantRestitution(0.9), recordCollisions = true)
+
+    @Test
+    fun `phases driven by hand are the step of a simulation`() {
+        val simulation = Simulation(gas.copy(), boundary, forcing(), timeStep, forces)
+        val p = gas.copy()
+        val phases = StepPhases(p, boundary, forcing(), forces, InlineLoop)
+        var time = 0.0
+        repeat(5) {
+            simulation.advance()
+            phases.begin()
+            val duration = phases.duration(timeStep)
+            phases.kick(time, duration)
+            phases.drift(time, duration)
+            time += duration
+            phases.applyBoundary(time)
+            phases.kickAgain(time, duration)
+            phases.checkFinite { "nothing" }
+            phases.commit()
+            assertEquals(simulation.time, time)
+            assertEquals(stateDigest(simulation.population), stateDigest(p))
+        }
+    }
+
+    @Test
+    fun `phases are taken back together from wherever they stopped`() {
+        val before = stateDigest(gas)
+        val end: List<StepPhases.() -> Unit> = listOf(
+            { kick(0.0, 0.5) },
+            { drift(0.0, 0.5) },
+            { applyBoundary(0.5) },
+            { kickAgain(0.5, 0.5) },
+        )
+        for (done in 1..end.size) {
+            val p = gas.copy()
+            val forcing = forcing()
+            val phases = StepPhases(p, boundary, forcing, forces, InlineLoop)
+            phases.begin()
+            for (phase in end.take(done)) phases.phase()
+            assertNotEquals(before, stateDigest(p)) { "after $done phases" }
+            phases.takeBack()
+            assertEquals(before, stateDigest(p)) { "after $done phases" }
+            assertEquals(0L, forcing.counters.collisions)
+            assertEquals(0, forcing.record!!.size)
+        }
+    }
+
+    @Test
+    fun `spheres that a boundary adds stay, and go again when the step fails`() {
+        val inflow = object : BoundaryConditions by boundary {
+            var fails = false
+
+            override fun endStep(population: Population, time: Double) {
+                boundary.endStep(population, time)
+                val one = populationOf(Sphere(x = 1.0, y = 2.0, z = 3.0, r = 1e-3))
+                val id = intArrayOf(1_000_000_000 + population.size)
+                population.add(Population(one.x, one.y, one.z, one.vx, one.vy, one.vz, one.radius, one.mass, id))
+                population.addCrossing(population.indexOf(id[0]), 2, 7)
+                population.addCrossing(population.indexOf(0), 1, 5)
+                check(!fails) { "no more" }
+            }
+        }
+        val simulation = Simulation(gas.copy(), inflow, forcing(), FixedTimeStep(0.1), forces)
+        simulation.advance()
+        inflow.fails = true
+        val digest = stateDigest(simulation.population)
+        val crossed = simulation.population.boxesCrossed(0, 1)
+        assertThrows(IllegalStateException::class.java) { simulation.advance() }
+        assertEquals(301, simulation.population.size)
+        assertEquals(digest, stateDigest(simulation.population))
+        assertEquals(crossed, simulation.population.boxesCrossed(0, 1))
+        assertEquals(-1, simulation.population.indexOf(1_000_000_301))
+        inflow.fails = false
+        repeat(3) { simulation.advance() }
+        assertEquals(304, simulation.population.size)
+        assertEquals(7, simulation.population.boxesCrossed(1_000_000_301, 2))
+    }
+
+    @Test
+    fun `a time step is measured by the threads of the engine to the same bits`() {
+        val pieces = java.util.concurrent.ConcurrentLinkedQueue<Int>()
+        val watched = object : PerSphereTimeStep by timeStep {
+            override fun measure(population: Population, from: Int, to: Int): Double {
+                pieces += to - from
+                return timeStep.measure(population, from, to)
+            }
+        }
+        val many = randomSpheres(5000, Periodic(Box.centred(60.0, 60.0, 60.0)), 4, 1.0) { 0.3 }
+        for (p in listOf(gas, many)) {
+            CollisionForcing(ConstantRestitution(0.9), engine = ThreadPoolEngine(3)).use {
+                val phases = StepPhases(p, boundary, it, emptyList(), it.engine.loop)
+                assertEquals(timeStep.next(p), phases.duration(watched))
+            }
+        }
+        assertEquals(gas.size + many.size, pieces.sum())
+        assertEquals(listOf(1, 1, 1), pieces.filter { it > 1000 }.map { 1 })
+        val parts = timeStep.combine(timeStep.measure(gas, 99, 300), timeStep.measure(gas, 0, 99))
+        assertEquals(timeStep.next(gas), timeStep.next(parts))
+    }
+
+    @Test
+    fun `a time step can be a function of the population`() {
+        val simulation = Simulation(gas.copy(), boundary, forcing(), TimeStep { 1.0 / it.size })
+        simulation.advance()
+        assertEquals(1.0 / 300, simulation.time)
+    }
+}
