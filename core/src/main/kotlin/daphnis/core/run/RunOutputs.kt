@@ -64,8 +64,8 @@ internal class RunOutputs(
     }
 
     fun writeSnapshot(simulation: Simulation) {
-        val frame = Snapshot.of(simulation.population, simulation.boundary, simulation.step, simulation.time)
-        files.writeAtomically(directory.snapshot(simulation.step)) { H5md.write(listOf(frame), it, Version.text) }
+        val state = Snapshot.of(simulation.population, simulation.boundary, simulation.step, simulation.time)
+        files.writeAtomically(directory.snapshot(simulation.step)) { H5md.write(listOf(state), it, Version.text) }
         lastSnapshot = simulation.step
     }
 

@@ -123,22 +123,6 @@ class FormatsTest {
     }
 
     @Test
-    fun `a format is known by the end of the name`() {
-        fun of(name: String) = SnapshotFormat.of(Path.of("d.csv", name))
-        assertEquals(SnapshotFormat.H5MD, of("0000000010.h5"))
-        assertEquals(SnapshotFormat.H5MD, of("A.H5MD"))
-        assertEquals(SnapshotFormat.EXTENDED_XYZ, of("trajectory.xyz"))
-        assertEquals(SnapshotFormat.EXTENDED_XYZ, of("a.extxyz"))
-        assertEquals(SnapshotFormat.CSV, of("a.csv"))
-        assertEquals(SnapshotFormat.CSV, of("a.txt"))
-        for (name in listOf("a.bin", "CartAndRad.200.bin", "CartAndRad.200", "CartAndRad.200.dat", "a.CartAndRad")) {
-            assertEquals(SnapshotFormat.CART_AND_RAD, of(name)) { name }
-        }
-        val e = assertThrows(FormatException::class.java) { of("a.vtp") }
-        assertTrue("a.vtp" in e.message!! && ".xyz .extxyz (extended XYZ)" in e.message!!) { e.message }
-    }
-
-    @Test
     fun `a boundary of one's own without end leaves the box out of every format, as an open one does`() {
         // The boundary of the library guide, and one that ends on one side only.
         val endless = listOf(Box.UNBOUNDED, Box(-20.0, -20.0, -20.0, 20.0, 20.0, Double.POSITIVE_INFINITY)).map { box ->
@@ -171,7 +155,7 @@ class FormatsTest {
         val file = home.resolve("a.bin")
         CartAndRad.write(population.permuted(4), file)
         assertEquals(4L + 56 * 70, Files.size(file))
-        val back = CartAndRad.read(file)
+        val back = CartAndRad.population(file)
         assertEquals(stateDigest(population), stateDigest(back))
         assertArrayEquals(population.radius, back.radius)
     }
@@ -201,12 +185,17 @@ class FormatsTest {
         fun wrong(text: String, vararg parts: String) {
             val e =
                 assertThrows(FormatException::class.java) {
-                    ParticleCsv.read(Files.writeString(home.resolve("p.csv"), text))
+                    ParticleCsv.population(Files.writeString(home.resolve("p.csv"), text))
                 }
             for (part in parts) assertTrue(part in e.message.orEmpty()) { e.message }
         }
         wrong("x,y,z\n1,2,3", "radius", "missing")
         wrong("x,y,z,radius,colour\n", "colour")
+        wrong("x;y;z;radius\n1;2;3;4\n", "semicolons", "commas are needed")
+        wrong("x;y;z;radius\n1,5;2,0;3,0;4,0\n", "semicolons", "commas are needed")
+        wrong("id\tx\ty\tz\tradius\n", "tabs", "commas are needed")
+        wrong("x y z  radius\n", "spaces", "commas are needed")
+        wrong("x;y;colour\n", "unknown column 'x;y;colour'")
         wrong("x,y,z,radius\n1,2,3\n", "p.csv:2", "3 values")
         wrong("x,y,z,radius\n1,2,3,0.5\n1,NaN,3,0.5\n", "p.csv:3", "y is 'NaN'")
         wrong("x,y,z,radius\n1,2,3,-1\n", "radius", "> 0")
