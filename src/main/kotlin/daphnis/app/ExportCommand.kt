@@ -20,7 +20,6 @@ import daphnis.core.run.RunRecord
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioJson
-import java.nio.file.Path
 
 /** `daphnis export`: the snapshots of a run in a format of the community. */
 class ExportCommand : CliktCommand(name = "export") {

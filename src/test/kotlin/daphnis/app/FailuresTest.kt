@@ -228,7 +228,8 @@ class FailuresTest {
     @Test
     fun `two states differ in whatever they differ`() {
         assertNull(firstDifference(state(), state()))
-        val words = "step 3;time;box along z;repeats along z;offset;particles;particle 1, z;particle 1, vz;radius;mass;axes;crossed"
+        val words = "step 3;time;box along z;repeats along z;offset;particles;particle 1, z;particle 1, vz;" +
+            "radius;mass;axes;crossed"
         for ((change, word) in words.split(';').withIndex()) {
             val said = firstDifference(state(), state(change)).orEmpty()
             assertTrue(word in said) { "$word: $said" }

@@ -38,8 +38,9 @@ internal class MoonPart private constructor(private val study: Study, moon: Forc
         }
         val label = "forced eccentricity [${units.length}]"
         val figure = Chart.lines(curves, azimuth, label, horizontal = e.amplitude)
-        val caption = "Forced eccentricity |⟨e·exp(iφ)⟩| along the ring; dashed: the impulse of one passage of a moon on " +
-            "a circle, 2.2396 μ a³/Δa², for the middle of the patch."
+        val caption =
+            "Forced eccentricity |⟨e·exp(iφ)⟩| along the ring; dashed: the impulse of one passage of a moon on " +
+                "a circle, 2.2396 μ a³/Δa², for the middle of the patch."
         study.draw(page, figure, "forced-eccentricity", "forced eccentricity along the ring", caption)
         page.numbers(MoonEncounter.rows(e, last.boundary.box, units))
     }

@@ -59,8 +59,8 @@ internal class OccultationSection(private val study: Study) : Section {
         val label = UnitNames.axis(if (study.isRing) "radial position x" else "x", length)
         val figure = Chart.lines(listOf(Curve("last state", x, last), Curve("mean", x, mean)), label, "transmission")
         val caption = "Synthetic occultation: share of the light that comes through along y at each x, from rays " +
-            "through the particles and their images at $rays, which is the direction in the plane in which they climb, " +
-            "from x toward y."
+            "through the particles and their images at $rays, which is the direction in the plane in which they " +
+            "climb, from x toward y."
         study.draw(page, figure, "occultation", "synthetic occultation", caption)
         Table(
             "occultation",

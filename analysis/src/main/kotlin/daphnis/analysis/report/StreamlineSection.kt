@@ -40,8 +40,9 @@ internal class StreamlineSection(private val study: Study) : Section {
         val middle = "${ReportText.short(forced.average())} ${units.length}"
         page.paragraph(
             "$slabs slabs of azimuth, $groups groups of equal count in each, sorted by guiding centre. Forced " +
-                "eccentricity of the middle streamline $middle on average; largest q = $largest (streamlines cross where " +
-                "q reaches 1; the scatter of few particles raises it). Tables: streamlines-x.csv, streamlines-guiding-centre.csv.",
+                "eccentricity of the middle streamline $middle on average; largest q = $largest (streamlines cross " +
+                "where q reaches 1; the scatter of few particles raises it). " +
+                "Tables: streamlines-x.csv, streamlines-guiding-centre.csv.",
         )
     }
 

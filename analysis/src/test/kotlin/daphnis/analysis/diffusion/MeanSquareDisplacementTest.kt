@@ -172,7 +172,10 @@ class MeanSquareDisplacementTest {
         val state = Snapshot.of(population(5), Periodic(box), 0, 1.0)
         assertTrue("particle 7 is missing" in problem { t.add(state) })
         val silent =
-            Snapshot(0, 1.0, state.lengths, state.periodic, 0.0, state.id, state.position, state.velocity, state.radius, state.mass)
+            Snapshot(
+                0, 1.0, state.lengths, state.periodic, 0.0, state.id, state.position, state.velocity, state.radius,
+                state.mass,
+            )
         assertTrue("crossed the box" in problem { Trajectories(positions, intArrayOf(0)).add(silent) })
         val once = Trajectories(positions, intArrayOf(0)).also { it.add(state) }
         assertTrue("must ascend" in problem { once.add(state) })
@@ -209,7 +212,9 @@ class MeanSquareDisplacementTest {
         for (step in run.snapshotSteps()) {
             val f = H5md.read(run.snapshot(step)).single()
             val silent =
-                Snapshot(f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass)
+                Snapshot(
+                    f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass,
+                )
             H5md.write(listOf(silent), run.snapshot(step), "old")
         }
         val old = section(path, 5.0)

@@ -35,7 +35,8 @@ public object SnapshotFormats {
         val byEnding = readable.find { ending in it.extensions }
         if (byEnding != null && ending == byEnding.extensions.first()) return byEnding
         val byMark = readable.find { format -> format.mark?.let { it in name } == true }
-        return byMark ?: byEnding ?: throw FormatException("$path: unknown format; known by the end of the name: $known")
+        return byMark ?: byEnding
+            ?: throw FormatException("$path: unknown format; known by the end of the name: $known")
     }
 
     /**
