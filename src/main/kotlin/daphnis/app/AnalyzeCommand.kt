@@ -14,13 +14,13 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
-import daphnis.core.format.SnapshotFormat
+import daphnis.core.format.SnapshotFormats
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
 
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
 class AnalyzeCommand : CliktCommand(name = "analyze") {
-    private val what by argument("dir-or-file", help = "run directory, or a particle file: ${SnapshotFormat.known}")
+    private val what by argument("dir-or-file", help = "run directory, or a particle file: ${SnapshotFormats.known}")
     private val scenario by option(
         "--scenario",
         help = "for a file: scenario file or built-in name that says what the box and the frame are",
@@ -79,8 +79,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
-        Files.createDirectories(directory)
-        analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+        writing(directory) {
+            analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+        }
         println("report: ${directory.resolve("report.html")}")
     }
 

@@ -24,7 +24,7 @@ class CompareCommand : CliktCommand(name = "compare") {
         val b = directory(second)
         val common = a.snapshotSteps().intersect(b.snapshotSteps().toSet()).sorted()
         for (step in common) {
-            val difference = firstDifference(a.frame(step), b.frame(step)) ?: continue
+            val difference = firstDifference(a.readSnapshot(step), b.readSnapshot(step)) ?: continue
             println("differ at step $step: $difference")
             throw ProgramResult(EXIT_FAILED)
         }
@@ -32,16 +32,13 @@ class CompareCommand : CliktCommand(name = "compare") {
         val endB = summary(b)
         val digestA = endA?.stateDigest
         val digestB = endB?.stateDigest
+        val rest = "${common.size} common snapshots are identical"
         if (endA != null && endB != null && endA.steps != endB.steps) {
-            println(
-                "differ: one ended after step ${endA.steps}, the other after step ${endB.steps}; ${common.size} common snapshots are identical",
-            )
+            println("differ: one ended after step ${endA.steps}, the other after step ${endB.steps}; $rest")
             throw ProgramResult(EXIT_FAILED)
         }
         if (digestA != null && digestB != null && digestA != digestB) {
-            println(
-                "differ at the end: state digest $digestA against $digestB; ${common.size} common snapshots are identical",
-            )
+            println("differ at the end: state digest $digestA against $digestB; $rest")
             throw ProgramResult(EXIT_FAILED)
         }
         if (common.isEmpty() && (digestA == null || digestB == null)) {

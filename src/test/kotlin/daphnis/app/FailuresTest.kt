@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
 import daphnis.core.run.RunException
 import daphnis.core.scenario.InputException
@@ -128,7 +129,84 @@ class FailuresTest {
         assertTrue("differ at step 0: particle 0, mass =" in result.out) { result.out }
     }
 
-    private fun frame(change: Int = -1): Snapshot {
+    @Test
+    fun `compare says of runs that ended at different steps which did where`() {
+        small("a", "--set", "output.snapshotEvery=4")
+        daphnis(
+            "run", "cooling-gas", *SMALL, "--set", "output.snapshotEvery=4", "--steps", "12", "--out", at("b"),
+            "--quiet",
+        )
+        val result = daphnis("compare", at("a"), at("b"))
+        assertEquals(1, result.code) { result.err }
+        val line = "differ: one ended after step 8, the other after step 12; 3 common snapshots are identical"
+        assertEquals(line, result.out.trim())
+        val reverse = daphnis("compare", at("b"), at("a")).out
+        assertTrue("differ: one ended after step 12, the other after step 8" in reverse) { reverse }
+    }
+
+    @Test
+    fun `a damaged snapshot is named with the way out, which works`() {
+        small("a", "--set", "output.snapshotEvery=4")
+        small("b", "--set", "output.snapshotEvery=4")
+        val damaged = home.resolve("a/snapshots/0000000004.h5")
+        val bytes = Files.readAllBytes(damaged)
+        Files.write(damaged, bytes.copyOf(bytes.size / 2))
+        val out = arrayOf("0000000004.h5", "take the file away to go on without this snapshot")
+        assertRefused(daphnis("compare", at("a"), at("b")), *out)
+        assertRefused(daphnis("analyze", at("a"), "--from", "0", "--quiet"), *out)
+        assertRefused(daphnis("export", at("a"), "--format", "xyz"), *out)
+        Files.delete(damaged)
+        assertTrue("identical: 2 common snapshots" in assertDone(daphnis("compare", at("a"), at("b"))))
+        assertDone(daphnis("analyze", at("a"), "--from", "0", "--quiet"))
+        assertTrue("2 snapshots to" in assertDone(daphnis("export", at("a"), "--format", "xyz")))
+    }
+
+    @Test
+    fun `a directory that cannot be made or written is named, with exit code 1`() {
+        small("a", "--set", "output.snapshotEvery=4")
+        val file = Files.writeString(home.resolve("file"), "in the way").toString()
+        for (command in listOf(arrayOf("analyze", at("a"), "--quiet"), arrayOf("export", at("a"), "--format", "vtp"))) {
+            for (target in listOf(file, "$file/below")) {
+                val result = daphnis(*command, "--out", target)
+                assertEquals(1, result.code) { result.err }
+                val isOneLine = result.err.trim().lines().size == 1
+                assertTrue("cannot write to $target: " in result.err && isOneLine) { result.err }
+            }
+        }
+        // A device that is full as soon as something is written.
+        val full = Path.of("/dev/full")
+        if (!Files.exists(full)) return
+        val out = Files.createDirectories(home.resolve("out"))
+        for ((k, name) in listOf("report.html", "trajectory.xyz").withIndex()) {
+            Files.createSymbolicLink(out.resolve(name), full)
+            val words = if (k == 0) "analyze ${at("a")} --quiet" else "export ${at("a")} --format xyz"
+            val result = daphnis(*words.split(' ').toTypedArray(), "--out", "$out")
+            assertEquals(1, result.code) { result.err }
+            assertTrue("cannot write to $out: " in result.err && "No space left" in result.err) { result.err }
+        }
+    }
+
+    @Test
+    fun `H5MD refuses other particles in one state than in another, and names what does not`() {
+        small("a", "--set", "output.snapshotEvery=4")
+        val file = home.resolve("a/snapshots/0000000008.h5")
+        val state = H5md.read(file).single()
+        fun but(a: DoubleArray) = a.copyOf(99)
+        val fewer = Snapshot(
+            8, state.time, state.lengths, state.periodic, 0.0, state.id.copyOf(99),
+            Array(3) { but(state.position[it]) }, Array(3) { but(state.velocity[it]) },
+            but(state.radius), but(state.mass),
+        )
+        H5md.write(listOf(fewer), file, "test")
+        assertRefused(
+            daphnis("export", at("a"), "--format", "h5md"),
+            "--format: is h5md, which needs the same particles in every state; those of steps 0 and 8 differ; " +
+                "xyz and vtp do not",
+        )
+        assertDone(daphnis("export", at("a"), "--format", "xyz"))
+    }
+
+    private fun state(change: Int = -1): Snapshot {
         fun next(k: Int, value: Double) = if (k == change) Math.nextUp(value) else value
         fun columns(k: Int) = Array(3) { axis -> doubleArrayOf(1.0, if (axis == 2) next(k, 2.0) else 2.0) }
         return Snapshot(
@@ -149,13 +227,14 @@ class FailuresTest {
 
     @Test
     fun `two states differ in whatever they differ`() {
-        assertNull(firstDifference(frame(), frame()))
-        val words = "step 3;time;box along z;repeats along z;offset;particles;particle 1, z;particle 1, vz;radius;mass;axes;crossed"
+        assertNull(firstDifference(state(), state()))
+        val words = "step 3;time;box along z;repeats along z;offset;particles;particle 1, z;particle 1, vz;" +
+            "radius;mass;axes;crossed"
         for ((change, word) in words.split(';').withIndex()) {
-            val said = firstDifference(frame(), frame(change)).orEmpty()
+            val said = firstDifference(state(), state(change)).orEmpty()
             assertTrue(word in said) { "$word: $said" }
         }
-        assertTrue("boxes crossed along x = 0 against 1" in firstDifference(frame(), frame(12)).orEmpty())
+        assertTrue("boxes crossed along x = 0 against 1" in firstDifference(state(), state(12)).orEmpty())
     }
 
     private class Failing(private val message: String) : OutputStream() {

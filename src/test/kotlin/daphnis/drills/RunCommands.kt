@@ -56,7 +56,8 @@ internal class RunCommands(private val base: Path) {
             if (table.exists()) put(table.name, Files.readString(table))
         }
         // States that were there before stay as they are; whoever reads a damaged one is told.
-        for (step in run.snapshotSteps().filter { it > 12 }) put("$step", stateDigest(run.frame(step).population()))
+        val late = run.snapshotSteps().filter { it > 12 }
+        for (step in late) put("$step", stateDigest(run.readSnapshot(step).population()))
         val summary = Summary.read(run.summary)
         put(
             "summary",

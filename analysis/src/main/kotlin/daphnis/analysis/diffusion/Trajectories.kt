@@ -7,14 +7,15 @@ public sealed interface Coordinate {
     /** Its name in tables. */
     public val name: String
 
-    /** The unwrapped coordinate of the particle at [index] of [frame], whose images must be known. */
-    public fun of(frame: Snapshot, index: Int): Double
+    /** The unwrapped coordinate of the particle at [index] of [snapshot], whose images must be known. */
+    public fun of(snapshot: Snapshot, index: Int): Double
 
     /** Position along [axis] (0 = x, 1 = y, 2 = z): of a periodic axis along which nothing flows. */
     public class Position(private val axis: Int) : Coordinate {
         override val name: String = "xyz"[axis].toString()
 
-        override fun of(frame: Snapshot, index: Int): Double = frame.position[axis][index] + crossed(frame, axis, index)
+        override fun of(snapshot: Snapshot, index: Int): Double =
+            snapshot.position[axis][index] + crossed(snapshot, axis, index)
     }
 
     /**
@@ -24,17 +25,17 @@ public sealed interface Coordinate {
     public class GuidingCentre(private val omega: Double) : Coordinate {
         override val name: String = "X"
 
-        override fun of(frame: Snapshot, index: Int): Double =
-            4 * frame.position[0][index] + 2 * frame.velocity[1][index] / omega + crossed(frame, 0, index)
+        override fun of(snapshot: Snapshot, index: Int): Double =
+            4 * snapshot.position[0][index] + 2 * snapshot.velocity[1][index] / omega + crossed(snapshot, 0, index)
     }
 
     private companion object {
-        fun crossed(frame: Snapshot, axis: Int, index: Int): Double {
+        fun crossed(snapshot: Snapshot, axis: Int, index: Int): Double {
             val image =
-                checkNotNull(frame.image) {
-                    "the state at time ${frame.time} does not say how often particles crossed the box"
+                checkNotNull(snapshot.image) {
+                    "the state at time ${snapshot.time} does not say how often particles crossed the box"
                 }
-            return if (frame.periodic[axis]) image[axis][index] * frame.lengths[axis] else 0.0
+            return if (snapshot.periodic[axis]) image[axis][index] * snapshot.lengths[axis] else 0.0
         }
     }
 }
@@ -43,7 +44,7 @@ public sealed interface Coordinate {
  * Positions of particles at many times, unwrapped and relative to their centre of mass, so that a common drift is no
  * displacement. Keeps 8 bytes for each particle, coordinate and time.
  *
- * @param ids of the particles, ascending; they must be in every frame
+ * @param ids of the particles, ascending; they must be in every snapshot
  */
 public class Trajectories(public val coordinates: List<Coordinate>, private val ids: IntArray) {
     private val times = ArrayList<Double>()
@@ -70,25 +71,25 @@ public class Trajectories(public val coordinates: List<Coordinate>, private val 
      *
      * @throws IllegalArgumentException when it is not later, has no images, or lacks a particle
      */
-    public fun add(frame: Snapshot) {
-        require(times.isEmpty() || frame.time > times.last()) {
-            "a state at time ${frame.time} after one at ${times.last()}; times must ascend"
+    public fun add(snapshot: Snapshot) {
+        require(times.isEmpty() || snapshot.time > times.last()) {
+            "a state at time ${snapshot.time} after one at ${times.last()}; times must ascend"
         }
-        requireNotNull(frame.image) {
-            "the state at time ${frame.time} does not say how often particles crossed the box"
+        requireNotNull(snapshot.image) {
+            "the state at time ${snapshot.time} does not say how often particles crossed the box"
         }
         val indices = IntArray(ids.size)
         for (k in ids.indices) {
-            indices[k] = java.util.Arrays.binarySearch(frame.id, ids[k])
-            require(indices[k] >= 0) { "particle ${ids[k]} is missing at time ${frame.time}" }
+            indices[k] = java.util.Arrays.binarySearch(snapshot.id, ids[k])
+            require(indices[k] >= 0) { "particle ${ids[k]} is missing at time ${snapshot.time}" }
         }
         var mass = 0.0
-        for (k in indices) mass += frame.mass[k]
-        times += frame.time
+        for (k in indices) mass += snapshot.mass[k]
+        times += snapshot.time
         rows += Array(coordinates.size) { c ->
-            val values = DoubleArray(indices.size) { coordinates[c].of(frame, indices[it]) }
+            val values = DoubleArray(indices.size) { coordinates[c].of(snapshot, indices[it]) }
             var centre = 0.0
-            for (k in indices.indices) centre += frame.mass[indices[k]] * values[k]
+            for (k in indices.indices) centre += snapshot.mass[indices[k]] * values[k]
             for (k in values.indices) values[k] -= centre / mass
             values
         }

@@ -10,7 +10,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
-import daphnis.core.format.SnapshotFormat
+import daphnis.core.format.SnapshotFormats
 import daphnis.core.population.Population
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.RunDirectory
@@ -39,7 +39,7 @@ import kotlin.io.path.name
  * @property notices what a user should know of the files, a line each
  * @property scenario of a run, or the one given beside a file; null when there is none
  */
-public class AnalysisInput private constructor(
+public class AnalysisInput internal constructor(
     public val name: String,
     public val scenario: Scenario?,
     private val firstBody: Int,
@@ -60,20 +60,29 @@ public class AnalysisInput private constructor(
     /** Number of states. */
     public val size: Int get() = times.size
 
-    /** Reads state [k] as its file holds it. @throws FormatException when it cannot be read */
-    public fun frame(k: Int): Snapshot = load(k)
+    /** The last state, which is kept: bins, pictures and the box of open space come from it. */
+    private val last: Snapshot by lazy { load(size - 1) }
+
+    /**
+     * State [k] as its file holds it, not to be changed. Read anew each time, except for the last.
+     *
+     * @throws FormatException when it cannot be read
+     */
+    public fun snapshot(k: Int): Snapshot = if (k == size - 1) last else load(k)
 
     // Of open space the box around the last state, for all states, so that bins and maps of one are those of another.
-    private val bounds: BoundaryConditions by lazy { boundary(load(size - 1).population()) }
+    private val bounds: BoundaryConditions by lazy { boundary(last.population()) }
 
     /** Whether the sphere with [id] is one of the scenario's bodies. */
     public fun isBody(id: Int): Boolean = firstBody != Int.MAX_VALUE && id >= firstBody
 
-    /** Reads state [k]. @throws FormatException when its file cannot be read */
-    public fun state(k: Int): State {
-        val population = load(k).population()
+    /** State [k], its particles copied. @throws FormatException when its file cannot be read */
+    public fun state(k: Int): State = state(k, snapshot(k))
+
+    /** State [k], which [snapshot] is. */
+    internal fun state(k: Int, snapshot: Snapshot): State {
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
-        return State(population, bounds, times[k], omega, firstBody, factor)
+        return State(snapshot.population(), bounds, times[k], omega, firstBody, factor)
     }
 
     public companion object {
@@ -95,7 +104,8 @@ public class AnalysisInput private constructor(
             val around = Surroundings.of(scenario, run.scenario.toString())
             val step = around.timeStep
             val times = DoubleArray(steps.size) { k ->
-                if (step is TimeStepSpec.Fixed) scenario.startTime + steps[k] * step.dt else run.frame(steps[k]).time
+                val dt = (step as? TimeStepSpec.Fixed)?.dt
+                if (dt != null) scenario.startTime + steps[k] * dt else run.readSnapshot(steps[k]).time
             }
             return ofRun(run, scenario.name, scenario, steps, times, around.boundary, around.angularSpeed, notices)
         }
@@ -106,15 +116,15 @@ public class AnalysisInput private constructor(
             val notices = checked(run, null, acceptLoss)
             val steps = steps(run)
             val times = DoubleArray(steps.size) {
-                val frame = run.frame(steps[it])
-                if (frame.shearOffset != 0.0) {
+                val snapshot = run.readSnapshot(steps[it])
+                if (snapshot.shearOffset != 0.0) {
                     val why = "holds a run of $record, in which images slide; it takes a scenario to say how"
                     throw InputException("${run.path}", null, "$why: export it, and analyze the file with one")
                 }
-                frame.time
+                snapshot.time
             }
             val notice = "${run.path}: is of $record: without a scenario units, rotating frame and bodies are not known"
-            return ofRun(run, record.program, null, steps, times, ofFrame(run.frame(steps[0])), null, notices + notice)
+            return ofRun(run, record.program, null, steps, times, boundaryOf(run.readSnapshot(steps[0])), null, notices + notice)
         }
 
         private fun steps(run: RunDirectory): List<Long> = run.snapshotSteps().ifEmpty {
@@ -135,10 +145,10 @@ public class AnalysisInput private constructor(
             val series = if (Files.exists(run.series)) SeriesTable.read(run.series) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
-            val firstBody = scenario?.firstBody(run.frame(steps[0]).size) ?: Int.MAX_VALUE
+            val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
             val bounds = { population: Population -> bounded(boundary, population) }
             return AnalysisInput(
-                name, scenario, firstBody, summary, times, { run.frame(steps[it]) }, bounds, omega,
+                name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, bounds, omega,
                 transport, series, impacts, run, notices,
             )
         }
@@ -157,41 +167,49 @@ public class AnalysisInput private constructor(
         }
 
         /**
-         * The frames of a foreign file, of any [SnapshotFormat].
+         * The states of a foreign file, of any format of [SnapshotFormats].
          *
          * @param scenario what the box, its faces and the frame are; without one they are the file's, and open where it
          *   does not say
          */
         public fun ofFile(path: Path, scenario: Scenario?, source: String): AnalysisInput {
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
-            val frames = SnapshotFormat.of(path).read(path)
-            if (frames.isEmpty()) throw FormatException("$path: holds no frame")
-            for ((k, frame) in frames.withIndex()) {
-                if (frame.size == 0) throw FormatException("$path: holds no particle in frame $k")
-                val before = if (k == 0) frame.time else frames[k - 1].time
-                if (frame.time < before) {
-                    throw FormatException("$path: frame $k is of time ${frame.time}, after $before; times must ascend")
+            val snapshots = SnapshotFormats.read(path)
+            if (snapshots.isEmpty()) throw FormatException("$path: holds no frame")
+            for ((k, snapshot) in snapshots.withIndex()) {
+                if (snapshot.size == 0) throw FormatException("$path: holds no particle in frame $k")
+                val before = if (k == 0) snapshot.time else snapshots[k - 1].time
+                if (snapshot.time < before) {
+                    val order = "is of time ${snapshot.time}, after $before; times must ascend"
+                    throw FormatException("$path: frame $k $order")
                 }
             }
             val around = scenario?.let { Surroundings.of(it, source) }
-            val given = around?.boundary ?: ofFrame(frames[0])
-            if (around != null) for ((k, frame) in frames.withIndex()) requireNear(given, frame, "$path: frame $k")
+            val given = around?.boundary ?: boundaryOf(snapshots[0])
+            if (around != null) for ((k, it) in snapshots.withIndex()) requireNear(given, it, "$path: frame $k")
+            val silent = snapshots.find { !it.hasRadius }
+            val firstBody = scenario?.firstBody(snapshots[0].size) ?: Int.MAX_VALUE
             return AnalysisInput(
-                path.name.substringBeforeLast('.'), scenario, scenario?.firstBody(frames[0].size) ?: Int.MAX_VALUE, null,
-                DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
-                around?.angularSpeed, null, null, null, null, emptyList(),
+                path.name.substringBeforeLast('.'), scenario, firstBody, null,
+                DoubleArray(snapshots.size) { snapshots[it].time }, { snapshots[it] }, { bounded(given, it) },
+                around?.angularSpeed, null, null, null, null, listOfNotNull(silent?.let { withoutRadii(path, it) }),
             )
         }
 
+        private fun withoutRadii(path: Path, snapshot: Snapshot): String {
+            val taken = snapshot.radius.firstOrNull()
+            return "$path has no radii: $taken is taken for each; depths, filling factors and occultations are of that"
+        }
+
         /** The box of a scenario is not that which a file's places were checked against. */
-        private fun requireNear(boundary: BoundaryConditions, frame: Snapshot, where: String) {
+        private fun requireNear(boundary: BoundaryConditions, snapshot: Snapshot, where: String) {
             for (axis in 0..2) {
                 if (!boundary.repeats(axis)) continue
                 val farthest = MOST_BOXES * boundary.box.length(axis)
-                for (k in 0 until frame.size) {
-                    val p = frame.position[axis][k]
+                for (k in 0 until snapshot.size) {
+                    val p = snapshot.position[axis][k]
                     if (Math.abs(p) <= farthest) continue
-                    val place = "${"xyz"[axis]} of particle ${frame.id[k]} is $p"
+                    val place = "${"xyz"[axis]} of particle ${snapshot.id[k]} is $p"
                     throw FormatException("$where: $place, more than $MOST_BOXES of the scenario's boxes away")
                 }
             }
@@ -199,17 +217,17 @@ public class AnalysisInput private constructor(
 
         private const val MOST_BOXES = 1000
 
-        private fun ofFrame(frame: Snapshot): BoundaryConditions {
-            if (frame.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open
-            if (frame.shearOffset != 0.0) {
+        private fun boundaryOf(snapshot: Snapshot): BoundaryConditions {
+            if (snapshot.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open
+            if (snapshot.shearOffset != 0.0) {
                 val why = "is missing; images slide in this file, and the scenario has to say how"
                 throw InputException("scenario", null, why, isArgument = true)
             }
             return Periodic(
-                Box.centred(frame.lengths[0], frame.lengths[1], frame.lengths[2]),
-                frame.periodic[0],
-                frame.periodic[1],
-                frame.periodic[2],
+                Box.centred(snapshot.lengths[0], snapshot.lengths[1], snapshot.lengths[2]),
+                snapshot.periodic[0],
+                snapshot.periodic[1],
+                snapshot.periodic[2],
             )
         }
 

@@ -1,7 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
-import daphnis.analysis.insitu.State
 import daphnis.core.run.Version
 import daphnis.core.run.TransportColumns
 import daphnis.core.scenario.InputException
@@ -9,33 +8,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * What an analysis is asked for.
- *
- * @property from averages begin at this time, at most that of the last state; null for three eighths of the run, when
- * it is hoped to be steady
- * @property slabs of azimuth for streamlines; [groups] in each; 0 to choose by the number of particles
- * @property elevation of the rays above the x-y plane in degrees, in (0, 90]
- * @property frames states that are averaged at most, evenly spread
- * @property azimuth direction in which the rays climb, from x toward y, in degrees
- */
-public class AnalysisOptions(
-    public val from: Double? = null,
-    public val slabs: Int = 0,
-    public val groups: Int = 0,
-    public val elevation: Double = 28.0,
-    public val frames: Int = 40,
-    public val azimuth: Double = 0.0,
-)
-
-/** Told how far a long analysis has come. */
-public fun interface AnalysisProgress {
-    /** [done] of [all] parts are done, [what] comes next. */
-    public fun next(done: Int, all: Int, what: String)
-}
-
-/**
  * Computes everything this module knows for one [input] and writes tables (CSV), plots (SVG and PNG) and `report.html`.
- * One thread; holds one state in memory at a time.
+ * One thread; reads each state once, and holds two in memory at a time: the last, and the one that is measured.
  *
  * @throws InputException when averages are to begin after the last state, or that holds no particle
  */
@@ -62,29 +36,25 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
      */
     public fun write(directory: Path, progress: AnalysisProgress = AnalysisProgress { _, _, _ -> }) {
         val from = options.from ?: steady()
-        val chosen = chosenFrames(from)
-        val last = input.state(input.size - 1)
-        if (last.population.size == 0) {
+        if (input.snapshot(input.size - 1).size == 0) {
             throw InputException(
                 input.name,
                 null,
                 "has no particle left in its last state; there is nothing to measure",
             )
         }
-        val measures = ReportAverages(last, input, options)
-        val all = chosen.size + PARTS
-        for ((done, k) in chosen.withIndex()) {
+        val study = Study(input, from, averaged(from), options, directory)
+        val sections = Sections(study)
+        val all = sections.states.size + PARTS
+        for ((done, k) in sections.states.withIndex()) {
             progress.next(done, all, "state at time ${input.times[k]}")
-            measures.add(input.state(k))
+            sections.add(k)
         }
-        val numbers = Numbers(input, from, measures.ofState)
-        progress.next(chosen.size, all, "tables and plots")
-        val averaged = DoubleArray(chosen.size) { input.times[chosen[it]] }
-        val study = Study(input, measures, numbers, last, from, averaged, options, directory)
+        progress.next(all - 2, all, "tables and plots")
         val page = ReportPage(input.name)
-        Sections(study).write(page)
+        sections.write(page)
         progress.next(all - 1, all, "report")
-        Files.writeString(directory.resolve("report.html"), page.html(subtitle(last)))
+        Files.writeString(directory.resolve("report.html"), page.html(subtitle(study)))
         progress.next(all, all, "done")
     }
 
@@ -96,14 +66,14 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
         return begin + (end - begin) * UNSTEADY
     }
 
-    private fun subtitle(last: State): String {
+    private fun subtitle(study: Study): String {
         val description = input.scenario?.description?.takeIf { it.isNotEmpty() && input.directory != null }
-        val what = description ?: ReportText.count(last.population.size, "sphere")
+        val what = description ?: ReportText.count(study.last.population.size, "sphere")
         return "$what. Analysed with daphnis ${Version.text}."
     }
 
-    /** States from [from] on, or the last when there are none; at most as many as asked for. */
-    private fun chosenFrames(from: Double): List<Int> {
+    /** Indices of the states from [from] on, or of the last when there are none; at most as many as asked for. */
+    private fun averaged(from: Double): List<Int> {
         val late = input.times.indices.filter { input.times[it] >= from }.ifEmpty { listOf(input.size - 1) }
         if (late.size <= options.frames) return late
         return List(options.frames) {

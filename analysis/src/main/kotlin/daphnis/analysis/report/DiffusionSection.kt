@@ -18,16 +18,17 @@ internal class DiffusionSection(private val study: Study) : Section {
     private val input = study.input
     private val units = study.units
     private val omega = input.omega
-    private val meanRadius = study.numbers.meanRadius
+    private val meanRadius = study.bulk.meanRadius
     private val chosen = chosen(study.from)
-    private val last = input.frame(input.size - 1)
+    private val last = study.lastSnapshot
     private val coordinates = coordinates(last, study.last.boundary)
-    private val displacement = if (isExpected() && last.image != null) follow() else null
+    private var trajectories = if (isExpected() && last.image != null) begun() else null
+    private val displacement by lazy { trajectories?.let { MeanSquareDisplacement(it) } }
 
     override val heading = "Diffusion"
     override val over = "Mean square displacements over all origins, without images and against the centre of mass. " +
         "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on."
-    override val leftOut = when {
+    override val leftOut get() = when {
         coordinates.isEmpty() -> "no axis repeats that nothing flows along"
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
             "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +
@@ -36,11 +37,17 @@ internal class DiffusionSection(private val study: Study) : Section {
         displacement == null -> "too few particles"
         else -> null
     }
+    override val followed = if (trajectories == null) emptyList() else chosen
+
+    override fun follow(snapshot: Snapshot) {
+        if (snapshot.image == null) trajectories = null
+        trajectories?.add(snapshot)
+    }
 
     private fun isExpected() = chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty()
 
     /** D along each coordinate that counts, and their mean. */
-    fun rows(): List<NumberRow> {
+    override fun numbers(): List<NumberRow> {
         val d = displacement ?: return emptyList()
         if (omega != null) {
             return listOfNotNull(
@@ -101,19 +108,12 @@ internal class DiffusionSection(private val study: Study) : Section {
         return if (omega != null) "X is the guiding centre; x swings about it once an orbit. $said" else said
     }
 
-    private fun follow(): MeanSquareDisplacement? {
+    private fun begun(): Trajectories? {
         // Particles only ever leave, so those that are there at the end were there throughout.
         val there = last.id.filter { !input.isBody(it) }
         val every = (there.size + MOST_PARTICLES - 1) / MOST_PARTICLES
         val ids = there.filterIndexed { k, _ -> k % maxOf(1, every) == 0 }.toIntArray()
-        if (ids.size < 2) return null
-        val trajectories = Trajectories(coordinates, ids)
-        for (k in chosen) {
-            val frame = input.frame(k)
-            if (frame.image == null) return null
-            trajectories.add(frame)
-        }
-        return MeanSquareDisplacement(trajectories)
+        return if (ids.size < 2) null else Trajectories(coordinates, ids)
     }
 
     private fun chosen(from: Double): List<Int> {
@@ -122,10 +122,10 @@ internal class DiffusionSection(private val study: Study) : Section {
         return late.filterIndexed { k, _ -> k % maxOf(1, every) == 0 }
     }
 
-    private fun coordinates(frame: Snapshot, boundary: BoundaryConditions): List<Coordinate> = if (omega != null) {
+    private fun coordinates(snapshot: Snapshot, boundary: BoundaryConditions): List<Coordinate> = if (omega != null) {
         listOf(Coordinate.GuidingCentre(omega), Coordinate.Position(0))
     } else {
-        (0..2).filter { frame.periodic[it] && it != boundary.meanFlow?.flowAxis }.map { Coordinate.Position(it) }
+        (0..2).filter { snapshot.periodic[it] && it != boundary.meanFlow?.flowAxis }.map { Coordinate.Position(it) }
     }
 
     private companion object {

@@ -11,12 +11,12 @@ import kotlin.math.sqrt
 
 /** Two sections through the velocity ellipsoid. */
 internal class EllipsoidSection(private val study: Study) : Section {
-    private val e = study.numbers.ellipsoid
+    private val e by lazy { study.motion.ellipsoid }
 
     override val heading = "Velocity ellipsoid"
-    override val over = NumbersSection(study, emptyList()).over
-    override val leftOut = study.tooFew(ProfilesSection.LEAST)
-        ?: if (e.dispersion > 0) null else "no particle moves against the mean flow"
+    override val over = study.overMotion
+    override val leftOut get() =
+        study.tooFew() ?: if (e.dispersion > 0) null else "no particle moves against the mean flow"
 
     override fun write(page: ReportPage) {
         val curves =

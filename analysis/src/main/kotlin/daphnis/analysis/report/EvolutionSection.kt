@@ -64,8 +64,8 @@ internal class EvolutionSection(private val study: Study) : Section {
             )
         }
         if (energies.isNotEmpty()) {
-            val rotating = " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits."
-            val shear = if (study.isRing) rotating else ""
+            val ofRing = " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits."
+            val shear = if (study.isRing) ofRing else ""
             study.draw(
                 page,
                 plots.energyPlot(energies),

@@ -1,5 +1,7 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.flow.FlowField
+import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
@@ -8,23 +10,25 @@ import daphnis.analysis.table.Table
 /** Lines of the mean flow of a sheared box without Hill's frame. */
 internal class FlowSection(private val study: Study) : Section {
     private val units = study.units
-    private val measures = study.measures
+    private val field = FlowField(CELLS, CELLS)
+    private var sums = DoubleArray(0)
 
     override val heading = "Mean flow"
     override val over = study.overAverages
+    override val applies = !study.isRing && study.last.boundary.meanFlow != null
     override val leftOut =
-        if (measures.isCompact) {
-            study.tooFew(
-                ProfilesSection.LEAST,
-            )
-        } else {
-            "the box is more than twenty times as long as wide"
-        }
+        if (study.isCompact) study.tooFew() else "the box is more than twenty times as long as wide"
+
+    override fun add(state: State) {
+        if (leftOut != null) return
+        val more = field.of(state)
+        if (sums.isEmpty()) sums = more else for (k in more.indices) sums[k] += more[k]
+    }
 
     override fun write(page: ReportPage) {
-        val f = measures.flow
-        val vx = f.mean(measures.flowSums, 0)
-        val vy = f.mean(measures.flowSums, 1)
+        val f = field
+        val vx = f.mean(sums, 0)
+        val vy = f.mean(sums, 1)
         val figure = Chart.paths(lines(vx, vy), study.lengthAxis("x"), study.lengthAxis("y"))
         study.draw(
             page,
@@ -49,7 +53,7 @@ internal class FlowSection(private val study: Study) : Section {
     }
 
     private fun lines(vx: DoubleArray, vy: DoubleArray): List<Curve> {
-        val f = measures.flow
+        val f = field
         val backX = DoubleArray(vx.size) { -vx[it] }
         val backY = DoubleArray(vy.size) { -vy[it] }
         val box = study.last.boundary.box
@@ -67,6 +71,7 @@ internal class FlowSection(private val study: Study) : Section {
     }
 
     private companion object {
+        const val CELLS = 24
         const val HEIGHT = 420
     }
 }

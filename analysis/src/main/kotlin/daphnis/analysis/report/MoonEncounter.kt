@@ -27,64 +27,39 @@ internal object MoonEncounter {
     }
 
     fun rows(e: Encounter, box: Box, units: UnitNames): List<NumberRow> {
+        val rows = NumberRows()
         val moonX = (box.lowerX + box.upperX) / 2 - e.distance
-        val swing = if (e.moonE > 0) {
-            "of the guiding centres; the moon swings ${ReportText.short(e.moonE)} ${units.length} to either side"
-        } else {
-            ""
-        }
-        return listOf(
-            NumberRow(
-                "distance from the moon's orbit, middle of the patch",
-                e.distance,
-                Double.NaN,
-                units.length,
-                note = swing,
-            ),
-            NumberRow("wavelength 3π|Δa|", e.wavelength, Double.NaN, units.length),
-        ) + amplitudes(e, units) + listOf(
-            NumberRow("time between passages", e.synodicOrbits, Double.NaN, "orbits"),
-            NumberRow(
-                "resonances (m+1):m in the patch",
-                e.resonances(box.lowerX - moonX, box.upperX - moonX).size.toDouble(),
-                Double.NaN,
-                "",
-            ),
+        val swings = "${ReportText.short(e.moonE)} ${units.length}"
+        val swing = "of the guiding centres; the moon swings $swings to either side"
+        rows.exact(
+            "distance from the moon's orbit, middle of the patch",
+            e.distance,
+            units.length,
+            if (e.moonE > 0) swing else "",
         )
+        rows.exact("wavelength 3π|Δa|", e.wavelength, units.length)
+        amplitudes(rows, e, units)
+        rows.exact("time between passages", e.synodicOrbits, "orbits")
+        val resonances = e.resonances(box.lowerX - moonX, box.upperX - moonX).size.toDouble()
+        rows.exact("resonances (m+1):m in the patch", resonances, "")
+        return rows.list()
     }
 
-    private fun amplitudes(e: Encounter, units: UnitNames): List<NumberRow> {
-        val what = "amplitude a·e of one passage"
+    private fun amplitudes(rows: NumberRows, e: Encounter, units: UnitNames) {
+        val name = "amplitude a·e of one passage"
         val crossing = "streamlines cross without damping after"
-        if (e.moonE == 0.0) {
-            return listOf(
-                NumberRow(what, e.amplitude, Double.NaN, units.length),
-                NumberRow(crossing, e.crossing(e.amplitude), Double.NaN, units.length),
-            )
-        }
         val place = "by the moon's place on its epicycle at the passage"
-        if (e.largestAmplitude.isNaN()) {
-            return listOf(
-                NumberRow(
-                    what,
-                    Double.NaN,
-                    Double.NaN,
-                    units.length,
-                    note = "not known: the moon's epicycle reaches the middle of the patch",
-                ),
-            )
+        if (e.moonE == 0.0) {
+            rows.exact(name, e.amplitude, units.length)
+            rows.exact(crossing, e.crossing(e.amplitude), units.length)
+        } else if (e.largestAmplitude.isNaN()) {
+            val why = "not known: the moon's epicycle reaches the middle of the patch"
+            rows.exact(name, Double.NaN, units.length, why)
+        } else {
+            rows.exact("$name, least", e.leastAmplitude, units.length, place)
+            rows.exact("$name, largest", e.largestAmplitude, units.length, place)
+            rows.exact(crossing, e.crossing(e.largestAmplitude), units.length, "where the amplitude is largest")
         }
-        return listOf(
-            NumberRow("$what, least", e.leastAmplitude, Double.NaN, units.length, note = place),
-            NumberRow("$what, largest", e.largestAmplitude, Double.NaN, units.length, note = place),
-            NumberRow(
-                crossing,
-                e.crossing(e.largestAmplitude),
-                Double.NaN,
-                units.length,
-                note = "where the amplitude is largest",
-            ),
-        )
     }
 
     private const val METRES_PER_KM = 1000

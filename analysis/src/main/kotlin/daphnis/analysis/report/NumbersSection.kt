@@ -1,19 +1,18 @@
 package daphnis.analysis.report
 
 import java.nio.file.Files
+import kotlin.math.PI
 
-/** The table of numbers, on the page and as `tables/numbers.csv`; [further] rows come last. */
-internal class NumbersSection(private val study: Study, private val further: List<NumberRow>) : Section {
+/** The table of numbers, on the page and as `tables/numbers.csv`; the rows of the [others] come last. */
+internal class NumbersSection(private val study: Study, private val others: List<Section>) : Section {
     override val heading = "Numbers"
-    override val over = if (study.numbers.isFromTransport) {
-        "Averages over the rows of transport.csv from time ${study.time(study.from)} on, " +
-            "and over ${study.averagedStates}."
-    } else {
-        study.overAverages
-    }
+    override val over = study.overMotion
+
+    override fun numbers(): List<NumberRow> =
+        study.input.omega?.let { RingNumbers(study, it).rows() } ?: BoxNumbers(study).rows()
 
     override fun write(page: ReportPage) {
-        val rows = study.numbers.rows() + further
+        val rows = numbers() + others.flatMap { it.numbers() }
         val notes = ArrayList<String>()
         if (rows.any { !it.error.isNaN() }) {
             notes += "± is one standard error; numbers without it follow from the particles themselves."
@@ -21,15 +20,25 @@ internal class NumbersSection(private val study: Study, private val further: Lis
         val source = if (study.input.scenario == null) "file" else "scenario"
         if (rows.any { "unit" in it.unit }) notes += "Units without a name are those of the $source."
         if (notes.isNotEmpty()) page.paragraph(notes.joinToString(" "))
-        for (line in study.numbers.steadiness()) page.paragraph(line)
+        for (line in steadiness()) page.paragraph(line)
         page.numbers(rows)
         Files.createDirectories(study.tables)
         val lines = rows.map {
             val error = if (it.error.isNaN()) "" else it.error
             val remark = if (it.isUncertain) "too few independent states" else ""
-            "${it.what.replace(',', ';')},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
+            "${it.name.replace(',', ';')},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
         }
         val header = "quantity,value,standard_error,unit,reference,remark"
         Files.write(study.tables.resolve("numbers.csv"), listOf(header) + lines)
+    }
+
+    /** Whether the averages are over a steady time, in sentences. */
+    private fun steadiness(): List<String> {
+        val (from, motion) = study.from to study.motion
+        val histories = RunHistory.of(study.input, from).ifEmpty {
+            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
+        }
+        val orbit = study.input.omega?.let { 2 * PI / it }
+        return SteadinessText(from, if (orbit != null) "orbit" else "unit of time", orbit ?: 1.0).of(histories)
     }
 }

@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.Averages
+import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.profile.Profile
@@ -11,73 +12,84 @@ import kotlin.math.sqrt
 
 /** Profiles across the patch, along it and over height; all columns in `tables/profile-*.csv`. */
 internal class ProfilesSection(private val study: Study) : Section {
-    private val measures = study.measures
     private val units = study.units
     private val radialName = if (study.isRing) "radial position x" else "x"
+    private val box = study.last.boundary.box
+
+    private val radial = Averaged(Profile(0, box.lowerX, box.upperX, bins(box.length(0))))
+    private val azimuthal = Averaged(Profile(1, box.lowerY, box.upperY, bins(box.length(1))))
+    private val vertical = Averaged(if (study.isRing) overHeight() else overBox())
 
     private val isAcrossY = study.last.boundary.meanFlow?.normalAxis == 1
-    private val across = if (isAcrossY) measures.azimuthal else measures.radial
-    private val acrossAverages = if (isAcrossY) measures.ofAzimuthal else measures.ofRadial
+    private val across = if (isAcrossY) azimuthal else radial
     private val acrossAxis = study.lengthAxis(if (isAcrossY) "y" else radialName)
 
     override val heading = "Profiles"
     override val over = "Averages in equal bins over ${study.averagedStates}. Bars are one standard error; bins " +
         "that are filled in fewer than 16 states have none."
-    override val leftOut = study.tooFew(LEAST)
+    override val leftOut = study.tooFew()
+
+    /** A profile with its averages. */
+    private class Averaged(val profile: Profile) {
+        val averages = Averages(profile)
+
+        /** Column [c] by bin. */
+        fun column(c: Int) = (0 until profile.bins).map { averages.average(it * Profile.COLUMNS.size + c) }
+
+        fun centres() = DoubleArray(profile.bins) { profile.centre(it) }
+    }
+
+    /** Bins of the largest diameter, not too many. */
+    private fun bins(length: Double): Int = (length / (2 * study.bulk.largestRadius)).toInt().coerceIn(1, MOST_BINS)
+
+    private fun overHeight(): Profile {
+        val z = study.last.population.z
+        val height = z.maxOf { Math.abs(it) } + study.bulk.largestRadius
+        return Profile(2, -height, height, bins(4 * 2 * height))
+    }
+
+    private fun overBox() = Profile(2, box.lowerZ, box.upperZ, bins(box.length(2)))
+
+    override fun add(state: State) {
+        for (one in listOf(radial, azimuthal, vertical)) one.averages.add(state)
+    }
 
     override fun write(page: ReportPage) {
-        profile(
-            page,
-            "radial",
-            measures.radial,
-            measures.ofRadial,
-            radialName,
-            if (measures.isSlab) "optical_depth" else "filling_factor",
-            if (measures.isSlab) "Optical depth across the patch." else "Filling factor along x.",
-        )
-        profile(page, "azimuthal", measures.azimuthal, measures.ofAzimuthal, "", "", "")
-        profile(
-            page,
-            "vertical",
-            measures.vertical,
-            measures.ofVertical,
-            "height z",
-            "filling_factor",
-            "Filling factor over height.",
-        )
+        val (column, caption) = if (study.isSlab) {
+            "optical_depth" to "Optical depth across the patch."
+        } else {
+            "filling_factor" to "Filling factor along x."
+        }
+        drawn(page, radial, table("radial", radial), column, radialName, caption)
+        table("azimuthal", azimuthal)
+        val overHeight = table("vertical", vertical)
+        drawn(page, vertical, overHeight, "filling_factor", "height z", "Filling factor over height.")
         dispersions(page)
     }
 
-    /** Writes the table of a profile and draws the column [drawn] of it, unless that is empty. */
-    private fun profile(
-        page: ReportPage,
-        name: String,
-        profile: Profile,
-        averages: Averages,
-        label: String,
-        drawn: String,
-        caption: String,
-    ) {
-        val x = DoubleArray(profile.bins) { profile.centre(it) }
-        val columns = ArrayList<Column>()
-        columns += Column("centre", units.length, x)
+    /** Writes the table of a profile. */
+    private fun table(name: String, of: Averaged): Table {
+        val columns = arrayListOf(Column("centre", units.length, of.centres()))
         for ((c, column) in Profile.COLUMNS.withIndex()) {
-            val all = x.indices.map { averages.average(it * Profile.COLUMNS.size + c) }
-            val y = DoubleArray(x.size) { all[it].mean }
-            val error = DoubleArray(x.size) { all[it].error }
-            val unit = unitOf(column, profile.axis)
-            columns += Column(column, unit, y)
-            columns += Column("${column}_error", unit, error)
-            if (column != drawn) continue
-            val quantity = column.replace('_', ' ')
-            val figure = Chart.lines(
-                listOf(Curve(quantity, x, y, error)),
-                study.lengthAxis(label),
-                UnitNames.axis(quantity, unit),
-            )
-            study.draw(page, figure, "$name-${column.replace('_', '-')}", "$quantity over $label", caption)
+            val all = of.column(c)
+            val unit = unitOf(column, of.profile.axis)
+            columns += Column(column, unit, DoubleArray(all.size) { all[it].mean })
+            columns += Column("${column}_error", unit, DoubleArray(all.size) { all[it].error })
         }
-        Table("profile-$name", columns).write(study.tables)
+        return Table("profile-$name", columns).also { it.write(study.tables) }
+    }
+
+    /** Draws a [column] of a [table] over its bins. */
+    private fun drawn(page: ReportPage, of: Averaged, table: Table, column: String, label: String, caption: String) {
+        fun values(name: String) = table.columns.first { it.name == name }.values
+        val quantity = column.replace('_', ' ')
+        val figure = Chart.lines(
+            listOf(Curve(quantity, values("centre"), values(column), values("${column}_error"))),
+            study.lengthAxis(label),
+            UnitNames.axis(quantity, unitOf(column, of.profile.axis)),
+        )
+        val name = "${table.name.removePrefix("profile-")}-${column.replace('_', '-')}"
+        study.draw(page, figure, name, "$quantity over $label", caption)
     }
 
     /** Across the flow: along x in Hill's frame, along y in a sheared box. */
@@ -85,10 +97,10 @@ internal class ProfilesSection(private val study: Study) : Section {
         val first = Profile.COLUMNS.indexOf("c_xx")
         val scale = study.scale
         val curves = listOf("σ_x", "σ_y", "σ_z").mapIndexed { c, name ->
-            val all = column(first + c)
+            val all = across.column(first + c)
             Curve(
                 name,
-                DoubleArray(all.size) { across.centre(it) },
+                across.centres(),
                 DoubleArray(all.size) { sqrt(all[it].mean) / scale.speed },
                 DoubleArray(all.size) { all[it].error / (2 * sqrt(all[it].mean)) / scale.speed },
             )
@@ -104,8 +116,8 @@ internal class ProfilesSection(private val study: Study) : Section {
     /** The flow of a sheared box as it is, beside the straight line that the boundary drives. */
     private fun meanFlow(page: ReportPage) {
         val rate = study.last.boundary.meanFlow?.rate ?: return
-        val rest = column(Profile.COLUMNS.indexOf("mean_vx"))
-        val y = DoubleArray(rest.size) { across.centre(it) }
+        val rest = across.column(Profile.COLUMNS.indexOf("mean_vx"))
+        val y = across.centres()
         val driven = DoubleArray(rest.size) { rate * y[it] }
         val measured = DoubleArray(rest.size) { driven[it] + rest[it].mean }
         val curves = listOf(
@@ -117,8 +129,6 @@ internal class ProfilesSection(private val study: Study) : Section {
         study.draw(page, figure, "flow-profile", "mean velocity across the flow", caption)
     }
 
-    private fun column(c: Int) = (0 until across.bins).map { acrossAverages.average(it * Profile.COLUMNS.size + c) }
-
     private fun unitOf(column: String, axis: Int): String = when {
         column == "surface_density" && axis == 2 -> units.density
         column == "surface_density" -> units.surfaceDensity
@@ -127,8 +137,7 @@ internal class ProfilesSection(private val study: Study) : Section {
         else -> ""
     }
 
-    companion object {
-        /** Particles below which averages over them mean nothing. */
-        const val LEAST = 10
+    private companion object {
+        const val MOST_BINS = 60
     }
 }

@@ -12,7 +12,7 @@ internal class Reference(val value: Double, val source: String)
 
 /**
  * Numbers that are known for some scenarios: steady ring patches and sheared gases measured with an independent
- * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By the name of the quantity.
+ * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By [NumberRow.name].
  */
 internal object References {
     private const val INDEPENDENT = "docs/validation.md"
@@ -27,35 +27,30 @@ internal object References {
         doubleArrayOf(1.0, 2.95, 2.10, 1.38, 1.54, 2.16, 18.95, 0.670, 0.859, 0.22),
         doubleArrayOf(2.0, 2.45, 1.62, 1.28, 1.31, 2.49, 44.3, 0.487, 1.859, 0.35),
     )
-    private val PATCH_NAMES =
-        listOf("", "c", "sigma_x", "sigma_y", "sigma_z", "H", "collisions", "nu_trans", "nu_coll", "midplane")
+    private val PATCH_NAMES = listOf(
+        "",
+        "velocity dispersion c",
+        "σ_x",
+        "σ_y",
+        "σ_z",
+        "scale height H",
+        "collisions of a particle",
+        "viscosity, translational",
+        "viscosity, collisional",
+        "filling factor in the middle plane",
+    )
 
     /** e, φ, then T*, p*, τ*. */
     private val SHEARED = listOf(
-        doubleArrayOf(
-            0.8,
-            0.01,
-            297.0,
-            3.08,
-            1.335,
-        ),
-        doubleArrayOf(0.8, 0.1, 3.00, 0.440, 0.170), doubleArrayOf(0.8, 0.3, 0.514, 0.596, 0.230),
-        doubleArrayOf(
-            0.9,
-            0.01,
-            631.0,
-            6.55,
-            2.130,
-        ),
-        doubleArrayOf(0.9, 0.1, 6.36, 0.951, 0.275), doubleArrayOf(0.9, 0.3, 1.137, 1.339, 0.374),
-        doubleArrayOf(
-            0.95,
-            0.01,
-            1302.0,
-            13.54,
-            3.208,
-        ),
-        doubleArrayOf(0.95, 0.1, 13.06, 1.970, 0.411), doubleArrayOf(0.95, 0.3, 2.390, 2.837, 0.565),
+        doubleArrayOf(0.8, 0.01, 297.0, 3.08, 1.335),
+        doubleArrayOf(0.8, 0.1, 3.00, 0.440, 0.170),
+        doubleArrayOf(0.8, 0.3, 0.514, 0.596, 0.230),
+        doubleArrayOf(0.9, 0.01, 631.0, 6.55, 2.130),
+        doubleArrayOf(0.9, 0.1, 6.36, 0.951, 0.275),
+        doubleArrayOf(0.9, 0.3, 1.137, 1.339, 0.374),
+        doubleArrayOf(0.95, 0.01, 1302.0, 13.54, 3.208),
+        doubleArrayOf(0.95, 0.1, 13.06, 1.970, 0.411),
+        doubleArrayOf(0.95, 0.3, 2.390, 2.837, 0.565),
     )
 
     /** Of a ring patch, in units of r and Ω. Empty unless the scenario is one of those measured. */
@@ -84,9 +79,9 @@ internal object References {
         }
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
         return mapOf(
-            "T*" to Reference(row[2], INDEPENDENT),
-            "p*" to Reference(row[3], INDEPENDENT),
-            "tau*" to Reference(row[4], INDEPENDENT),
+            "temperature T* = T/(γσ)²" to Reference(row[2], INDEPENDENT),
+            "pressure p* = p/(ρ_p σ²γ²)" to Reference(row[3], INDEPENDENT),
+            "shear stress τ* = −P_xy/(ρ_p σ²γ²)" to Reference(row[4], INDEPENDENT),
         )
     }
 
@@ -103,12 +98,12 @@ internal object References {
         val contact = (1 - filling / 2) / ((1 - filling) * (1 - filling) * (1 - filling))
         val diameter = 2 * radius
         return mapOf(
-            "rate" to
+            "collisions of a particle" to
                 Reference(
                     4 * Math.sqrt(PI * temperature) * numberDensity * contact * diameter * diameter,
                     "Carnahan & Starling 1969",
                 ),
-            "Z" to Reference(1 + 4 * filling * contact, "Carnahan & Starling 1969"),
+            "compressibility p V / (M T)" to Reference(1 + 4 * filling * contact, "Carnahan & Starling 1969"),
         )
     }
 }

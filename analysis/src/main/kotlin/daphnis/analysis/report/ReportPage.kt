@@ -71,7 +71,7 @@ internal class ReportPage(private val title: String) {
         val note = if (row.note.isEmpty()) "" else " <small>${escape(row.note)}</small>"
         val value = ReportText.withError(row.value, row.error) + if (row.isUncertain) "<sup>?</sup>" else ""
         val unit = escape(UnitNames.raised(row.unit))
-        return "<td>${escape(row.what)}$note</td><td class=\"n\">$value</td><td class=\"u\">$unit</td>"
+        return "<td>${escape(row.name)}$note</td><td class=\"n\">$value</td><td class=\"u\">$unit</td>"
     }
 
     private fun comparison(row: NumberRow): String {

@@ -13,8 +13,8 @@ internal class RunSection(private val study: Study) : Section {
         page.parameters(RunParameters(input, study.last).rows())
         val run = input.directory?.path ?: return
         page.paragraph(
-            "To do it again, from the directory in which this report was made: the scenario as it was resolved is in the " +
-                "run directory; it gives the same state digest on any machine, with any engine and number of threads.",
+            "To do it again, from the directory in which this report was made: the scenario as it was resolved is in " +
+                "the run directory; it gives the same state digest on any machine, with any engine and number of threads.",
         )
         val again = quoted(besides(run))
         page.commands(
@@ -40,14 +40,9 @@ internal class RunSection(private val study: Study) : Section {
         }
 
         /** [path] as a shell takes it for one word. */
-        fun quoted(path: Path): String = path.toString().let {
-            if (PLAIN.matches(it)) {
-                it
-            } else {
-                "'" +
-                    it.replace("'", "'\\''") +
-                    "'"
-            }
+        fun quoted(path: Path): String {
+            val word = path.toString()
+            return if (PLAIN.matches(word)) word else "'${word.replace("'", "'\\''")}'"
         }
     }
 }

@@ -1,5 +1,7 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.insitu.Averages
+import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.profile.DispersionBySize
@@ -12,19 +14,24 @@ import kotlin.math.sqrt
 /** What particles of each size do, where there is more than one size. */
 internal class SizeClassSection(private val study: Study) : Section {
     private val units = study.units
-    private val classes = study.measures.sizes?.classes ?: 0
-    private val averages = study.measures.ofSizes
-    private val radius = DoubleArray(classes) { average(it, "mean_radius").mean }
-    private val filled = (0 until classes).filter { !radius[it].isNaN() && !average(it, "c2").mean.isNaN() }
+    private val sizes = DispersionBySize.of(study.last)
+    private val averages = sizes?.let { Averages(it) }
+    private val classes = sizes?.classes ?: 0
+    private val radius by lazy { DoubleArray(classes) { average(it, "mean_radius").mean } }
+    private val filled by lazy { (0 until classes).filter { !radius[it].isNaN() && !average(it, "c2").mean.isNaN() } }
 
     override val heading = "Sizes"
     override val over =
         "Particles by size, around the mean flow and the centre of mass of all. ${study.overAverages} " +
             "By number. Bars are one standard error, from 16 states on."
-    override val leftOut = when {
+    override val leftOut get() = when {
         averages == null -> "all particles have one radius"
         filled.isEmpty() -> "too few particles"
         else -> null
+    }
+
+    override fun add(state: State) {
+        averages?.add(state)
     }
 
     override fun write(page: ReportPage) {

@@ -6,6 +6,7 @@ import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Figures
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.table.UnitNames
+import daphnis.core.format.Snapshot
 import org.jetbrains.letsPlot.Figure
 import java.nio.file.Path
 import kotlin.math.PI
@@ -13,37 +14,49 @@ import kotlin.math.PI
 /**
  * What the sections of a report are made from.
  *
- * @property last the last state
  * @property from averages begin at this time
- * @property averaged times of the states that are averaged, ascending; never empty
+ * @property averaged indices of the states that are averaged, ascending; never empty
  */
 internal class Study(
     val input: AnalysisInput,
-    val measures: ReportAverages,
-    val numbers: Numbers,
-    val last: State,
     val from: Double,
-    private val averaged: DoubleArray,
+    val averaged: List<Int>,
     val options: AnalysisOptions,
     directory: Path,
 ) {
+    val lastSnapshot: Snapshot = input.snapshot(input.size - 1)
+    val last: State = input.state(input.size - 1, lastSnapshot)
+    val bulk: Bulk = Bulk(last, input)
+    val motion: Motion = Motion(input, from, last)
     val plots: Path = directory.resolve("plots")
     val tables: Path = directory.resolve("tables")
     val units: UnitNames = input.units
-    val scale: PlotScale = PlotScale(units, input.omega, numbers.meanRadius)
+    val scale: PlotScale = PlotScale(units, input.omega, bulk.meanRadius)
     val isRing: Boolean = input.omega != null
 
-    /** Spheres that are no bodies. */
-    val particles: Int = (0 until last.population.size).count { last.isParticle(it) }
+    /** Whether light through the patch means something: not through a box that is one of many all around. */
+    val isSlab: Boolean = !last.boundary.repeats(2)
+
+    /** Whether pairs and maps are worth looking at: not for patches a thousand times as long as wide. */
+    val isCompact: Boolean =
+        last.boundary.box.let { maxOf(it.length(0), it.length(1)) <= LONGEST * minOf(it.length(0), it.length(1)) }
 
     /** Which states an average is over: `5 states of 12, time 3.75 to 10 s (1.2 to 3.1 orbits)`. */
     val averagedStates: String = run {
         val all = if (averaged.size < input.size) " of ${input.size}" else ""
-        "${ReportText.count(averaged.size, "state")}$all, time ${span(averaged.first(), averaged.last())}"
+        val span = span(input.times[averaged.first()], input.times[averaged.last()])
+        "${ReportText.count(averaged.size, "state")}$all, time $span"
     }
 
     val overAverages: String = "Averages over $averagedStates."
     val overLast: String = "The last state, time ${time(last.time)}."
+
+    /** What [motion] is over. */
+    val overMotion: String = if (motion.transport != null) {
+        "Averages over the rows of transport.csv from time ${time(from)} on, and over $averagedStates."
+    } else {
+        overAverages
+    }
 
     /** [time] with its unit, in Hill's frame also in orbits. */
     fun time(time: Double): String = span(time, time)
@@ -60,7 +73,8 @@ internal class Study(
     }
 
     /** Why nothing is said of fewer than [least] particles; null when there are enough. */
-    fun tooFew(least: Int): String? {
+    fun tooFew(least: Int = FEWEST): String? {
+        val particles = bulk.particles
         if (particles >= least) return null
         val there = if (particles == 1) "there is" else "there are"
         return "$there ${ReportText.count(particles, "particle")}; it takes $least at least"
@@ -73,31 +87,12 @@ internal class Study(
     fun draw(page: ReportPage, figure: Figure, name: String, alt: String, caption: String, height: Int = Chart.HEIGHT) {
         page.svg(Figures.write(figure, plots, name, Chart.WIDTH, height), alt, caption)
     }
-}
 
-/**
- * A section of the report: its text, its table, its figures. To add one, write it in a file of its own and name it in
- * [Sections].
- */
-internal interface Section {
-    val heading: String
+    private companion object {
+        /** Particles below which averages over them mean nothing. */
+        const val FEWEST = 10
 
-    /** What it shows and over which states: the first line under the heading. */
-    val over: String
-
-    /** Why it would mean nothing here, as the end of a sentence; null when it means something. */
-    val leftOut: String? get() = null
-
-    /** Writes what follows the heading and [over]. */
-    fun write(page: ReportPage)
-}
-
-/** A section from its parts. */
-internal class PlainSection(
-    override val heading: String,
-    override val over: String,
-    override val leftOut: String? = null,
-    private val body: (ReportPage) -> Unit,
-) : Section {
-    override fun write(page: ReportPage) = body(page)
+        /** Length of a patch over its width up to which it is compact. */
+        const val LONGEST = 20
+    }
 }

@@ -4,8 +4,6 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.DiffusionSection
-import daphnis.analysis.report.Numbers
-import daphnis.analysis.report.ReportAverages
 import daphnis.analysis.report.ReportPage
 import daphnis.analysis.report.Study
 import daphnis.core.boundary.Box
@@ -171,24 +169,25 @@ class MeanSquareDisplacementTest {
         assertTrue("15 times" in problem { MeanSquareDisplacement(walk(5, 15, 0.0, random)) })
         assertTrue("2 at least" in problem { MeanSquareDisplacement(walk(1, 20, 0.0, random)) })
         val t = Trajectories(positions, intArrayOf(0, 7))
-        val frame = Snapshot.of(population(5), Periodic(box), 0, 1.0)
-        assertTrue("particle 7 is missing" in problem { t.add(frame) })
+        val state = Snapshot.of(population(5), Periodic(box), 0, 1.0)
+        assertTrue("particle 7 is missing" in problem { t.add(state) })
         val silent =
-            Snapshot(0, 1.0, frame.lengths, frame.periodic, 0.0, frame.id, frame.position, frame.velocity, frame.radius, frame.mass)
+            Snapshot(
+                0, 1.0, state.lengths, state.periodic, 0.0, state.id, state.position, state.velocity, state.radius,
+                state.mass,
+            )
         assertTrue("crossed the box" in problem { Trajectories(positions, intArrayOf(0)).add(silent) })
-        val once = Trajectories(positions, intArrayOf(0)).also { it.add(frame) }
-        assertTrue("must ascend" in problem { once.add(frame) })
+        val once = Trajectories(positions, intArrayOf(0)).also { it.add(state) }
+        assertTrue("must ascend" in problem { once.add(state) })
         assertTrue("no particle" in problem { Trajectories(positions, IntArray(0)) })
     }
 
     /** The section of the run in [path] from [from] on. */
     private fun section(path: Path, from: Double): DiffusionSection {
         val input = AnalysisInput.ofRun(path)
-        val last = input.state(input.size - 1)
-        val options = AnalysisOptions()
-        val measures = ReportAverages(last, input, options)
-        val numbers = Numbers(input, from, measures.ofState)
-        return DiffusionSection(Study(input, measures, numbers, last, from, doubleArrayOf(last.time), options, path))
+        val section = DiffusionSection(Study(input, from, listOf(input.size - 1), AnalysisOptions(), path))
+        for (k in section.followed) section.follow(input.snapshot(k))
+        return section
     }
 
     @Test
@@ -203,21 +202,23 @@ class MeanSquareDisplacementTest {
             "velocities={\"type\":\"gaussian\",\"sigma\":1,\"exact\":true}",
         )
         Run.start(BuiltIn.scenario("elastic-gas", settings), "gas", path).use { it.execute() }
-        val rows = section(path, 5.0).rows()
-        assertEquals(listOf("", "_x", "_y", "_z").map { "self-diffusion D$it" }, rows.map { it.what })
+        val rows = section(path, 5.0).numbers()
+        assertEquals(listOf("", "_x", "_y", "_z").map { "self-diffusion D$it" }, rows.map { it.name })
         assertEquals(0.929, rows[0].value, 0.04 * 0.929) { "D = ${rows[0].value} ± ${rows[0].error}" }
         assertTrue(rows[0].error < 0.03) { "${rows[0].error}" }
-        for (row in rows.drop(1)) assertEquals(0.929, row.value, 4 * row.error) { row.what }
+        for (row in rows.drop(1)) assertEquals(0.929, row.value, 4 * row.error) { row.name }
         // As versions wrote them that did not count.
         val run = RunDirectory(path)
         for (step in run.snapshotSteps()) {
             val f = H5md.read(run.snapshot(step)).single()
             val silent =
-                Snapshot(f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass)
+                Snapshot(
+                    f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass,
+                )
             H5md.write(listOf(silent), run.snapshot(step), "old")
         }
         val old = section(path, 5.0)
-        assertEquals(emptyList<Any>(), old.rows())
+        assertEquals(emptyList<Any>(), old.numbers())
         assertTrue("do not say how often particles crossed the box" in old.leftOut!!)
     }
 
@@ -243,8 +244,8 @@ class MeanSquareDisplacementTest {
         val settings =
             listOf("untilOrbits=10", "box.lengths=[50,50,20]", "output.snapshotEvery=20", "output.checkpointEvery=0")
         Run.start(BuiltIn.scenario("ring-patch", settings), "ring", ring).use { it.execute() }
-        val row = section(ring, 2 * 2 * Math.PI / 1.4e-4).rows().single()
-        assertEquals("self-diffusion of guiding centres D_X", row.what)
+        val row = section(ring, 2 * 2 * Math.PI / 1.4e-4).numbers().single()
+        assertEquals("self-diffusion of guiding centres D_X", row.name)
         // Of the order of the translational viscosity, as for any gas.
         assertTrue(row.value > 1 && row.value < 30 && row.error < 0.2 * row.value) {
             "${row.value} ± ${row.error} ${row.unit}, ${row.note}"

@@ -51,7 +51,9 @@ class AnalysisTest {
         assertEquals(100, seen.last())
         assertEquals(seen.sorted(), seen)
         val html = Files.readString(path.resolve("report.html"))
-        for (heading in listOf("Numbers", "The patch", "Streamlines", "Evolution", "Profiles", "Velocity ellipsoid", "Structure", "Occultation", "Impacts", "Run")) {
+        val headings =
+            "Numbers;The patch;Streamlines;Evolution;Profiles;Velocity ellipsoid;Structure;Occultation;Impacts;Run"
+        for (heading in headings.split(';')) {
             assertTrue(">$heading</h2>" in html) { heading }
         }
         assertTrue("35° elevation and 15° azimuth" in html && "Pair correlation in the x-y plane" in html)
@@ -61,8 +63,8 @@ class AnalysisTest {
         assertFalse("<script" in html)
         val tables = Files.list(path.resolve("tables")).use { files -> files.map { it.name }.toList().toSet() }
         val wanted =
-            "numbers streamlines-x streamlines-guiding-centre profile-radial profile-vertical evolution pair-correlation " +
-                "structure-factor autocorrelation wakes occultation impact-speeds"
+            "numbers streamlines-x streamlines-guiding-centre profile-radial profile-vertical evolution " +
+                "pair-correlation structure-factor autocorrelation wakes occultation impact-speeds"
         for (name in wanted.split(' ')) {
             assertTrue("$name.csv" in tables) { name }
         }
@@ -71,6 +73,10 @@ class AnalysisTest {
                 path.resolve("tables/profile-radial.csv"),
             )[0].startsWith("centre [m],count,count_error,surface_density [kg/m^2]"),
         )
+        NumberNames.assertNamed(NumberNames.RING, path)
+        val known = References.ofPatch(BuiltIn.scenario("ring-patch", emptyList()), 1.314e-4, 0.5).keys
+        assertEquals(9, known.size)
+        assertTrue(NumberNames.RING.containsAll(known.map { it.replace(',', ';') })) { "$known" }
         for (plot in listOf("patch-above", "patch-side", "streamlines", "velocity-ellipsoid")) {
             assertTrue(Files.size(path.resolve("plots/$plot.png")) > 1000)
             assertTrue(Files.readString(path.resolve("plots/$plot.svg")).startsWith("<svg"))
@@ -96,7 +102,11 @@ class AnalysisTest {
             1e-9,
         )
         assertTrue(pairs[0][1] > 1.5) { "g at contact is ${pairs[0][1]}" }
-        assertTrue("temperature T*" in Files.readString(sheared.resolve("tables/numbers.csv")))
+        NumberNames.assertNamed(NumberNames.SHEARED, sheared)
+        val known = References.ofShear(BuiltIn.scenario("shear-cell", emptyList()), 0.3).keys
+        assertTrue(known.size == 3 && NumberNames.SHEARED.containsAll(known)) { "$known" }
+        val gas = References.ofElastic(BuiltIn.scenario("elastic-gas", emptyList()), 0.1, 1.0, 0.2).keys
+        assertTrue(gas.size == 2 && NumberNames.GAS.containsAll(gas)) { "$gas" }
         val open = run("cooling-gas", "until=0.2", "boundary={\"type\":\"open\"}", "particles.count=200")
         Analysis(AnalysisInput.ofRun(open)).write(open)
         assertTrue("granular temperature" in Files.readString(open.resolve("tables/numbers.csv")))
@@ -131,12 +141,14 @@ class AnalysisTest {
         Analysis(AnalysisInput.ofRun(clump), AnalysisOptions(from = 0.0)).write(clump)
         assertTrue(">Structure</h2>" in Files.readString(clump.resolve("report.html")))
         // And one that shrinks: the last state has the smallest box.
-        val frames =
+        val states =
             H5md.read(clump.resolve("snapshots/0000000020.h5")) + H5md.read(clump.resolve("snapshots/0000000000.h5"))
         fun inOrder(list: List<Snapshot>) = list.mapIndexed { k, f ->
-            Snapshot(k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass)
+            Snapshot(
+                k.toLong(), k.toDouble(), f.lengths, f.periodic, 0.0, f.id, f.position, f.velocity, f.radius, f.mass,
+            )
         }
-        for ((name, list) in listOf("shrinks" to inOrder(frames), "grows" to inOrder(frames.reversed()))) {
+        for ((name, list) in listOf("shrinks" to inOrder(states), "grows" to inOrder(states.reversed()))) {
             val file = directory.resolve("$name.h5")
             H5md.write(list, file, "test")
             val out = directory.resolve(name)
@@ -157,14 +169,14 @@ class AnalysisTest {
     fun `a patch that lets no light through is opaque, one that does in some states has a finite depth`() {
         fun rows(opaque: Int): String {
             val boundary = HillSheet(Box.centred(4.0, 4.0, 2.0), 1.0)
-            val frames = List(3) { k ->
+            val states = List(3) { k ->
                 val p = uniform(60, boundary, radius = 1.0).population
                 // All in one place.
                 if (k >= opaque) for (axis in listOf(p.x, p.y, p.z)) axis.fill(0.0)
                 Snapshot.of(p, boundary, k.toLong(), k.toDouble())
             }
             val file = directory.resolve("light.h5")
-            H5md.write(frames, file, "test")
+            H5md.write(states, file, "test")
             val scenario = BuiltIn.scenario("ring-patch", listOf("box.lengths=[4,4,2]", "forces=[]"))
             Analysis(AnalysisInput.ofFile(file, scenario, "ring-patch"), AnalysisOptions(from = -1.0)).write(directory)
             val html = Files.readString(directory.resolve("report.html"))
@@ -266,23 +278,23 @@ class AnalysisTest {
     fun `foreign files give the states they hold`() {
         val path = run("elastic-gas", "until=0.2", "particles.count=300", "output.snapshotEvery=1")
         val original = AnalysisInput.ofRun(path).state(0).population
-        val frame = Snapshot.of(original, Periodic(Box.centred(10.0, 10.0, 10.0)), 0, 0.5)
+        val state = Snapshot.of(original, Periodic(Box.centred(10.0, 10.0, 10.0)), 0, 0.5)
         val xyz = directory.resolve("a.xyz")
         Files.newBufferedWriter(xyz).use {
-            ExtendedXyz.write(frame, it)
-            ExtendedXyz.write(frame, it)
+            ExtendedXyz.write(state, it)
+            ExtendedXyz.write(state, it)
         }
         val h5 = directory.resolve("a.h5")
-        H5md.write(listOf(frame), h5, "test")
+        H5md.write(listOf(state), h5, "test")
         val bin = directory.resolve("a.bin")
         CartAndRad.write(original, bin)
         for ((file, count) in listOf(xyz to 2, h5 to 1, bin to 1)) {
             val input = AnalysisInput.ofFile(file, null, "")
             assertEquals(count, input.size)
             val p = input.state(count - 1).population
-            assertArrayEquals(frame.position[0], p.x, 1e-12) { file.toString() }
-            assertArrayEquals(frame.velocity[2], p.vz, 1e-12)
-            assertArrayEquals(frame.radius, p.radius, 1e-12)
+            assertArrayEquals(state.position[0], p.x, 1e-12) { file.toString() }
+            assertArrayEquals(state.velocity[2], p.vz, 1e-12)
+            assertArrayEquals(state.radius, p.radius, 1e-12)
         }
         val out = directory.resolve("out")
         Files.createDirectories(out)

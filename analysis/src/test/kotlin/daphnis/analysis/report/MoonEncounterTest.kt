@@ -53,17 +53,17 @@ class MoonEncounterTest {
             box,
             units,
         )
-        assertEquals(1, rows(0.0).count { "amplitude" in it.what })
+        assertEquals(1, rows(0.0).count { "amplitude" in it.name })
         val swinging = rows(30.0)
-        val least = swinging.single { "least" in it.what }.value
-        val largest = swinging.single { "largest" in it.what && "amplitude" in it.what }.value
-        val circle = rows(0.0).single { "amplitude" in it.what }.value
+        val least = swinging.single { "least" in it.name }.value
+        val largest = swinging.single { "largest" in it.name && "amplitude" in it.name }.value
+        val circle = rows(0.0).single { "amplitude" in it.name }.value
         assertTrue(least < 0.9 * circle && largest > 1.1 * circle) { "$least $circle $largest" }
         assertTrue(swinging.any { "swings 30" in it.note })
-        assertEquals(1.5 * 167 * 167 / largest, swinging.single { "cross" in it.what }.value, 1e-9)
+        assertEquals(1.5 * 167 * 167 / largest, swinging.single { "cross" in it.name }.value, 1e-9)
         val crossing = rows(200.0)
-        assertTrue(crossing.single { "amplitude" in it.what }.value.isNaN())
-        assertFalse(crossing.any { "cross without" in it.what })
+        assertTrue(crossing.single { "amplitude" in it.name }.value.isNaN())
+        assertFalse(crossing.any { "cross without" in it.name })
     }
 
     @Test

@@ -1,5 +1,8 @@
 package daphnis.core.format
 
+import daphnis.core.boundary.Open
+import daphnis.core.format.Kept.Presence.ALWAYS
+import daphnis.core.format.Kept.Presence.NEVER
 import daphnis.core.population.Population
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
@@ -11,7 +14,31 @@ import java.nio.file.Path
  * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius.
  * Spheres in the order of their ids; ids and masses are not kept.
  */
-public object CartAndRad {
+public object CartAndRad : ReadableFormat, WritableFormat {
+    override val title: String = "CartAndRad"
+    override val extensions: List<String> = listOf("bin", "cartandrad")
+
+    /** SwiftVis numbers its files behind the word. */
+    override val mark: String = "cartandrad"
+    override val keeps: Kept = Kept(masses = NEVER, velocities = ALWAYS, ids = NEVER, severalStates = false)
+    override val word: String = "cartandrad"
+    override val programs: String = "SwiftVis"
+
+    /** Writes `CartAndRad.STEP.bin` for each state. */
+    override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
+        for (snapshot in snapshots) write(snapshot.population(), directory.resolve("CartAndRad.${snapshot.step}.bin"))
+        val left = "CartAndRad has no place for masses and ids: they are left out, " +
+            "spheres stand in the order of their ids"
+        return Exported(directory, remark = left)
+    }
+
+    /** Reads [path] as a state at step and time 0, masses from density 1. */
+    override fun read(path: Path): List<Snapshot> {
+        val snapshot = Snapshot.of(population(path), Open, 0, 0.0, hasMass = false)
+        SnapshotCheck.check(snapshot, "$path")
+        return listOf(snapshot)
+    }
+
     /** Writes [population] to [path], replacing it. */
     public fun write(population: Population, path: Path) {
         val order = population.indicesById()
@@ -40,7 +67,7 @@ public object CartAndRad {
      * @throws FormatException when the length is not what N says, or a number is not finite, or a radius is not
      *   positive
      */
-    public fun read(path: Path, density: Double = 1.0): Population {
+    public fun population(path: Path, density: Double = 1.0): Population {
         val size = Files.size(path)
         if (size < 4 || size > Int.MAX_VALUE) throw FormatException("$path: $size bytes is no CartAndRad file")
         val head = Files.newInputStream(path).use { it.readNBytes(4) }

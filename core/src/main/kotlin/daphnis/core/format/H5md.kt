@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.format.Kept.Presence.ALWAYS
 import io.jhdf.HdfFile
 import io.jhdf.WritableHdfFile
 import io.jhdf.api.DatasetCreationOptions
@@ -14,28 +15,45 @@ import java.nio.file.Path
  * scenario's and have no names, or SI by H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a
  * checksum over all that is read ([H5mdChecksum]).
  */
-public object H5md {
+public object H5md : ReadableFormat, WritableFormat {
+    override val title: String = "H5MD"
+    override val extensions: List<String> = listOf("h5", "h5md")
+    override val keeps: Kept =
+        Kept(masses = ALWAYS, velocities = ALWAYS, ids = ALWAYS, severalStates = true, changingParticles = false)
+    override val word: String = "h5md"
+    override val programs: String = "h5py, MDAnalysis"
+    override val takesUnits: Boolean = true
+
+    /** Writes `trajectory.h5`, or `trajectory-si.h5` in SI units. Holds all [snapshots] in memory. */
+    override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
+        val si = options.units != null
+        val file = directory.resolve(if (si) "trajectory-si.h5" else "trajectory.h5")
+        write(snapshots.toList(), file, options.version, options.units)
+        val nameless = "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False"
+        return Exported(file, remark = if (si) "units are m, s, m s-1 and kg" else nameless)
+    }
+
     /**
-     * Writes [frames], all of the same spheres, to [path]. Holds all of them in memory.
+     * Writes [snapshots], all of the same spheres, to [path]. Holds all of them in memory.
      *
      * @param version the version of daphnis to name as creator
      * @param units what the units are in SI units; then the numbers are written in these, and every dataset says its
      *   `unit`
      */
-    public fun write(frames: List<Snapshot>, path: Path, version: String, units: SiUnits? = null) {
-        require(frames.isNotEmpty()) { "no frame to write" }
-        val first = frames.first()
-        for (frame in frames) {
-            require(frame.id.contentEquals(first.id)) {
-                "spheres differ between steps ${first.step} and ${frame.step}; H5MD needs the same in every frame"
+    public fun write(snapshots: List<Snapshot>, path: Path, version: String, units: SiUnits? = null) {
+        require(snapshots.isNotEmpty()) { "no frame to write" }
+        val first = snapshots.first()
+        for (snapshot in snapshots) {
+            require(snapshot.id.contentEquals(first.id)) {
+                "spheres differ between steps ${first.step} and ${snapshot.step}; H5MD needs the same in every frame"
             }
         }
-        val written = if (units == null) frames else frames.map { units.convert(it) }
+        val written = if (units == null) snapshots else snapshots.map { units.convert(it) }
         HdfFile.write(path).use { file -> write(written, file, version, units != null) }
     }
 
-    private fun write(frames: List<Snapshot>, file: WritableHdfFile, version: String, si: Boolean) {
-        val first = frames.first()
+    private fun write(snapshots: List<Snapshot>, file: WritableHdfFile, version: String, si: Boolean) {
+        val first = snapshots.first()
         val names = if (si) UnitNames("m", "s", "m s-1", "kg") else null
         val h5md = file.putGroup("h5md")
         h5md.putAttribute("version", intArrayOf(1, 1))
@@ -52,37 +70,37 @@ public object H5md {
         val box = all.putGroup("box")
         box.putAttribute("dimension", 3)
         box.putAttribute("boundary", Array(3) { if (first.periodic[it]) "periodic" else "none" })
-        if (first.lengths.none { it.isNaN() }) edges(box, frames, names)
+        if (first.lengths.none { it.isNaN() }) edges(box, snapshots, names)
         // HDF5 as it is written here has no datasets of size 0: a state without particles says its step and time.
-        if (first.size == 0) steps(all.putGroup("position"), frames, names?.time) else particles(all, frames, names)
+        if (first.size == 0) {
+            steps(all.putGroup("position"), snapshots, names?.time)
+        } else {
+            particles(all, snapshots, names)
+        }
         val parameters = file.putGroup("parameters")
-        parameters.putDataset("shear_offset", DoubleArray(frames.size) { frames[it].shearOffset }).unit(names?.length)
+        val offsets = DoubleArray(snapshots.size) { snapshots[it].shearOffset }
+        parameters.putDataset("shear_offset", offsets).unit(names?.length)
         parameters.putDataset("shear_axes", intArrayOf(first.normalAxis, first.slideAxis))
-        parameters.putAttribute(H5mdChecksum.ATTRIBUTE, H5mdChecksum.of(frames))
+        parameters.putAttribute(H5mdChecksum.ATTRIBUTE, H5mdChecksum.of(snapshots))
     }
 
-    private fun particles(all: WritableGroup, frames: List<Snapshot>, names: UnitNames?) {
-        val first = frames.first()
-        element(all, "position", frames, names?.length, names?.time) { it.position }
-        element(all, "velocity", frames, names?.speed, names?.time) { it.velocity }
-        if (frames.all { it.image != null }) images(all, frames, names?.time)
+    private fun particles(all: WritableGroup, snapshots: List<Snapshot>, names: UnitNames?) {
+        val first = snapshots.first()
+        element(all, "position", snapshots, names?.length, names?.time) { it.position }
+        element(all, "velocity", snapshots, names?.speed, names?.time) { it.velocity }
+        if (snapshots.all { it.image != null }) images(all, snapshots, names?.time)
         all.putDataset("id", first.id)
         all.putDataset("mass", first.mass).unit(names?.mass)
         all.putDataset("radius", first.radius).unit(names?.length)
     }
 
     /** Lengths, or rows of edge vectors when images slide; by time either way, as MDAnalysis wants it. */
-    private fun edges(box: WritableGroup, frames: List<Snapshot>, names: UnitNames?) {
+    private fun edges(box: WritableGroup, snapshots: List<Snapshot>, names: UnitNames?) {
         val edges = box.putGroup("edges")
-        steps(edges, frames, names?.time)
-        val slid = frames.any { it.shearOffset != 0.0 }
-        val value: Any = if (slid) {
-            Array(frames.size) { t ->
-                frames[t].edges()
-            }
-        } else {
-            Array(frames.size) { frames[it].lengths }
-        }
+        steps(edges, snapshots, names?.time)
+        val slid = snapshots.any { it.shearOffset != 0.0 }
+        val rows = { Array(snapshots.size) { snapshots[it].edges() } }
+        val value: Any = if (slid) rows() else Array(snapshots.size) { snapshots[it].lengths }
         edges.putDataset("value", value).unit(names?.length)
     }
 
@@ -93,52 +111,50 @@ public object H5md {
 
     private class UnitNames(val length: String, val time: String, val speed: String, val mass: String)
 
-    private fun steps(element: WritableGroup, frames: List<Snapshot>, time: String?) {
-        element.putDataset("step", LongArray(frames.size) { frames[it].step })
-        element.putDataset("time", DoubleArray(frames.size) { frames[it].time }).unit(time)
+    private fun steps(element: WritableGroup, snapshots: List<Snapshot>, time: String?) {
+        element.putDataset("step", LongArray(snapshots.size) { snapshots[it].step })
+        element.putDataset("time", DoubleArray(snapshots.size) { snapshots[it].time }).unit(time)
     }
 
     private fun element(
         group: WritableGroup,
         name: String,
-        frames: List<Snapshot>,
+        snapshots: List<Snapshot>,
         unit: String?,
         time: String?,
         of: (Snapshot) -> Array<DoubleArray>,
     ) {
         val element = group.putGroup(name)
-        steps(element, frames, time)
-        val value = Array(frames.size) { t ->
-            val v = of(frames[t])
-            Array(frames[t].size) { k -> doubleArrayOf(v[0][k], v[1][k], v[2][k]) }
+        steps(element, snapshots, time)
+        val value = Array(snapshots.size) { t ->
+            val v = of(snapshots[t])
+            Array(snapshots[t].size) { k -> doubleArrayOf(v[0][k], v[1][k], v[2][k]) }
         }
-        element.putDataset("value", value, options(frames)).unit(unit)
+        element.putDataset("value", value, options(snapshots)).unit(unit)
     }
 
     /** 32-bit integers: how often each sphere crossed the box along x, y, z. */
-    private fun images(group: WritableGroup, frames: List<Snapshot>, time: String?) {
+    private fun images(group: WritableGroup, snapshots: List<Snapshot>, time: String?) {
         val element = group.putGroup("image")
-        steps(element, frames, time)
-        val value = Array(frames.size) { t ->
-            val image = checkNotNull(frames[t].image)
-            Array(frames[t].size) { k -> intArrayOf(image[0][k], image[1][k], image[2][k]) }
+        steps(element, snapshots, time)
+        val value = Array(snapshots.size) { t ->
+            val image = checkNotNull(snapshots[t].image)
+            Array(snapshots[t].size) { k -> intArrayOf(image[0][k], image[1][k], image[2][k]) }
         }
-        element.putDataset("value", value, options(frames))
+        element.putDataset("value", value, options(snapshots))
     }
 
-    private fun options(frames: List<Snapshot>) = DatasetCreationOptions.builder().chunkDimensions(
-        1,
-        minOf(frames.first().size, CHUNK),
-        3,
-    ).shuffle().deflate(DEFLATE).build()
+    private fun options(snapshots: List<Snapshot>): DatasetCreationOptions =
+        DatasetCreationOptions.builder().chunkDimensions(1, minOf(snapshots.first().size, CHUNK), 3)
+            .shuffle().deflate(DEFLATE).build()
 
     /**
-     * Reads every frame of a file that [write] wrote, or that has the same datasets of numbers of any width. One
+     * Reads every snapshot of a file that [write] wrote, or that has the same datasets of numbers of any width. One
      * without a checksum, of an older version or another program, is taken as it is.
      *
      * @throws FormatException when it is no such file, or is damaged
      */
-    public fun read(path: Path): List<Snapshot> = H5mdReader.read(path)
+    override fun read(path: Path): List<Snapshot> = H5mdReader.read(path)
 
     private const val CHUNK = 32_768
     private const val DEFLATE = 4

@@ -11,26 +11,26 @@ internal object H5mdChecksum {
     /** Name of the attribute of the group `parameters` that holds it, as a 64-bit integer. */
     const val ATTRIBUTE = "crc32c"
 
-    /** Of [frames] of the same spheres. What a file holds once, such as radii and faces, is the first frame's. */
-    fun of(frames: List<Snapshot>): Long {
+    /** Of [snapshots] of the same spheres. What a file holds once, such as radii and faces, is the first snapshot's. */
+    fun of(snapshots: List<Snapshot>): Long {
         val sum = Sum()
-        val first = frames.first()
+        val first = snapshots.first()
         val hasEdges = first.lengths.none { it.isNaN() }
-        val hasImages = first.size > 0 && frames.all { it.image != null }
-        sum.integers(intArrayOf(frames.size, first.size, first.normalAxis, first.slideAxis))
+        val hasImages = first.size > 0 && snapshots.all { it.image != null }
+        sum.integers(intArrayOf(snapshots.size, first.size, first.normalAxis, first.slideAxis))
         sum.integers(IntArray(3) { if (first.periodic[it]) 1 else 0 })
         sum.integers(intArrayOf(if (hasEdges) 1 else 0, if (hasImages) 1 else 0))
         sum.integers(first.id)
         sum.numbers(first.radius)
         sum.numbers(first.mass)
-        for (frame in frames) {
-            sum.long(frame.step)
-            sum.numbers(doubleArrayOf(frame.time, frame.shearOffset))
-            if (hasEdges) sum.numbers(frame.lengths)
+        for (snapshot in snapshots) {
+            sum.long(snapshot.step)
+            sum.numbers(doubleArrayOf(snapshot.time, snapshot.shearOffset))
+            if (hasEdges) sum.numbers(snapshot.lengths)
             for (axis in 0..2) {
-                sum.numbers(frame.position[axis])
-                sum.numbers(frame.velocity[axis])
-                if (hasImages) sum.integers(frame.image!![axis])
+                sum.numbers(snapshot.position[axis])
+                sum.numbers(snapshot.velocity[axis])
+                if (hasImages) sum.integers(snapshot.image!![axis])
             }
         }
         return sum.value

@@ -4,7 +4,7 @@ import java.nio.file.Path
 
 /** Reads the states of an H5MD file of the layout that [H5md] writes, whoever wrote it. */
 internal class H5mdReader(private val source: H5Source, private val path: Path) {
-    private fun frames(): List<Snapshot> {
+    private fun snapshots(): List<Snapshot> {
         val steps = source.longs("$ALL/position/step", one("$ALL/position/step"))
         val count = steps.size.toLong()
         val times = source.doubles("$ALL/position/time", listOf(count))
@@ -16,7 +16,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         val lengths = lengths(steps.size)
         // HDF5 as it is written here has no datasets of size 0: a state without particles has no values at all.
         val particles = if (source.has("$ALL/id") || source.has("$ALL/velocity")) Particles(count) else null
-        val frames = steps.indices.map { t ->
+        val snapshots = steps.indices.map { t ->
             Snapshot(
                 steps[t], times[t], lengths[t], periodic, offsets[t], particles?.id ?: IntArray(0),
                 columns(particles?.position, t), columns(particles?.velocity, t),
@@ -25,11 +25,11 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
             )
         }
         val checksum = source.number("parameters", H5mdChecksum.ATTRIBUTE)
-        if (checksum != null && frames.isNotEmpty() && checksum != H5mdChecksum.of(frames)) {
+        if (checksum != null && snapshots.isNotEmpty() && checksum != H5mdChecksum.of(snapshots)) {
             throw FormatException("$path: is damaged: its checksum is wrong")
         }
-        for ((t, frame) in frames.withIndex()) SnapshotCheck.check(frame, "$path: frame $t")
-        return frames
+        for ((t, snapshot) in snapshots.withIndex()) SnapshotCheck.check(snapshot, "$path: frame $t")
+        return snapshots
     }
 
     /** Of frame [t], by axis. */
@@ -63,15 +63,15 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
     }
 
     /** Of a row of lengths, or of edge vectors by row, per frame. */
-    private fun lengths(frames: Int): List<DoubleArray> {
-        if (!source.has("$ALL/box/edges")) return List(frames) { DoubleArray(3) { Double.NaN } }
+    private fun lengths(count: Int): List<DoubleArray> {
+        if (!source.has("$ALL/box/edges")) return List(count) { DoubleArray(3) { Double.NaN } }
         val name = "$ALL/box/edges/value"
         val isMatrix = source.shape(name).size == 3
-        val data = source.doubles(name, if (isMatrix) listOf(frames.toLong(), 3, 3) else listOf(frames.toLong(), 3))
-        return List(frames) { t -> DoubleArray(3) { if (isMatrix) data[9 * t + 4 * it] else data[3 * t + it] } }
+        val data = source.doubles(name, if (isMatrix) listOf(count.toLong(), 3, 3) else listOf(count.toLong(), 3))
+        return List(count) { t -> DoubleArray(3) { if (isMatrix) data[9 * t + 4 * it] else data[3 * t + it] } }
     }
 
-    /** What the file holds of the particles, all frames. */
+    /** What the file holds of the particles, of all frames. */
     private inner class Particles(frames: Long) {
         private val count: Long = source.shape("$ALL/position/value").let { shape ->
             if (shape.size != 3 || shape[0] != frames || shape[2] != 3L) {
@@ -95,12 +95,12 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         private val ANY = Int.MIN_VALUE..Int.MAX_VALUE
 
         /**
-         * Every frame of [path].
+         * Every snapshot of [path].
          *
          * @throws FormatException for whatever the library makes of a file that is none or damaged, in one line
          */
         fun read(path: Path): List<Snapshot> = try {
-            H5Source(path).use { H5mdReader(it, path).frames() }
+            H5Source(path).use { H5mdReader(it, path).snapshots() }
         } catch (e: FormatException) {
             throw e
         } catch (e: RuntimeException) {

@@ -1,15 +1,23 @@
 package daphnis.core.format
 
+import daphnis.core.format.Kept.Presence.IF_THERE
 import daphnis.core.population.Population
 import java.io.IOException
 import java.nio.file.Path
 
 /**
  * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, id` in any order, then
- * a line a sphere. Lines that are empty or begin with `#` are skipped.
+ * a line per sphere. Lines that are empty or begin with `#` are skipped.
  */
-public object ParticleCsv {
+public object ParticleCsv : ReadableFormat {
+    override val title: String = "table with a header"
+    override val extensions: List<String> = listOf("csv", "txt", "dat")
+    override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = false)
+
     private val KNOWN = listOf("x", "y", "z", "vx", "vy", "vz", "radius", "mass", "id")
+
+    /** What others put between cells. */
+    private val SEPARATORS = listOf(';' to "semicolons", '\t' to "tabs", '|' to "bars", ' ' to "spaces")
 
     /**
      * Reads [path].
@@ -17,18 +25,18 @@ public object ParticleCsv {
      * @param density mass per volume where the table has no masses
      * @throws FormatException that names the line and column of what is wrong
      */
-    public fun read(path: Path, density: Double = 1.0): Population = frame(path, density).population()
+    public fun population(path: Path, density: Double = 1.0): Population = snapshot(path, density).population()
 
-    /** Reads [path] as a frame at step and time 0, masses from density 1 where it has none. */
-    public fun frame(path: Path): Snapshot = frame(path, 1.0)
+    /** Reads [path] as a state at step and time 0, masses from density 1 where it has none. */
+    override fun read(path: Path): List<Snapshot> = listOf(snapshot(path, 1.0))
 
-    private fun frame(path: Path, density: Double): Snapshot {
+    private fun snapshot(path: Path, density: Double): Snapshot {
         val table = try {
             TextLines(path).use { table(it, path) }
         } catch (e: IOException) {
             throw FormatException("$path: cannot be read: ${e.message}")
         }
-        return table.frame(density).also { SnapshotCheck.check(it, "$path") }
+        return table.snapshot(density).also { SnapshotCheck.check(it, "$path") }
     }
 
     private fun table(lines: TextLines, path: Path): Table {
@@ -44,6 +52,7 @@ public object ParticleCsv {
     }
 
     private fun header(names: List<String>, path: Path): List<String> {
+        separator(names.first())?.let { throw FormatException("$path: is separated by $it; commas are needed") }
         for (name in names) {
             if (name !in KNOWN) {
                 throw FormatException(
@@ -63,6 +72,12 @@ public object ParticleCsv {
         }
         return names
     }
+
+    /** What is between the names of columns when it is no comma, in words; null when the [first] cell is one name. */
+    private fun separator(first: String): String? = SEPARATORS.find { (sign, _) ->
+        val parts = first.split(sign).map { it.trim() }.filter { it.isNotEmpty() }
+        parts.size > 1 && parts.all { it in KNOWN }
+    }?.second
 
     private fun row(cells: List<String>, names: List<String>, lines: TextLines): DoubleArray {
         if (cells.size != names.size) lines.fail("${cells.size} values, the header has ${names.size}")
@@ -85,7 +100,7 @@ public object ParticleCsv {
         val rows = ArrayList<DoubleArray>()
 
         /** The rows in the order of ids. */
-        fun frame(density: Double): Snapshot {
+        fun snapshot(density: Double): Snapshot {
             val at = names.indexOf("id")
             if (at >= 0) rows.sortBy { it[at] }
             val radius = column("radius")

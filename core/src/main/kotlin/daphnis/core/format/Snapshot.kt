@@ -47,7 +47,7 @@ public class Snapshot(
         }
     }
 
-    /** The frame as a population, ids kept. */
+    /** The snapshot as a population, ids kept. */
     public fun population(): Population = Population(
         position[0].copyOf(), position[1].copyOf(), position[2].copyOf(),
         velocity[0].copyOf(), velocity[1].copyOf(), velocity[2].copyOf(),

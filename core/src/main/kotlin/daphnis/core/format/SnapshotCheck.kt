@@ -3,16 +3,16 @@ package daphnis.core.format
 import kotlin.math.abs
 
 /**
- * Whether the numbers of a [frame] can be a state: what every format promises, asked in one place. Sizes and places
+ * Whether the numbers of a [snapshot] can be a state: what every format promises, asked in one place. Sizes and places
  * are kept so far from the ends of what a double holds that volumes and squared distances neither vanish nor overflow.
  *
  * @param where file, and line or frame, for messages
  */
-internal class SnapshotCheck private constructor(private val frame: Snapshot, private val where: String) {
+internal class SnapshotCheck private constructor(private val snapshot: Snapshot, private val where: String) {
     private fun check() {
-        must(abs(frame.time) <= FARTHEST) { "the time is ${frame.time}; it must be a number within ±$FARTHEST" }
-        must(frame.step >= 0) { "the step is ${frame.step}; it must be >= 0" }
-        if (frame.size == 0) return
+        must(abs(snapshot.time) <= FARTHEST) { "the time is ${snapshot.time}; it must be a number within ±$FARTHEST" }
+        must(snapshot.step >= 0) { "the step is ${snapshot.step}; it must be >= 0" }
+        if (snapshot.size == 0) return
         ids()
         sizes()
         box()
@@ -21,54 +21,56 @@ internal class SnapshotCheck private constructor(private val frame: Snapshot, pr
     }
 
     private fun ids() {
-        for (id in frame.id) must(id >= 0) { "id $id must be >= 0" }
-        val sorted = frame.id.copyOf().apply { sort() }
+        for (id in snapshot.id) must(id >= 0) { "id $id must be >= 0" }
+        val sorted = snapshot.id.copyOf().apply { sort() }
         for (k in 1 until sorted.size) must(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
     }
 
     private fun sizes() {
-        for (k in 0 until frame.size) {
-            must(frame.radius[k] in LEAST..MOST) {
-                "the radius of particle ${frame.id[k]} is ${frame.radius[k]}; it must be > 0, $LEAST to $MOST"
+        for (k in 0 until snapshot.size) {
+            must(snapshot.radius[k] in LEAST..MOST) {
+                "the radius of particle ${snapshot.id[k]} is ${snapshot.radius[k]}; it must be > 0, $LEAST to $MOST"
             }
-            must(frame.mass[k] > 0 && frame.mass[k].isFinite()) {
-                "the mass of particle ${frame.id[k]} is ${frame.mass[k]}; it must be > 0 and finite"
+            must(snapshot.mass[k] > 0 && snapshot.mass[k].isFinite()) {
+                "the mass of particle ${snapshot.id[k]} is ${snapshot.mass[k]}; it must be > 0 and finite"
             }
         }
     }
 
     private fun box() {
-        val widest = if (frame.hasRadius) 2 * frame.radius.max() else 0.0
+        val widest = if (snapshot.hasRadius) 2 * snapshot.radius.max() else 0.0
         for (axis in 0..2) {
-            val length = frame.lengths[axis]
+            val length = snapshot.lengths[axis]
             if (length.isNaN()) continue
             must(length in LEAST..MOST) {
                 "the edge of the box along ${"xyz"[axis]} is $length; it must be > 0, $LEAST to $MOST"
             }
-            must(!frame.periodic[axis] || length > widest) {
+            must(!snapshot.periodic[axis] || length > widest) {
                 "the edge of the periodic box along ${"xyz"[axis]} is $length; " +
                     "it must exceed the largest diameter, $widest"
             }
         }
-        must(abs(frame.shearOffset) <= FARTHEST) {
-            "the offset of sliding images is ${frame.shearOffset}; it must be a number within ±$FARTHEST"
+        must(abs(snapshot.shearOffset) <= FARTHEST) {
+            "the offset of sliding images is ${snapshot.shearOffset}; it must be a number within ±$FARTHEST"
         }
     }
 
     private fun places(axis: Int) {
         val name = "xyz"[axis]
-        val length = frame.lengths[axis]
-        val farthest = if (frame.periodic[axis] && !length.isNaN()) length * MOST_BOXES else Double.POSITIVE_INFINITY
-        for (k in 0 until frame.size) {
-            val p = frame.position[axis][k]
-            val v = frame.velocity[axis][k]
-            must(abs(p) <= FARTHEST) { "$name of particle ${frame.id[k]} is $p; it must be a number within ±$FARTHEST" }
+        val length = snapshot.lengths[axis]
+        val farthest = if (snapshot.periodic[axis] && !length.isNaN()) length * MOST_BOXES else Double.POSITIVE_INFINITY
+        for (k in 0 until snapshot.size) {
+            val p = snapshot.position[axis][k]
+            val v = snapshot.velocity[axis][k]
+            must(abs(p) <= FARTHEST) {
+                "$name of particle ${snapshot.id[k]} is $p; it must be a number within ±$FARTHEST"
+            }
             must(abs(p) <= farthest) {
-                "$name of particle ${frame.id[k]} is $p, more than $MOST_BOXES boxes of $length away; " +
+                "$name of particle ${snapshot.id[k]} is $p, more than $MOST_BOXES boxes of $length away; " +
                     "places must be wrapped into the box"
             }
             must(abs(v) <= FARTHEST) {
-                "v$name of particle ${frame.id[k]} is $v; it must be a number within ±$FARTHEST"
+                "v$name of particle ${snapshot.id[k]} is $v; it must be a number within ±$FARTHEST"
             }
         }
     }
@@ -76,9 +78,9 @@ internal class SnapshotCheck private constructor(private val frame: Snapshot, pr
     /** Beside the largest coordinate the smallest sphere must have an extent. */
     private fun resolution() {
         var far = 0.0
-        for (length in frame.lengths) if (!length.isNaN()) far = maxOf(far, length)
-        for (column in frame.position) for (p in column) far = maxOf(far, abs(p))
-        val least = frame.radius.min()
+        for (length in snapshot.lengths) if (!length.isNaN()) far = maxOf(far, length)
+        for (column in snapshot.position) for (p in column) far = maxOf(far, abs(p))
+        val least = snapshot.radius.min()
         must(far + least * VISIBLE > far) {
             "coordinates and edges are up to $far, beside which a radius of $least is lost in rounding"
         }
@@ -103,8 +105,8 @@ internal class SnapshotCheck private constructor(private val frame: Snapshot, pr
         private const val VISIBLE = 0.01
 
         /** @throws FormatException for the first number that is wrong */
-        fun check(frame: Snapshot, where: String) {
-            SnapshotCheck(frame, where).check()
+        fun check(snapshot: Snapshot, where: String) {
+            SnapshotCheck(snapshot, where).check()
         }
     }
 }

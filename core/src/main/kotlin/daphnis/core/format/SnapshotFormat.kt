@@ -1,62 +1,93 @@
 package daphnis.core.format
 
-import daphnis.core.boundary.Open
-import java.io.IOException
 import java.nio.file.Path
-import kotlin.io.path.name
+
+/** A format of files that hold states of particles: an object in a file of its own, named in [SnapshotFormats]. */
+public interface SnapshotFormat {
+    /** What it is called, such as `extended XYZ`. */
+    public val title: String
+
+    /** What a file of it keeps of a state beside places and radii. */
+    public val keeps: Kept
+}
 
 /**
- * The formats that states of particles are read from: one list for what a scenario starts from and for what is
- * analysed.
+ * What files of a format keep of a state.
  *
- * @property title what the format is called
- * @property extensions endings of file names, without the dot, lower case; the first is the one we would give
+ * @property masses whether always, if the one who wrote the file put them there, or never
+ * @property velocities likewise
+ * @property ids likewise; without them particles are numbered in the order of the file
+ * @property severalStates whether a file can hold more than one state
+ * @property changingParticles whether the states of one export may be of different particles
  */
-public enum class SnapshotFormat(public val title: String, public val extensions: List<String>) {
-    H5MD("H5MD", listOf("h5", "h5md")),
-    EXTENDED_XYZ("extended XYZ", listOf("xyz", "extxyz")),
-    CART_AND_RAD("CartAndRad", listOf("bin", "cartandrad")),
-    CSV("table with a header", listOf("csv", "txt", "dat")),
-    ;
+public class Kept(
+    public val masses: Presence,
+    public val velocities: Presence,
+    public val ids: Presence,
+    public val severalStates: Boolean,
+    public val changingParticles: Boolean = true,
+) {
+    public enum class Presence { ALWAYS, IF_THERE, NEVER }
+}
+
+/** A format that states are read from, whether to start a scenario or to be analysed. */
+public interface ReadableFormat : SnapshotFormat {
+    /** Endings of file names, without the dot, lower case; the first is the one we would give. */
+    public val extensions: List<String>
+
+    /** A word, lower case, that tells the format anywhere in the name of a file; null when only its ending does. */
+    public val mark: String? get() = null
 
     /**
-     * Reads every frame of [path], in the order of the file. Where it has no masses ([Snapshot.hasMass]) they stand in
+     * Reads every state of [path], in the order of the file. Where it has no masses ([Snapshot.hasMass]) they stand in
      * for density 1, or are 1 each in extended XYZ.
      *
      * @throws FormatException for what is wrong, in one line
+     * @throws java.io.IOException when the file cannot be read
      */
-    public fun read(path: Path): List<Snapshot> = try {
-        when (this) {
-            H5MD -> H5md.read(path)
-            EXTENDED_XYZ -> ExtendedXyz.read(path)
-            CART_AND_RAD -> {
-                val frame = Snapshot.of(CartAndRad.read(path), Open, 0, 0.0, hasMass = false)
-                SnapshotCheck.check(frame, "$path")
-                listOf(frame)
-            }
-            CSV -> listOf(ParticleCsv.frame(path))
-        }
-    } catch (e: IOException) {
-        throw FormatException("$path: cannot be read: ${e.message}")
-    }
-
-    public companion object {
-        /** All formats and their endings, for help and messages. */
-        public val known: String = entries.joinToString { format ->
-            "${format.extensions.joinToString(" ") { ".$it" }} (${format.title})"
-        }
-
-        /**
-         * The format of [path] by its name: its ending, or `CartAndRad` anywhere in it, as SwiftVis names its files.
-         *
-         * @throws FormatException when no format has such names
-         */
-        public fun of(path: Path): SnapshotFormat {
-            val name = path.name.lowercase()
-            val ending = name.substringAfterLast('.', "")
-            val found = entries.find { ending in it.extensions }
-            if ("cartandrad" in name && ending != found?.extensions?.first()) return CART_AND_RAD
-            return found ?: throw FormatException("$path: unknown format; known by the end of the name: $known")
-        }
-    }
+    public fun read(path: Path): List<Snapshot>
 }
+
+/** A format that the snapshots of a run are exported to. */
+public interface WritableFormat : SnapshotFormat {
+    /** What it is asked for by, such as `xyz`. */
+    public val word: String
+
+    /** Programs that read it. */
+    public val programs: String
+
+    /** Whether lengths can be scaled, [ExportOptions.scale]. */
+    public val takesScale: Boolean get() = false
+
+    /** Whether numbers can be in SI units, [ExportOptions.units]. */
+    public val takesUnits: Boolean get() = false
+
+    /**
+     * Writes [snapshots] into [directory], which exists, replacing what is there. Each is taken once, in order.
+     *
+     * @throws java.io.IOException when a file cannot be written
+     */
+    public fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported
+}
+
+/**
+ * How snapshots are to be written.
+ *
+ * @property version the version of daphnis to name as creator
+ * @property scale factor on lengths and velocities; null for the one that suits the format
+ * @property units what the scenario's units are in SI units; then numbers are in these
+ */
+public class ExportOptions(
+    public val version: String,
+    public val scale: Double? = null,
+    public val units: SiUnits? = null,
+)
+
+/**
+ * What was written.
+ *
+ * @property path the file to open, or the directory with the files
+ * @property scale factor that lengths and velocities were multiplied by
+ * @property remark what a user should know of the files, a line; null when there is nothing
+ */
+public class Exported(public val path: Path, public val scale: Double = 1.0, public val remark: String? = null)

@@ -1,23 +1,40 @@
 package daphnis.core.format
 
+import daphnis.core.format.Kept.Presence.ALWAYS
 import java.io.DataOutputStream
 import java.io.OutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.Locale
 
 /**
- * VTK PolyData (`.vtp`, XML with raw appended data) for ParaView, one file a frame, and the `.pvd` index that gives
- * them their times.
+ * VTK PolyData (`.vtp`, XML with raw appended data) for ParaView, one file per snapshot, and the `.pvd` index that
+ * gives them their times.
  */
-public object Vtp {
+public object Vtp : WritableFormat {
+    override val title: String = "VTK PolyData"
+    override val keeps: Kept = Kept(masses = ALWAYS, velocities = ALWAYS, ids = ALWAYS, severalStates = false)
+    override val word: String = "vtp"
+    override val programs: String = "ParaView"
+
+    /** Writes `STEP.vtp` for each state and `trajectory.pvd`, which names them. */
+    override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
+        val names = snapshots.map { snapshot ->
+            val name = "%010d.vtp".format(Locale.ROOT, snapshot.step)
+            write(snapshot, directory.resolve(name))
+            name to snapshot.time
+        }.toList()
+        return Exported(directory.resolve("trajectory.pvd").also { writeIndex(names, it) })
+    }
+
     /**
-     * Writes one [frame]: points, one vertex a sphere, point data radius, velocity, mass, id, and the time as field
+     * Writes one [snapshot]: points, one vertex a sphere, point data radius, velocity, mass, id, and the time as field
      * data.
      */
-    public fun write(frame: Snapshot, path: Path) {
-        val n = frame.size
+    public fun write(snapshot: Snapshot, path: Path) {
+        val n = snapshot.size
         val blocks = ArrayList<ByteBuffer>()
         var offset = 0L
         fun block(bytes: Int, fill: (ByteBuffer) -> Unit): Long {
@@ -29,13 +46,14 @@ public object Vtp {
             offset += bytes + HEADER
             return at
         }
-        val time = block(8) { it.putDouble(frame.time) }
-        val points = block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(frame.position[axis][k]) }
-        val velocity =
-            block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(frame.velocity[axis][k]) }
-        val radius = block(8 * n) { b -> for (r in frame.radius) b.putDouble(r) }
-        val mass = block(8 * n) { b -> for (m in frame.mass) b.putDouble(m) }
-        val id = block(4 * n) { b -> for (i in frame.id) b.putInt(i) }
+        val time = block(8) { it.putDouble(snapshot.time) }
+        fun vectors(of: Array<DoubleArray>) =
+            block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(of[axis][k]) }
+        val points = vectors(snapshot.position)
+        val velocity = vectors(snapshot.velocity)
+        val radius = block(8 * n) { b -> for (r in snapshot.radius) b.putDouble(r) }
+        val mass = block(8 * n) { b -> for (m in snapshot.mass) b.putDouble(m) }
+        val id = block(4 * n) { b -> for (i in snapshot.id) b.putInt(i) }
         val connectivity = block(4 * n) { b -> for (k in 0 until n) b.putInt(k) }
         val offsets = block(4 * n) { b -> for (k in 0 until n) b.putInt(k + 1) }
         Files.newOutputStream(path).buffered(1 shl 16).use { out ->

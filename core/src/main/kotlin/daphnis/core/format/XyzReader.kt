@@ -4,8 +4,8 @@ import java.nio.file.Path
 
 /** Reads extended XYZ frame by frame. */
 internal class XyzReader(private val lines: TextLines, private val path: Path) {
-    /** The next frame, null at the end. */
-    fun frame(number: Int): Snapshot? {
+    /** The next snapshot, null at the end. */
+    fun snapshot(number: Int): Snapshot? {
         var head = lines.next() ?: return null
         while (head.isBlank()) head = lines.next() ?: return null
         val n = count(head)

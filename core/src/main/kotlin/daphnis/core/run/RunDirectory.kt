@@ -3,7 +3,7 @@ package daphnis.core.run
 import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
-import daphnis.core.format.SnapshotFormat
+import daphnis.core.format.SnapshotFormats
 import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.nio.file.Path
@@ -36,7 +36,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
 
     /** Copy of the particle file a scenario started from, if it did. */
     internal fun initial(original: Path): Path = path.resolve(
-        "initial." + SnapshotFormat.of(original).extensions.first(),
+        "initial." + SnapshotFormats.of(original).extensions.first(),
     )
 
     internal val checkpoint: Path get() = path.resolve("checkpoint")
@@ -67,17 +67,17 @@ public class RunDirectory internal constructor(public val path: Path, internal v
      *
      * @throws FormatException when it cannot be read, is damaged or is of another step
      */
-    public fun frame(step: Long): Snapshot {
+    public fun readSnapshot(step: Long): Snapshot {
         val file = snapshot(step)
-        val frame = try {
+        val snapshot = try {
             H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
         } catch (e: FormatException) {
             throw FormatException("${e.message}; take the file away to go on without this snapshot")
         }
-        if (frame.step != step) {
-            throw FormatException("$file: holds the state after step ${frame.step}; its name says $step")
+        if (snapshot.step != step) {
+            throw FormatException("$file: holds the state after step ${snapshot.step}; its name says $step")
         }
-        return frame
+        return snapshot
     }
 
     /** What says that there is a run, one of the two; what a start that was cut short leaves is beside it. */

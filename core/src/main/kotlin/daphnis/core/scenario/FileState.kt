@@ -3,7 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
-import daphnis.core.format.SnapshotFormat
+import daphnis.core.format.SnapshotFormats
 import daphnis.core.population.Population
 import java.nio.file.Files
 
@@ -37,9 +37,9 @@ internal class FileState(
         }
         check.that(KEY, spec.path, Files.isRegularFile(path)) { "no such file" }
         val population = try {
-            val frame = frame(SnapshotFormat.of(path).read(path))
-            requireTime(frame)
-            withMasses(frame, notices).population()
+            val snapshot = chosen(SnapshotFormats.read(path))
+            requireTime(snapshot)
+            withMasses(snapshot, notices).population()
         } catch (e: FormatException) {
             check.fail(KEY, e.message.orEmpty())
         } catch (e: IllegalArgumentException) {
@@ -49,52 +49,53 @@ internal class FileState(
         return population
     }
 
-    private fun frame(frames: List<Snapshot>): Snapshot {
-        check.that(KEY, spec.path, frames.isNotEmpty()) { "holds no state" }
-        val step = spec.step ?: return checked(frames.last())
-        val steps = if (frames.size <= MOST_NAMED) {
-            frames.joinToString { "${it.step}" }
+    private fun chosen(snapshots: List<Snapshot>): Snapshot {
+        check.that(KEY, spec.path, snapshots.isNotEmpty()) { "holds no state" }
+        val step = spec.step ?: return checked(snapshots.last())
+        val steps = if (snapshots.size <= MOST_NAMED) {
+            snapshots.joinToString { "${it.step}" }
         } else {
-            "${frames.first().step} to ${frames.last().step}"
+            "${snapshots.first().step} to ${snapshots.last().step}"
         }
         return checked(
-            frames.find { it.step == step } ?: check.fail("placement.step", "is $step; ${spec.path} has $steps"),
+            snapshots.find { it.step == step } ?: check.fail("placement.step", "is $step; ${spec.path} has $steps"),
         )
     }
 
-    private fun checked(frame: Snapshot): Snapshot {
-        check.that(KEY, spec.path, frame.hasRadius || frame.size == 0) { "has no radii; a column radius is needed" }
-        return frame
+    private fun checked(snapshot: Snapshot): Snapshot {
+        val says = snapshot.hasRadius || snapshot.size == 0
+        check.that(KEY, spec.path, says) { "has no radii; a column radius is needed" }
+        return snapshot
     }
 
     /**
      * At another time the images of a sliding boundary stand elsewhere, and spheres at its faces would overlap with
      * them.
      */
-    private fun requireTime(frame: Snapshot) {
-        if (spec.time != null || frame.shearOffset == 0.0) return
+    private fun requireTime(snapshot: Snapshot) {
+        if (spec.time != null || snapshot.shearOffset == 0.0) return
         check.must("placement.time", boundary.shear == null) {
-            "is missing; images slide, and the state in ${spec.path} is of time ${frame.time}"
+            "is missing; images slide, and the state in ${spec.path} is of time ${snapshot.time}"
         }
     }
 
     /** A file says all masses or none. */
-    private fun withMasses(frame: Snapshot, notices: MutableList<String>): Snapshot {
-        if (frame.hasMass) {
+    private fun withMasses(snapshot: Snapshot, notices: MutableList<String>): Snapshot {
+        if (snapshot.hasMass) {
             check.must("placement.density", spec.density == null) {
                 "is ${spec.density}; leave it out, for ${spec.path} has masses"
             }
-            return frame
+            return snapshot
         }
         if (spec.density == null) {
             notices += "${spec.path} has no masses: a density of 1 is taken; placement.density says another"
         }
         val density = spec.density ?: 1.0
-        for (k in frame.mass.indices) {
-            frame.mass[k] =
-                density * 4.0 / 3.0 * Math.PI * frame.radius[k] * frame.radius[k] * frame.radius[k]
+        for (k in snapshot.mass.indices) {
+            val r = snapshot.radius[k]
+            snapshot.mass[k] = density * 4.0 / 3.0 * Math.PI * r * r * r
         }
-        return frame
+        return snapshot
     }
 
     private companion object {

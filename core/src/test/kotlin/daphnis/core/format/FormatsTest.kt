@@ -27,19 +27,19 @@ class FormatsTest {
 
     private val boundary = LeesEdwards(Box.centred(12.0, 11.0, 10.0), 0.5)
     private val population = randomSpheres(70, boundary, 8, 1.0) { it.nextDouble(0.2, 0.6) }
-    private val frame = Snapshot.of(population.permuted(2), boundary, 5, 1.25)
+    private val state = Snapshot.of(population.permuted(2), boundary, 5, 1.25)
 
     @Test
     fun `H5MD gives every number back`() {
         val later = Snapshot.of(population, boundary, 6, 1.5)
         val file = home.resolve("a.h5")
-        H5md.write(listOf(frame, later), file, "test")
+        H5md.write(listOf(state, later), file, "test")
         val (a, b) = H5md.read(file)
         assertEquals(stateDigest(population), stateDigest(a.population()))
         assertEquals(listOf(5L, 6L), listOf(a.step, b.step))
         assertEquals(listOf(1.25, 1.5), listOf(a.time, b.time))
-        assertArrayEquals(frame.radius, a.radius)
-        assertArrayEquals(frame.mass, a.mass)
+        assertArrayEquals(state.radius, a.radius)
+        assertArrayEquals(state.mass, a.mass)
         assertArrayEquals(doubleArrayOf(12.0, 11.0, 10.0), a.lengths)
         assertEquals(6.875, a.shearOffset)
     }
@@ -48,7 +48,8 @@ class FormatsTest {
     fun `H5MD keeps boxes crossed, and reads files that do not say`() {
         val image = Array(3) { axis -> IntArray(70) { (it - 35) * (axis + 1) } }
         fun with(image: Array<IntArray>?, step: Long) = Snapshot(
-            step, frame.time, frame.lengths, frame.periodic, frame.shearOffset, frame.id, frame.position, frame.velocity, frame.radius, frame.mass, image = image,
+            step, state.time, state.lengths, state.periodic, state.shearOffset, state.id,
+            state.position, state.velocity, state.radius, state.mass, image = image,
         )
         val file = home.resolve("image.h5")
         val other = Array(3) { IntArray(70) { 1 shl 30 } }
@@ -66,20 +67,20 @@ class FormatsTest {
     @Test
     fun `H5MD in SI units has converted numbers and says their units as the module prescribes`() {
         val file = home.resolve("si.h5")
-        H5md.write(listOf(frame), file, "test", SiUnits(metres = 1000.0, seconds = 100.0, kilograms = 5.0))
+        H5md.write(listOf(state), file, "test", SiUnits(metres = 1000.0, seconds = 100.0, kilograms = 5.0))
         val read = H5md.read(file).single()
         for (axis in 0..2) {
-            for (k in 0 until frame.size) {
-                assertEquals(frame.position[axis][k] * 1000, read.position[axis][k])
-                assertEquals(frame.velocity[axis][k] * 10, read.velocity[axis][k])
+            for (k in 0 until state.size) {
+                assertEquals(state.position[axis][k] * 1000, read.position[axis][k])
+                assertEquals(state.velocity[axis][k] * 10, read.velocity[axis][k])
             }
         }
         assertEquals(125.0, read.time)
         assertEquals(12_000.0, read.lengths[0])
         assertEquals(6875.0, read.shearOffset)
-        assertEquals(frame.radius[3] * 1000, read.radius[3])
-        assertEquals(frame.mass[3] * 5, read.mass[3])
-        assertEquals(frame.step, read.step)
+        assertEquals(state.radius[3] * 1000, read.radius[3])
+        assertEquals(state.mass[3] * 5, read.mass[3])
+        assertEquals(state.step, read.step)
         HdfFile(file).use { h5 ->
             fun unit(path: String) = h5.getDatasetByPath(path).getAttribute("unit").data
             assertEquals("m", unit("/particles/all/position/value"))
@@ -91,7 +92,7 @@ class FormatsTest {
             assertEquals("SI", h5.getByPath("/h5md/modules/units").getAttribute("system").data)
         }
         val plain = home.resolve("plain.h5")
-        H5md.write(listOf(frame), plain, "test")
+        H5md.write(listOf(state), plain, "test")
         HdfFile(plain).use { h5 ->
             assertTrue(h5.getDatasetByPath("/particles/all/position/value").attributes.isEmpty())
         }
@@ -120,22 +121,6 @@ class FormatsTest {
                 edge
             }
         }
-    }
-
-    @Test
-    fun `a format is known by the end of the name`() {
-        fun of(name: String) = SnapshotFormat.of(Path.of("d.csv", name))
-        assertEquals(SnapshotFormat.H5MD, of("0000000010.h5"))
-        assertEquals(SnapshotFormat.H5MD, of("A.H5MD"))
-        assertEquals(SnapshotFormat.EXTENDED_XYZ, of("trajectory.xyz"))
-        assertEquals(SnapshotFormat.EXTENDED_XYZ, of("a.extxyz"))
-        assertEquals(SnapshotFormat.CSV, of("a.csv"))
-        assertEquals(SnapshotFormat.CSV, of("a.txt"))
-        for (name in listOf("a.bin", "CartAndRad.200.bin", "CartAndRad.200", "CartAndRad.200.dat", "a.CartAndRad")) {
-            assertEquals(SnapshotFormat.CART_AND_RAD, of(name)) { name }
-        }
-        val e = assertThrows(FormatException::class.java) { of("a.vtp") }
-        assertTrue("a.vtp" in e.message!! && ".xyz .extxyz (extended XYZ)" in e.message!!) { e.message }
     }
 
     @Test
@@ -171,7 +156,7 @@ class FormatsTest {
         val file = home.resolve("a.bin")
         CartAndRad.write(population.permuted(4), file)
         assertEquals(4L + 56 * 70, Files.size(file))
-        val back = CartAndRad.read(file)
+        val back = CartAndRad.population(file)
         assertEquals(stateDigest(population), stateDigest(back))
         assertArrayEquals(population.radius, back.radius)
     }
@@ -201,12 +186,17 @@ class FormatsTest {
         fun wrong(text: String, vararg parts: String) {
             val e =
                 assertThrows(FormatException::class.java) {
-                    ParticleCsv.read(Files.writeString(home.resolve("p.csv"), text))
+                    ParticleCsv.population(Files.writeString(home.resolve("p.csv"), text))
                 }
             for (part in parts) assertTrue(part in e.message.orEmpty()) { e.message }
         }
         wrong("x,y,z\n1,2,3", "radius", "missing")
         wrong("x,y,z,radius,colour\n", "colour")
+        wrong("x;y;z;radius\n1;2;3;4\n", "semicolons", "commas are needed")
+        wrong("x;y;z;radius\n1,5;2,0;3,0;4,0\n", "semicolons", "commas are needed")
+        wrong("id\tx\ty\tz\tradius\n", "tabs", "commas are needed")
+        wrong("x y z  radius\n", "spaces", "commas are needed")
+        wrong("x;y;colour\n", "unknown column 'x;y;colour'")
         wrong("x,y,z,radius\n1,2,3\n", "p.csv:2", "3 values")
         wrong("x,y,z,radius\n1,2,3,0.5\n1,NaN,3,0.5\n", "p.csv:3", "y is 'NaN'")
         wrong("x,y,z,radius\n1,2,3,-1\n", "radius", "> 0")
@@ -217,7 +207,7 @@ class FormatsTest {
     @Test
     fun `extended XYZ has the cell with its shear, and one line a sphere`() {
         val out = StringWriter()
-        ExtendedXyz.write(frame, out, 2.0)
+        ExtendedXyz.write(state, out, 2.0)
         val lines = out.toString().trimEnd().lines()
         assertEquals("70", lines[0])
         assertTrue(
@@ -229,7 +219,7 @@ class FormatsTest {
         assertEquals(72, lines.size)
         val cells = lines[2].split(' ')
         assertEquals(
-            listOf(frame.position[0][0] * 2, frame.velocity[2][0] * 2, frame.radius[0] * 2, frame.mass[0]),
+            listOf(state.position[0][0] * 2, state.velocity[2][0] * 2, state.radius[0] * 2, state.mass[0]),
             listOf(cells[1], cells[6], cells[7], cells[8]).map {
                 it.toDouble()
             },
@@ -238,14 +228,14 @@ class FormatsTest {
 
     @Test
     fun `short boxes are given in radii, long ones as they are`() {
-        assertEquals(1.0, ExtendedXyz.suitableScale(frame))
+        assertEquals(1.0, ExtendedXyz.suitableScale(state))
         val small =
             Snapshot(
-                0, 0.0, doubleArrayOf(2.0, 2.0, 0.2), BooleanArray(3), 0.0, frame.id, frame.position, frame.velocity,
+                0, 0.0, doubleArrayOf(2.0, 2.0, 0.2), BooleanArray(3), 0.0, state.id, state.position, state.velocity,
                 DoubleArray(70) {
                     0.004
                 },
-                frame.mass,
+                state.mass,
             )
         assertEquals(250.0, ExtendedXyz.suitableScale(small), 1e-9)
     }
@@ -253,7 +243,7 @@ class FormatsTest {
     @Test
     fun `VTP says how long its blocks are`() {
         val file = home.resolve("a.vtp")
-        Vtp.write(frame, file)
+        Vtp.write(state, file)
         val bytes = Files.readAllBytes(file)
         val start =
             String(
@@ -265,6 +255,6 @@ class FormatsTest {
         assertEquals(8L, data.getLong(start))
         assertEquals(1.25, data.getDouble(start + 8))
         assertEquals(24L * 70, data.getLong(start + 16))
-        assertEquals(frame.position[1][0], data.getDouble(start + 32))
+        assertEquals(state.position[1][0], data.getDouble(start + 32))
     }
 }

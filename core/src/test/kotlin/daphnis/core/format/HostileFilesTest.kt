@@ -34,7 +34,7 @@ class HostileFilesTest {
     }
 
     private fun assertRefused(path: Path, vararg parts: String) {
-        val read = ThrowingSupplier { assertThrows(FormatException::class.java) { SnapshotFormat.of(path).read(path) } }
+        val read = ThrowingSupplier { assertThrows(FormatException::class.java) { SnapshotFormats.read(path) } }
         val e = assertTimeoutPreemptively(Duration.ofSeconds(60), read)
         val message = e.message.orEmpty()
         assertTrue(message.startsWith("$path")) { message }
@@ -193,7 +193,7 @@ class HostileFilesTest {
     private fun outcome(path: Path): Int {
         val read = ThrowingSupplier {
             try {
-                SnapshotFormat.of(path).read(path)
+                SnapshotFormats.read(path)
                 0
             } catch (e: FormatException) {
                 assertFalse('\n' in e.message.orEmpty()) { e.message }
@@ -266,10 +266,11 @@ class HostileFilesTest {
         assertRefused(text("a.csv", "x,".repeat(400_000) + "y\n"), "missing")
         assertEquals(
             listOf(3, 8),
-            ParticleCsv.frame(text("b.csv", "x,y,z,radius,id\n1,2,3,1,8\n5,2,3,1,3\n")).id.toList(),
+            ParticleCsv.read(text("b.csv", "x,y,z,radius,id\n1,2,3,1,8\n5,2,3,1,3\n")).single().id.toList(),
         )
         // Ids up to a thousand million take no table of that length.
-        assertEquals(1.0, ParticleCsv.frame(text("b.csv", "x,y,z,radius,id\n1,2,3,1,999999999\n")).position[0][0])
+        val far = ParticleCsv.read(text("b.csv", "x,y,z,radius,id\n1,2,3,1,999999999\n")).single()
+        assertEquals(1.0, far.position[0][0])
     }
 
     @Test
@@ -281,6 +282,6 @@ class HostileFilesTest {
         }
         for (n in listOf(-1, 0, 2, Int.MAX_VALUE, Int.MIN_VALUE)) assertRefused(file(n, 1.0), "says $n spheres")
         for (r in listOf(0.0, -1.0, Double.NaN, 1e300, 1e-300)) assertRefused(file(1, r), "radius of particle 0 is $r")
-        assertEquals(1, CartAndRad.read(file(1, 1.0)).size)
+        assertEquals(1, CartAndRad.population(file(1, 1.0)).size)
     }
 }

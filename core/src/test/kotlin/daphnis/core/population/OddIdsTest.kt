@@ -124,8 +124,8 @@ class OddIdsTest {
         }
         Vtp.write(frame, home.resolve("a.vtp"))
         CartAndRad.write(p, home.resolve("a.bin"))
-        assertEquals(stateDigest(p), stateDigest(CartAndRad.read(home.resolve("a.bin"))))
+        assertEquals(stateDigest(p), stateDigest(CartAndRad.population(home.resolve("a.bin"))))
         val csv = Files.writeString(home.resolve("a.csv"), "id,x,y,z,radius\n2147483647,1,2,3,0.5\n0,4,5,6,0.5\n")
-        assertArrayEquals(intArrayOf(0, Int.MAX_VALUE), ParticleCsv.read(csv, 1.0).id)
+        assertArrayEquals(intArrayOf(0, Int.MAX_VALUE), ParticleCsv.population(csv, 1.0).id)
     }
 }

@@ -223,7 +223,7 @@ class ResumeTest {
                     emptyList<String>(),
                     record.problems(place.series, place.transport, place.impacts, place.summary),
                 )
-                assertTrue(place.snapshotSteps().all { place.frame(it).step == it })
+                assertTrue(place.snapshotSteps().all { place.readSnapshot(it).step == it })
             })
         }
     }

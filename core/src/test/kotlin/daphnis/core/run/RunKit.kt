@@ -57,7 +57,7 @@ internal fun results(directory: Path): Map<String, String> = buildMap {
         put(name, Files.readString(directory.resolve(name)))
     }
     val run = RunDirectory(directory)
-    for (step in run.snapshotSteps()) put("snapshot $step", run.frame(step).let { f -> H5Sum.of(f) })
+    for (step in run.snapshotSteps()) put("snapshot $step", run.readSnapshot(step).let { f -> H5Sum.of(f) })
     put("digest", Summary.read(run.summary).stateDigest)
 }
 

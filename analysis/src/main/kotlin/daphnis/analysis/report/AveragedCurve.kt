@@ -1,0 +1,37 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.insitu.Averages
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.table.Column
+import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
+
+/**
+ * A pure number over bins, with its error, that is 1 for particles without correlation.
+ *
+ * @property name of its table and its figure
+ * @property words what it is, and its [symbol]
+ * @property argument what it is over, and the [short] name and the [unit] of that
+ */
+internal class AveragedCurve(
+    private val name: String,
+    private val words: String,
+    private val symbol: String,
+    private val argument: String,
+    private val short: String,
+    private val unit: String,
+) {
+    /** Draws number k of [averages] over [x], entry k, and writes both as a table. */
+    fun write(study: Study, page: ReportPage, x: DoubleArray, averages: Averages, caption: String) {
+        val all = x.indices.map { averages.average(it) }
+        val y = DoubleArray(x.size) { all[it].mean }
+        val error = DoubleArray(x.size) { all[it].error }
+        val label = "$words $symbol"
+        val axis = UnitNames.axis(argument, unit)
+        val figure = Chart.lines(listOf(Curve(label, x, y, error)), axis, label, horizontal = 1.0)
+        study.draw(page, figure, name, words, "$caption Bars are one standard error, from 16 states on.")
+        val columns = listOf(Column(short, unit, x), Column(symbol, "", y), Column("${symbol}_error", "", error))
+        Table(name, columns).write(study.tables)
+    }
+}

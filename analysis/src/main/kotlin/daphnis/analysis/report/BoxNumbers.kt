@@ -1,0 +1,57 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.transport.Transport
+import kotlin.math.PI
+
+/** The quantities of a box without Hill's frame, at rest or sheared. */
+internal class BoxNumbers(private val study: Study) {
+    private val units = study.units
+    private val bulk = study.bulk
+    private val motion = study.motion
+    private val population = study.last.population
+    private val flow = study.last.boundary.meanFlow
+    private val scenario = study.input.scenario
+    private val rows = NumberRows(references())
+
+    fun rows(): List<NumberRow> {
+        val transport = motion.transport
+        rows.exact("filling factor φ", bulk.fillingFactor, "")
+        rows.exact("mean radius", bulk.meanRadius, units.length)
+        val isOld = flow != null && transport?.isPeculiar == false
+        rows.average(
+            "granular temperature ⟨c²⟩/3",
+            motion.temperature,
+            units.temperature,
+            if (isOld) "around the boundary's straight flow: transport.csv is of an older version" else "",
+        )
+        if (transport == null) return rows.list()
+        rows.average("collisions of a particle", transport.collisionRate, units.rate)
+        rows.average("compressibility p V / (M T)", transport.compressibility, "")
+        if (flow != null && flow.rate != 0.0) sheared(transport, flow.rate)
+        return rows.list()
+    }
+
+    private fun references(): Map<String, Reference> {
+        if (scenario == null) return emptyMap()
+        return References.ofElastic(scenario, bulk.fillingFactor, motion.temperature.mean, bulk.numberDensity) +
+            References.ofShear(scenario, bulk.fillingFactor)
+    }
+
+    /** T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume. */
+    private fun sheared(transport: Transport, rate: Double) {
+        val mass = population.mass.sum()
+        val diameter = 2 * bulk.meanRadius
+        val gamma2 = rate * rate * diameter * diameter
+        val stress =
+            mass / study.last.boundary.box.volume /
+                (population.mass.average() / (PI / 6 * diameter * diameter * diameter) * gamma2)
+        rows.average("temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "")
+        rows.average("pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
+        val shearStress = transport.pressure("xy") * (-stress * Math.signum(rate))
+        rows.average("shear stress τ* = −P_xy/(ρ_p σ²γ²)", shearStress, "")
+        rows.average("viscosity, translational", transport.translational, units.viscosity)
+        rows.average("viscosity, collisional", transport.collisional, units.viscosity)
+        rows.average("viscosity, total", transport.viscosity, units.viscosity)
+        rows.average("γ² ν over dissipation", transport.energyBalance, "", "1 in a steady state")
+    }
+}

@@ -1,0 +1,39 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.insitu.State
+import daphnis.core.scenario.ForceSpec
+import kotlin.math.PI
+
+/** How many and how large the particles of a [state] are, and what follows from that alone. Bodies are left out. */
+internal class Bulk(state: State, input: AnalysisInput) {
+    private val population = state.population
+    private val indices = (0 until population.size).filter { state.isParticle(it) }
+    private val volume = state.boundary.box.volume
+
+    val particles: Int = indices.size
+
+    /** NaN without particles. */
+    val meanRadius: Double = indices.map { population.radius[it] }.average()
+
+    /** The mean radius, or 1 without particles: something to choose bins by. */
+    val typicalRadius: Double = if (meanRadius.isNaN()) 1.0 else meanRadius
+    val largestRadius: Double = indices.maxOfOrNull { population.radius[it] } ?: 1.0
+
+    /** Diameter of the smallest, 0 without particles. */
+    val nearestContact: Double = indices.minOfOrNull { 2 * population.radius[it] } ?: 0.0
+
+    val opticalDepth: Double = indices.sumOf { PI * population.radius[it] * population.radius[it] } / state.area
+    val surfaceDensity: Double = indices.sumOf { population.mass[it] } / state.area
+    val fillingFactor: Double =
+        indices.sumOf { 4.0 / 3 * PI * population.radius[it] * population.radius[it] * population.radius[it] } / volume
+    val numberDensity: Double = particles / volume
+
+    /** G of the run's self-gravity; null without. */
+    val selfGravity: Double? = input.scenario?.forces?.filterIsInstance<ForceSpec.SelfGravity>()?.firstOrNull()
+        ?.let { it.constant ?: input.scenario.units.gravitationalConstant }
+
+    /** Toomre's 4π² G Σ/Ω²; NaN without self-gravity. */
+    val criticalWavelength: Double =
+        input.omega?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) } ?: Double.NaN
+}

@@ -1,0 +1,55 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.streamline.Streamlines
+import daphnis.core.hill.Epicycle
+import daphnis.core.scenario.ForceSpec
+import kotlin.math.sign
+
+/** What the [moon] of a scenario does to streamlines; nothing but its place where its encounter is not known. */
+internal class MoonPart private constructor(private val study: Study, moon: ForceSpec.Satellite, omega: Double) {
+    private val units = study.units
+    private val last = study.last
+    private val encounter = MoonEncounter.of(study.input.scenario, omega, last.boundary.box)
+
+    /** Where the moon is along the orbit, at the time of the last state. */
+    val y: Double = Epicycle(moon.x, moon.y, moon.e, moon.phase).after(last.time, omega).state(omega)[1]
+
+    /** What an axis along the orbit says. */
+    val azimuth: String = "azimuth from the moon [${units.length}]"
+
+    /** Multiples of the wavelength behind the moon, as azimuths from it. */
+    fun marks(): List<Double> {
+        val e = encounter ?: return emptyList()
+        return (0..(last.boundary.box.length(1) / e.wavelength).toInt()).map { -it * e.wavelength * sign(e.distance) }
+    }
+
+    /** Forced eccentricities of [lines], and the numbers of the encounter. */
+    fun write(page: ReportPage, lines: Streamlines) {
+        val e = encounter ?: return
+        val curves = listOf(0, lines.groups / 2, lines.groups - 1).distinct().map { g ->
+            val guiding = (0 until lines.slabs).map { lines.guidingX[lines.at(it, g)] }.filter { !it.isNaN() }.average()
+            Curve(
+                "x = ${ReportText.short(guiding)} ${units.length}",
+                DoubleArray(lines.slabs) { lines.meanY[lines.at(it, g)] - y },
+                DoubleArray(lines.slabs) { lines.forcedE[lines.at(it, g)] },
+            )
+        }
+        val label = "forced eccentricity [${units.length}]"
+        val figure = Chart.lines(curves, azimuth, label, horizontal = e.amplitude)
+        val caption =
+            "Forced eccentricity |⟨e·exp(iφ)⟩| along the ring; dashed: the impulse of one passage of a moon on " +
+                "a circle, 2.2396 μ a³/Δa², for the middle of the patch."
+        study.draw(page, figure, "forced-eccentricity", "forced eccentricity along the ring", caption)
+        page.numbers(MoonEncounter.rows(e, last.boundary.box, units))
+    }
+
+    companion object {
+        /** Of the first satellite of the scenario; null without one, or without Hill's frame. */
+        fun of(study: Study): MoonPart? {
+            val moon = study.input.scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull()
+            return if (moon == null) null else study.input.omega?.let { MoonPart(study, moon, it) }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.insitu.Averages
+import daphnis.analysis.insitu.Measure
+import daphnis.analysis.insitu.State
+import daphnis.analysis.profile.Profile
+import daphnis.analysis.profile.VelocityEllipsoid
+import daphnis.analysis.statistics.BlockAverage
+import daphnis.analysis.transport.Transport
+import daphnis.core.population.VelocityMoments
+
+/** How the particles move on average: from the rows of transport.csv where there are any, else from the states. */
+internal class Motion(input: AnalysisInput, from: Double, last: State) {
+    private val states = Averages(OF_STATE)
+
+    /** What the rows from the time of averages on tell; null without two of them. */
+    val transport: Transport? =
+        input.transport?.from(from)?.takeIf { it.size >= 2 }?.let { Transport(it, last.boundary.meanFlow?.rate ?: 0.0) }
+
+    /** Number of states so far. */
+    val size: Int get() = states.size
+
+    /** Takes in one more state. */
+    fun add(state: State) = states.add(state)
+
+    /** ⟨c_a c_b⟩: xx, yy, zz, xy. */
+    fun moment(name: String): BlockAverage =
+        transport?.moment(name) ?: states.average(VelocityMoments.COMPONENTS.indexOf(name))
+
+    val dispersion: BlockAverage get() = transport?.dispersion ?: average(OfState.DISPERSION)
+    val scaleHeight: BlockAverage get() = transport?.scaleHeight ?: average(OfState.SCALE_HEIGHT)
+    val temperature: BlockAverage get() = transport?.temperature ?: average(OfState.TEMPERATURE)
+    val ellipsoid: VelocityEllipsoid get() =
+        VelocityEllipsoid.of(moment("xx").mean, moment("yy").mean, moment("zz").mean, moment("xy").mean)
+    val orientation: BlockAverage get() =
+        transport?.orientation ?: BlockAverage(ellipsoid.orientation, Double.NaN, states.size)
+
+    /** Of the states, as transport.csv does not hold it. */
+    val middlePlane: BlockAverage get() = average(OfState.MIDDLE_PLANE)
+
+    /** Granular temperature by state. */
+    fun temperatures(): DoubleArray = states.series(column(OfState.TEMPERATURE))
+
+    private fun average(number: OfState) = states.average(column(number))
+
+    private fun column(number: OfState) = VelocityMoments.COMPONENTS.size + number.ordinal
+
+    /** What is measured of one state beside the moments. */
+    private enum class OfState(val of: (State, VelocityMoments) -> Double) {
+        DISPERSION({ _, moments -> moments.dispersion }),
+        SCALE_HEIGHT({ _, moments -> moments.scaleHeight }),
+        TEMPERATURE({ _, moments -> moments.temperature }),
+
+        /** Filling factor of a slab a fifth of the smallest radius thick. */
+        MIDDLE_PLANE({ state, moments ->
+            val half = (state.population.radius.minOrNull() ?: 1.0) / 10
+            val slab = Profile(2, moments.centreZ - half, moments.centreZ + half, 1).of(state)
+            slab[Profile.COLUMNS.indexOf("filling_factor")]
+        }),
+    }
+
+    private companion object {
+        val OF_STATE: Measure = Measure { state ->
+            val m = VelocityMoments.of(state.population, state.boundary.meanFlow, state.omega, state.firstBody)
+            m.moments + DoubleArray(OfState.entries.size) { OfState.entries[it].of(state, m) }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.insitu.Averages
+import daphnis.analysis.insitu.State
+import daphnis.analysis.occultation.RayCasting
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.statistics.BlockAverage
+import daphnis.analysis.table.Column
+import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
+
+/** What a star behind the patch would show. */
+internal class OccultationSection(private val study: Study) : Section {
+    private val options = study.options
+    private val casting = RayCasting(Math.toRadians(options.elevation), Math.toRadians(options.azimuth))
+
+    /** Share of the rays that come through, then by place along x. */
+    private val light =
+        Averages({ state -> casting.cast(state).let { doubleArrayOf(it.transmission) + it.scan() } })
+
+    override val heading = "Occultation"
+    override val over = "What a star behind the patch would show. ${study.overAverages}"
+    override val leftOut = if (study.isSlab) study.tooFew() else "the box is filled above and below"
+
+    override fun add(state: State) {
+        if (leftOut == null) light.add(state)
+    }
+
+    override fun write(page: ReportPage) {
+        val transmission = light.average(0)
+        val rays = "${ReportText.short(options.elevation)}° elevation and ${ReportText.short(options.azimuth)}° azimuth"
+        page.numbers(
+            listOf(
+                NumberRow("rays that come through at $rays", transmission.mean, transmission.error, ""),
+                depth(transmission),
+                NumberRow("geometric optical depth", study.bulk.opticalDepth, Double.NaN, ""),
+            ),
+        )
+        scan(page, rays)
+    }
+
+    private fun depth(transmission: BlockAverage): NumberRow {
+        val name = "normal optical depth −sin B · ln T"
+        if (transmission.mean <= 0) {
+            return NumberRow(name, Double.NaN, Double.NaN, "", note = "opaque: no ray comes through")
+        }
+        val depth = casting.depth(transmission)
+        return NumberRow(name, depth.mean, depth.error, "", note = "T averaged over the states first")
+    }
+
+    private fun scan(page: ReportPage, rays: String) {
+        val n = light.width - 1
+        val box = study.last.boundary.box
+        val x = DoubleArray(n) { box.lowerX + (it + 0.5) * box.length(0) / n }
+        val last = DoubleArray(n) { light.series(1 + it).last() }
+        val mean = DoubleArray(n) { light.average(1 + it).mean }
+        val length = study.units.length
+        val label = UnitNames.axis(if (study.isRing) "radial position x" else "x", length)
+        val figure = Chart.lines(listOf(Curve("last state", x, last), Curve("mean", x, mean)), label, "transmission")
+        val caption = "Synthetic occultation: share of the light that comes through along y at each x, from rays " +
+            "through the particles and their images at $rays, which is the direction in the plane in which they " +
+            "climb, from x toward y."
+        study.draw(page, figure, "occultation", "synthetic occultation", caption)
+        Table(
+            "occultation",
+            listOf(
+                Column("x", length, x),
+                Column("transmission_last", "", last),
+                Column("transmission_mean", "", mean),
+            ),
+        ).write(study.tables)
+    }
+}

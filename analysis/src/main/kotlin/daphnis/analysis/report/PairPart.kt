@@ -1,0 +1,47 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.correlation.PairCorrelation
+import daphnis.analysis.insitu.Averages
+import daphnis.analysis.insitu.State
+import daphnis.analysis.table.UnitNames
+
+/** The pair correlation, in space or in the plane. */
+internal class PairPart(private val study: Study) : Part {
+    private val units = study.units
+    private val isInPlane = PairCorrelation.isInPlane(study.last.boundary)
+    private val pairs = correlation()
+    private val averages = Averages(pairs)
+
+    private fun correlation(): PairCorrelation {
+        val contact = study.bulk.nearestContact
+        val farthest =
+            minOf(PairCorrelation.farthest(study.last.boundary), RADII * 2 * study.bulk.typicalRadius)
+        val fromContact = !isInPlane && contact < farthest
+        return PairCorrelation(farthest, BINS, if (fromContact) contact else 0.0)
+    }
+
+    override fun add(state: State) = averages.add(state)
+
+    override fun write(page: ReportPage) {
+        val argument = if (isInPlane) "distance in the plane" else "distance r"
+        val curve = AveragedCurve("pair-correlation", "pair correlation", "g", argument, "r", units.length)
+        val x = DoubleArray(pairs.bins) { pairs.centre(it) }
+        curve.write(study, page, x, averages, if (isInPlane) IN_PLANE else IN_SPACE + nearest())
+    }
+
+    private fun nearest(): String {
+        if (pairs.nearest <= 0) return ""
+        val contact = UnitNames.amount(ReportText.short(pairs.nearest), units.length)
+        return " Bins begin at the contact of the smallest spheres, $contact."
+    }
+
+    private companion object {
+        const val RADII = 8.0
+        const val BINS = 80
+        const val IN_PLANE = "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of " +
+            "particles without correlation. Spheres one above the other are nearer than contact in this view, so that " +
+            "g is not 0 there."
+        const val IN_SPACE = "Radial distribution function in space: pairs at a distance, over those of particles " +
+            "without correlation."
+    }
+}

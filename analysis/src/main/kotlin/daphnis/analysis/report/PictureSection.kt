@@ -1,0 +1,27 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.plot.PatchPicture
+
+/** The last state as it looks, from above and from the side. */
+internal class PictureSection(private val study: Study) : Section {
+    override val heading = "The patch"
+    override val over = "${study.overLast} To scale."
+
+    override fun write(page: ReportPage) {
+        val last = study.last
+        val box = last.boundary.box
+        val picture = PatchPicture(last, study.units.length)
+        val part = if (box.length(1) > 4 * box.length(0)) " The first part of its length." else ""
+        val axes = if (study.isRing) "orbital motion to the right, outward up" else "y to the right, x up"
+        page.png(
+            picture.writeAbove(study.plots, "patch-above"),
+            "the patch from above",
+            "From above; $axes; higher spheres are brighter. The bar is ${picture.bar}.$part",
+        )
+        page.png(
+            picture.writeSide(study.plots, "patch-side"),
+            "the patch from the side",
+            "From the side; y to the right, z up; nearer spheres are brighter.$part",
+        )
+    }
+}

@@ -1,0 +1,21 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.insitu.State
+
+/** How particles stand to each other: pairs, waves, the surface density and its wakes. */
+internal class StructureSection(study: Study) : Section {
+    private val parts = listOf(PairPart(study), StructureFactorPart(study), SurfacePart(study))
+
+    override val heading = "Structure"
+    override val over = "How particles stand to each other. ${study.overAverages}"
+    override val leftOut =
+        if (study.isCompact) study.tooFew() else "the patch is more than twenty times as long as wide"
+
+    override fun add(state: State) {
+        if (leftOut == null) for (part in parts) part.add(state)
+    }
+
+    override fun write(page: ReportPage) {
+        for (part in parts) part.write(page)
+    }
+}

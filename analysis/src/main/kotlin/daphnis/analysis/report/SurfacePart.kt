@@ -1,0 +1,112 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.correlation.SurfaceMap
+import daphnis.analysis.correlation.WavePattern
+import daphnis.analysis.insitu.State
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.statistics.BlockAverage
+import daphnis.analysis.table.Column
+import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
+import kotlin.math.PI
+
+/**
+ * The autocorrelation of the surface density, of lags up to half the patch; in Hill's frame also pitch angle and radial
+ * spacing of wakes, where there are any, beside Toomre's critical wavelength.
+ */
+internal class SurfacePart(private val study: Study) : Part {
+    private val units = study.units
+    private val cell: Double = study.last.boundary.box.let {
+        maxOf(2 * study.bulk.typicalRadius, maxOf(it.length(0), it.length(1)) / MOST_CELLS)
+    }
+    private val autocorrelations = ArrayList<DoubleArray>()
+    private var lagX = 0
+    private var lagY = 0
+    private var dx = 0.0
+    private var dy = 0.0
+
+    override fun add(state: State) {
+        val map = SurfaceMap.of(state, cell)
+        lagX = map.nx / 2
+        lagY = map.ny / 2
+        dx = map.dx
+        dy = map.dy
+        autocorrelations += map.autocorrelation(lagX, lagY)
+    }
+
+    override fun write(page: ReportPage) {
+        if (autocorrelations.isEmpty() || lagX < 2 || lagY < 2) return
+        autocorrelation(page)
+        if (study.isRing) wakes(page)
+    }
+
+    private fun autocorrelation(page: ReportPage) {
+        val count = autocorrelations.size
+        val a = DoubleArray(autocorrelations[0].size) { k -> autocorrelations.sumOf { it[k] } / count }
+        val x = DoubleArray(2 * lagX + 1) { (it - lagX) * dx }
+        val y = DoubleArray(2 * lagY + 1) { (it - lagY) * dy }
+        // The centre is the noise of counting and would hide the rest.
+        val shown = a.copyOf().also { it[lagX * y.size + lagY] = 0.0 }
+        val figure = Chart.map(
+            x,
+            y,
+            shown,
+            UnitNames.axis("Δy", units.length),
+            UnitNames.axis("Δx", units.length),
+            "autocorrelation A",
+        )
+        val caption = "Autocorrelation A of the surface density, ⟨δΣ δΣ⟩/⟨Σ⟩², the centre left out."
+        study.draw(page, figure, "autocorrelation", "autocorrelation of the surface density", caption, HEIGHT)
+        Table(
+            "autocorrelation",
+            listOf(
+                Column("dx", units.length, DoubleArray(a.size) { x[it / y.size] }),
+                Column("dy", units.length, DoubleArray(a.size) { y[it % y.size] }),
+                Column("A", "", a),
+            ),
+        ).write(study.tables)
+    }
+
+    private fun wakes(page: ReportPage) {
+        val pattern = WavePattern.of(autocorrelations, lagX, lagY, dx, dy)
+        table(pattern)
+        if (pattern == null) {
+            page.paragraph(
+                "No pitch angle and no spacing of wakes: no single wave of the surface density stands out yet of " +
+                    "those of its length in other directions.",
+            )
+            return
+        }
+        fun row(name: String, a: BlockAverage, factor: Double, unit: String, note: String = "") =
+            NumberRow(name, a.mean * factor, a.error * factor, unit, note = note)
+        val rows = arrayListOf(
+            row("pitch angle of the wakes", pattern.pitch, 180 / PI, "degrees", "from the orbit, trailing positive"),
+            row("radial spacing of the wakes", pattern.spacing, 1.0, units.length),
+        )
+        val critical = study.bulk.criticalWavelength
+        if (!critical.isNaN()) {
+            val name = "radial spacing over Toomre's critical wavelength"
+            rows += row(name, pattern.spacing, 1 / critical, "", "4π² G Σ/Ω²")
+        }
+        page.numbers(rows)
+    }
+
+    private fun table(pattern: WavePattern?) {
+        fun one(value: Double?) = doubleArrayOf(value ?: Double.NaN)
+        Table(
+            "wakes",
+            listOf(
+                Column("pitch", "degrees", one(pattern?.let { Math.toDegrees(it.pitch.mean) })),
+                Column("pitch_error", "degrees", one(pattern?.let { Math.toDegrees(it.pitch.error) })),
+                Column("spacing", units.length, one(pattern?.spacing?.mean)),
+                Column("spacing_error", units.length, one(pattern?.spacing?.error)),
+                Column("critical_wavelength", units.length, one(study.bulk.criticalWavelength)),
+            ),
+        ).write(study.tables)
+    }
+
+    private companion object {
+        const val MOST_CELLS = 64
+        const val HEIGHT = 560
+    }
+}

@@ -1,0 +1,52 @@
+package daphnis.core.format
+
+import java.io.IOException
+import java.nio.file.Path
+import kotlin.io.path.name
+
+/** The list of formats: what a scenario starts from, what is analysed, what snapshots are exported to. */
+public object SnapshotFormats {
+    public val all: List<SnapshotFormat> = listOf(
+        ExtendedXyz,
+        Vtp,
+        H5md,
+        CartAndRad,
+        ParticleCsv,
+    )
+
+    public val readable: List<ReadableFormat> = all.filterIsInstance<ReadableFormat>()
+
+    public val writable: List<WritableFormat> = all.filterIsInstance<WritableFormat>()
+
+    /** All formats that are read and their endings, for help and messages. */
+    public val known: String = readable.joinToString { format ->
+        "${format.extensions.joinToString(" ") { ".$it" }} (${format.title})"
+    }
+
+    /**
+     * The format of [path] by its name: its ending, or a [ReadableFormat.mark] anywhere in it, unless the ending is the
+     * first of a format's.
+     *
+     * @throws FormatException when no format has such names
+     */
+    public fun of(path: Path): ReadableFormat {
+        val name = path.name.lowercase()
+        val ending = name.substringAfterLast('.', "")
+        val byEnding = readable.find { ending in it.extensions }
+        if (byEnding != null && ending == byEnding.extensions.first()) return byEnding
+        val byMark = readable.find { format -> format.mark?.let { it in name } == true }
+        return byMark ?: byEnding
+            ?: throw FormatException("$path: unknown format; known by the end of the name: $known")
+    }
+
+    /**
+     * Reads every state of [path], of any readable format, in the order of the file.
+     *
+     * @throws FormatException for what is wrong, in one line
+     */
+    public fun read(path: Path): List<Snapshot> = try {
+        of(path).read(path)
+    } catch (e: IOException) {
+        throw FormatException("$path: cannot be read: ${e.message}")
+    }
+}
