@@ -4,10 +4,10 @@ import daphnis.core.engine.EnginesAgreeContract
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.BeforeEach
 
-/** The engines of this module. One actor system is host to all of Pekko's, for a thousand starts take minutes. */
-class EnginesAgreeTest private constructor(private val tested: TestedActors) : EnginesAgreeContract(tested) {
-    constructor() : this(TestedActors())
+private val tested = TestedActors()
 
+/** The engines of this module. One actor system is host to all of Pekko's, since a start takes long. */
+class EnginesAgreeTest : EnginesAgreeContract(tested) {
     @BeforeEach
     fun `start a host`() {
         tested.host = FaultKit.actorSystem()
@@ -16,5 +16,6 @@ class EnginesAgreeTest private constructor(private val tested: TestedActors) : E
     @AfterEach
     fun `end the host`() {
         tested.host!!.terminate()
+        tested.host = null
     }
 }

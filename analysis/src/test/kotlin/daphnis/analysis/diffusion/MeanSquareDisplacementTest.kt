@@ -8,7 +8,9 @@ import daphnis.analysis.report.Numbers
 import daphnis.analysis.report.ReportAverages
 import daphnis.analysis.report.ReportPage
 import daphnis.analysis.report.Study
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
@@ -19,6 +21,7 @@ import daphnis.core.population.Population
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -41,19 +44,26 @@ class MeanSquareDisplacementTest {
      * Walkers in a periodic box whose velocity keeps a part [memory] from step to step; unit steps of time and unit
      * speeds: D = (1 + a)/(1 − a)/2.
      */
-    private fun walk(count: Int, times: Int, memory: Double, random: SeededRandom, drift: Double = 0.0): Trajectories {
+    private fun walk(
+        count: Int,
+        times: Int,
+        memory: Double,
+        random: SeededRandom,
+        drift: Double = 0.0,
+        boundary: BoundaryConditions = Periodic(box),
+    ): Trajectories {
         val v = Array(3) { DoubleArray(count) { random.nextGaussian() } }
         val p = population(count)
         val trajectories = Trajectories(positions, IntArray(count) { it })
         for (t in 0 until times) {
-            trajectories.add(Snapshot.of(p, Periodic(box), t.toLong(), t.toDouble()))
+            trajectories.add(Snapshot.of(p, boundary, t.toLong(), t.toDouble()))
             for ((axis, x) in listOf(p.x, p.y, p.z).withIndex()) {
                 for (k in 0 until count) {
                     x[k] += v[axis][k] + drift
                     v[axis][k] = memory * v[axis][k] + sqrt(1 - memory * memory) * random.nextGaussian()
                 }
             }
-            Periodic(box).endStep(p, t + 1.0)
+            boundary.endStep(p, t + 1.0)
         }
         return trajectories
     }
@@ -81,6 +91,17 @@ class MeanSquareDisplacementTest {
         }
         assertTrue(covered in 120..150) { "$covered of $runs" }
         assertEquals(0.5, sum / runs, 0.003)
+    }
+
+    @Test
+    fun `a walk through faces that slide has the displacements of one through faces that stand`() {
+        val still = MeanSquareDisplacement(walk(60, 64, 0.0, SeededRandom(9)))
+        for (rate in listOf(0.4, -1.3)) {
+            val slid = MeanSquareDisplacement(walk(60, 64, 0.0, SeededRandom(9), boundary = LeesEdwards(box, rate)))
+            for (axis in 1..2) {
+                assertArrayEquals(still.mean(axis), slid.mean(axis), 1e-9) { "rate $rate, ${"xyz"[axis]}" }
+            }
+        }
     }
 
     @Test

@@ -41,6 +41,7 @@ public interface CollisionEngine : AutoCloseable {
      *   [Error], which a parallel engine throws on from wherever it came
      * @throws IllegalStateException after [close]
      */
+    @EngineApi
     public fun advance(step: CollisionStep)
 
     /**
@@ -63,6 +64,7 @@ public interface CollisionEngine : AutoCloseable {
  * @property search how neighbours are found
  * @property record where collisions are to be written in order, or null when nobody wants them
  */
+@EngineApi
 public class CollisionStep(
     public val population: Population,
     public val boundary: BoundaryConditions,
