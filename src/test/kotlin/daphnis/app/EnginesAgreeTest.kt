@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Every engine that the command line knows, as it is registered. Their modules draw cases by the hundred. */
-class EnginesAgreeTest : EnginesAgreeContract(TestedEngines(allEngines), draws = 12) {
+class EnginesAgreeTest : EnginesAgreeContract(TestedEngines(allEngines), draws = 6) {
     @Test
     fun `the docs name the engines of the registry`() {
         val table = read("docs/concurrency.md").lines().dropWhile { !it.startsWith("| engine ") }
