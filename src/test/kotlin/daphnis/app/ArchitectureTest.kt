@@ -1,5 +1,6 @@
 package daphnis.app
 
+import com.tngtech.archunit.base.DescribedPredicate
 import com.tngtech.archunit.core.domain.JavaClass
 import com.tngtech.archunit.core.domain.JavaClasses
 import com.tngtech.archunit.core.importer.ClassFileImporter
@@ -15,10 +16,6 @@ import org.junit.jupiter.api.Test
  * look at fails.
  */
 class ArchitectureTest {
-    private val classes: JavaClasses = ClassFileImporter().withImportOption(
-        ImportOption.DoNotIncludeTests(),
-    ).importPackages("daphnis")
-
     private fun know(packages: String, vararg none: String, of: JavaClasses = classes) =
         noClasses().that().resideInAPackage(packages).should().dependOnClassesThat().resideInAnyPackage(*none).check(of)
 
@@ -33,7 +30,7 @@ class ArchitectureTest {
     @Test
     fun `a rule with nothing to look at fails`() {
         val core = classes.that(
-            object : com.tngtech.archunit.base.DescribedPredicate<JavaClass>("of core") {
+            object : DescribedPredicate<JavaClass>("of core") {
                 override fun test(c: JavaClass) = c.packageName.startsWith("daphnis.core")
             },
         )
@@ -74,7 +71,8 @@ class ArchitectureTest {
 
     @Test
     fun `what engines are made of knows no engine`() {
-        for (part in listOf("search", "queue", "boundary", "collision")) know("daphnis.core.$part..", "daphnis.core.engine..")
+        val parts = listOf("search", "queue", "boundary", "collision")
+        for (part in parts) know("daphnis.core.$part..", "daphnis.core.engine..")
     }
 
     @Test
@@ -93,5 +91,11 @@ class ArchitectureTest {
     @Test
     fun `packages know one another without circles`() {
         slices().matching("daphnis.(**)").should().beFreeOfCycles().check(classes)
+    }
+
+    private companion object {
+        // Read once for all tests: it takes seconds.
+        val classes: JavaClasses =
+            ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("daphnis")
     }
 }

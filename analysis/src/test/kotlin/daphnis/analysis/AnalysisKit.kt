@@ -37,6 +37,9 @@ fun uniform(
 
 /** Particles on the epicycles given, in a frame of angular speed [omega]. */
 fun onEpicycles(epicycles: List<Epicycle>, boundary: BoundaryConditions, omega: Double): State {
-    val spheres = epicycles.map { e -> e.state(omega).let { Sphere(it[0], it[1], it[2], it[3], it[4], it[5], r = 0.1) } }
-    return State(populationOf(*spheres.toTypedArray()), boundary, 0.0, omega)
+    val spheres = Array(epicycles.size) { k ->
+        val s = epicycles[k].state(omega)
+        Sphere(s[0], s[1], s[2], s[3], s[4], s[5], r = 0.1)
+    }
+    return State(populationOf(*spheres), boundary, 0.0, omega)
 }

@@ -78,8 +78,8 @@ class FacesTest {
     @Test
     fun `a box without end is refused along the axis that needs one, and named`() {
         for (axis in 0..2) {
-            val ends = DoubleArray(6) { if (it == axis + 3) Double.POSITIVE_INFINITY else if (it < 3) 0.0 else 1.0 }
-            val endless = Box(ends[0], ends[1], ends[2], ends[3], ends[4], ends[5])
+            val upper = DoubleArray(3) { if (it == axis) Double.POSITIVE_INFINITY else 1.0 }
+            val endless = Box(0.0, 0.0, 0.0, upper[0], upper[1], upper[2])
             for (make in listOf<(Box) -> BoundaryConditions>(
                 { Walls(it) },
                 { Periodic(it) },

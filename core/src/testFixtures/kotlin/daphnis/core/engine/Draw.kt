@@ -143,7 +143,8 @@ class Draw(override val seed: Long) : Case {
     private fun made(x: DoubleArray, y: DoubleArray, z: DoubleArray): Population {
         val n = x.size
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
-        return Population(x, y, z, gauss(), gauss(), gauss(), radii, DoubleArray(n) { radii[it] * radii[it] * radii[it] })
+        val masses = DoubleArray(n) { radii[it] * radii[it] * radii[it] }
+        return Population(x, y, z, gauss(), gauss(), gauss(), radii, masses)
     }
 
     override fun simulation(engine: CollisionEngine) = Simulation(

@@ -20,10 +20,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode
  * @param draws how many cases are drawn; the property `daphnis.draws` says otherwise
  */
 @Execution(ExecutionMode.SAME_THREAD)
-abstract class EnginesAgreeContract(
-    private val tested: TestedEngines,
-    draws: Long = if (LONG) 5000 else 250,
-) {
+abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Long = if (LONG) 5000 else 250) {
     private val draws = java.lang.Long.getLong("daphnis.draws", draws)
 
     /** Asked for the same, before the others; null where another module has done that. */

@@ -242,7 +242,6 @@ class OddDraw(override val seed: Long) : Case {
 
     override fun threads(): Int = if (kind == Kind.THREADS) 16 + random.nextInt(49) else 1 + random.nextInt(4)
 
-    override fun toString() =
-        "seed $seed: $kind, ${population.size} spheres, ${boundary.javaClass.simpleName}, " +
-            "coefficient $coefficient, dt $dt"
+    override fun toString() = "seed $seed: $kind, ${population.size} spheres, ${boundary.javaClass.simpleName}, " +
+        "coefficient $coefficient, dt $dt"
 }
