@@ -194,8 +194,7 @@ class MeanSquareDisplacementTest {
         val t = Trajectories(positions, intArrayOf(0, 7))
         val frame = Snapshot.of(population(5), Periodic(box), 0, 1.0)
         assertTrue("particle 7 is missing" in problem { t.add(frame) })
-        val silent =
-            Snapshot(0, 1.0, frame.lengths, frame.periodic, 0.0, frame.id, frame.position, frame.velocity, frame.radius, frame.mass)
+        val silent = with(frame) { Snapshot(0, 1.0, lengths, periodic, 0.0, id, position, velocity, radius, mass) }
         assertTrue("crossed the box" in problem { Trajectories(positions, intArrayOf(0)).add(silent) })
         val once = Trajectories(positions, intArrayOf(0)).also { it.add(frame) }
         assertTrue("must ascend" in problem { once.add(frame) })

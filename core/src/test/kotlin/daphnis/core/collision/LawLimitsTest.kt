@@ -9,9 +9,9 @@ class LawLimitsTest {
     @Test
     fun `the ends that belong to the range make a law`() {
         for (e in listOf(0.0, 1.0)) assertEquals(e, ConstantRestitution(e).coefficient(5.0))
-        // A power of zero is a constant, at rest too.
-        for (speed in listOf(0.0, 1e-9, 5.0)) {
-            assertEquals(0.5, BridgesRestitution(0.5, exponent = 0.0).coefficient(speed)) { "speed $speed" }
+        // A power of zero is a constant, but at rest a collision is elastic.
+        for ((speed, e) in listOf(0.0 to 1.0, 1e-9 to 0.5, 5.0 to 0.5)) {
+            assertEquals(e, BridgesRestitution(0.5, exponent = 0.0).coefficient(speed)) { "speed $speed" }
         }
         assertEquals(false, FloorSpeedGuard(0.0).makesElastic(0.0, 0.0, 0.0))
     }
