@@ -1,61 +1,101 @@
 package daphnis.app
 
+import com.tngtech.archunit.base.DescribedPredicate
+import com.tngtech.archunit.core.domain.JavaClass
 import com.tngtech.archunit.core.domain.JavaClasses
 import com.tngtech.archunit.core.importer.ClassFileImporter
 import com.tngtech.archunit.core.importer.ImportOption
 import com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Modules know what the design allows, and no packages know one another in a circle. */
+/**
+ * Modules know what the design allows, and no packages know one another in a circle. A rule that finds no class to
+ * look at fails.
+ */
 class ArchitectureTest {
-    private val classes: JavaClasses = ClassFileImporter().withImportOption(
-        ImportOption.DoNotIncludeTests(),
-    ).importPackages("daphnis")
+    private fun know(packages: String, vararg none: String, of: JavaClasses = classes) =
+        noClasses().that().resideInAPackage(packages).should().dependOnClassesThat().resideInAnyPackage(*none).check(of)
 
     @Test
-    fun `there is something to look at`() {
-        assertTrue(
-            classes.any { it.name == "daphnis.core.Simulation" } && classes.any { it.packageName == "daphnis.app" },
+    fun `every module is there to be looked at, without its tests`() {
+        for (name in listOf("core", "actors.region", "actors.coroutine", "actors.pekko", "analysis.report", "app")) {
+            assertTrue(classes.any { it.packageName == "daphnis.$name" }) { "no class of daphnis.$name" }
+        }
+        assertTrue(classes.none { it.name == "daphnis.core.Sphere" || it.simpleName.endsWith("Test") })
+    }
+
+    @Test
+    fun `a rule with nothing to look at fails`() {
+        val core = classes.that(
+            object : DescribedPredicate<JavaClass>("of core") {
+                override fun test(c: JavaClass) = c.packageName.startsWith("daphnis.core")
+            },
+        )
+        assertThrows(AssertionError::class.java) { know("daphnis.actors..", "daphnis.analysis..", of = core) }
+    }
+
+    @Test
+    fun `core knows no other module, no coroutines, no Pekko, no plots`() = know(
+        "daphnis.core..",
+        "daphnis.actors..",
+        "daphnis.analysis..",
+        "daphnis.app..",
+        "daphnis.bench..",
+        "kotlinx.coroutines..",
+        "org.apache.pekko..",
+        "org.jetbrains.letsPlot..",
+        "com.github.ajalt..",
+    )
+
+    @Test
+    fun `actors and analysis know core and not one another or the command line`() {
+        know("daphnis.actors..", "daphnis.analysis..", "daphnis.app..", "com.github.ajalt..")
+        know("daphnis.analysis..", "daphnis.actors..", "daphnis.app..", "com.github.ajalt..")
+    }
+
+    @Test
+    fun `coroutine code and Pekko code know nothing of each other, and what both drive knows neither`() {
+        know("daphnis.actors.coroutine..", "org.apache.pekko..", "daphnis.actors.pekko..")
+        know("daphnis.actors.pekko..", "kotlinx.coroutines..", "daphnis.actors.coroutine..")
+        know(
+            "daphnis.actors.region..",
+            "kotlinx.coroutines..",
+            "org.apache.pekko..",
+            "daphnis.actors.coroutine..",
+            "daphnis.actors.pekko..",
         )
     }
 
     @Test
-    fun `core knows no other module, no coroutines, no Pekko, no plots`() {
-        noClasses().that().resideInAPackage("daphnis.core..").should().dependOnClassesThat().resideInAnyPackage(
-            "daphnis.actors..",
-            "daphnis.analysis..",
-            "daphnis.app..",
-            "daphnis.bench..",
-            "kotlinx.coroutines..",
-            "org.apache.pekko..",
-            "org.jetbrains.letsPlot..",
-            "com.github.ajalt..",
-        ).check(classes)
+    fun `what engines are made of knows no engine`() {
+        val parts = listOf("search", "queue", "boundary", "collision")
+        for (part in parts) know("daphnis.core.$part..", "daphnis.core.engine..")
     }
 
     @Test
-    fun `actors and analysis know core and not one another or the command line`() {
-        noClasses().that().resideInAPackage("daphnis.actors..").should().dependOnClassesThat()
-            .resideInAnyPackage("daphnis.analysis..", "daphnis.app..").allowEmptyShould(true).check(classes)
-        noClasses().that().resideInAPackage("daphnis.analysis..").should().dependOnClassesThat()
-            .resideInAnyPackage("daphnis.actors..", "daphnis.app..").check(classes)
+    fun `an engine knows no other than the serial one`() {
+        know("daphnis.core.engine.islands..", "daphnis.core.engine.threadpool..")
+        know("daphnis.core.engine.threadpool..", "daphnis.core.engine.islands..")
     }
 
     @Test
-    fun `coroutine code and Pekko code know nothing of each other`() {
-        noClasses().that().resideInAPackage("daphnis.actors.coroutine..").should().dependOnClassesThat()
-            .resideInAnyPackage("org.apache.pekko..", "daphnis.actors.pekko..").allowEmptyShould(true).check(classes)
-        noClasses().that().resideInAPackage("daphnis.actors.pekko..").should().dependOnClassesThat()
-            .resideInAnyPackage(
-                "kotlinx.coroutines..",
-                "daphnis.actors.coroutine..",
-            ).allowEmptyShould(true).check(classes)
+    fun `a simulation knows nothing of files, scenarios and runs`() {
+        for (part in listOf("engine", "collision", "search", "queue", "boundary", "force", "population", "hill")) {
+            know("daphnis.core.$part..", "daphnis.core.run..", "daphnis.core.scenario..", "daphnis.core.format..")
+        }
     }
 
     @Test
     fun `packages know one another without circles`() {
         slices().matching("daphnis.(**)").should().beFreeOfCycles().check(classes)
+    }
+
+    private companion object {
+        // Read once for all tests: it takes seconds.
+        val classes: JavaClasses =
+            ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("daphnis")
     }
 }

@@ -1,21 +1,18 @@
 package daphnis.app
 
+import daphnis.core.Repository.read
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import java.io.File
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
  * Runs under either build, so both resolve what the table says: the same versions, and nothing that nobody knows of.
  */
 class ShippedLibrariesTest {
-    private val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-        .first { Files.exists(it.resolve("settings.gradle.kts")) }
-
     /** Version by artifact, from the table. */
-    private val listed = Files.readAllLines(root.resolve("docs/third-party.md"))
+    private val listed = read("docs/third-party.md").lines()
         .mapNotNull { Regex("""\| [\w.-]+:([\w.-]+) \| ([\w.-]+) \| (\S.*) \|""").matchEntire(it) }
         .associate { it.groupValues[1] to it.groupValues[2] }
 

@@ -1,15 +1,11 @@
 package daphnis.drills
 
-import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.pekko.PekkoEngine
-import daphnis.actors.region.RegionLayout
-import daphnis.app.FailingCase
-import daphnis.app.FailingSteps
+import daphnis.app.allEngines
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
-import daphnis.core.engine.threadpool.ThreadPoolEngine
-import daphnis.core.parallel.FixedPool
+import daphnis.core.engine.FailingCase
+import daphnis.core.engine.FailingSteps
+import daphnis.core.engine.FixedThreads
+import daphnis.core.engine.TestedEngines
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.ExperimentalPathApi
@@ -83,13 +79,10 @@ internal object ThrowDrill : Drill {
             steps.thrown
         }
 
-    private val engines: Map<String, () -> CollisionEngine> = mapOf(
-        "serial" to { SerialEngine() },
-        "islands" to { IslandsEngine(FixedPool(3), fewest = 0) },
-        "thread-pool" to { ThreadPoolEngine(3) },
-        "actors" to { RegionActorEngine(3, RegionLayout.Stretches(3)) },
-        "pekko" to { PekkoEngine(3, RegionLayout.Stretches(3)) },
-    )
+    private val tested = TestedEngines(allEngines)
+
+    private val engines: Map<String, () -> CollisionEngine> =
+        allEngines.names.associateWith { name -> { tested.make(name, FixedThreads(3)) } }
 }
 
 private fun tally(cases: Int, counts: FuzzCounts) = Tally(

@@ -5,16 +5,16 @@ import daphnis.actors.coroutine.RegionActorEngine
 import daphnis.actors.pekko.PekkoEngine
 import daphnis.actors.region.RegionCommand
 import daphnis.actors.region.RegionLayout
-import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
+import daphnis.core.digests
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.stateDigest
+import daphnis.core.simulationOf
 import daphnis.core.step.CollisionStep
 import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors
@@ -33,7 +33,7 @@ internal object FaultKit {
 
     fun simulation(engine: CollisionEngine, restitution: Restitution = ConstantRestitution(1.0)): Simulation {
         val (p, boundary) = gas(400, 4)
-        return Simulation(p, boundary, CollisionForcing(restitution, engine = engine), FixedTimeStep(DURATION))
+        return simulationOf(p, boundary, DURATION, restitution, engine = engine)
     }
 
     /** One step of the same gas, without the loop around it. */
@@ -48,12 +48,7 @@ internal object FaultKit {
     val done: CollisionStep = step().also { SerialEngine().advance(it) }
 
     /** The digests after steps 1, 2, … */
-    val expected = simulation(SerialEngine()).let { s ->
-        List(4) {
-            s.advance()
-            stateDigest(s.population)
-        }
-    }
+    val expected = digests(simulation(SerialEngine()), 4)
 
     /** The digest at the start. */
     val initial = stateDigest(simulation(SerialEngine()).population)
@@ -79,10 +74,8 @@ internal object FaultKit {
     }
 
     /** Threads that engines made. */
-    fun engineThreads(): List<Thread> = Thread.getAllStackTraces().keys.filter {
-        it.isAlive &&
-            it.name.startsWith("daphnis")
-    }
+    fun engineThreads(): List<Thread> =
+        Thread.getAllStackTraces().keys.filter { it.isAlive && it.name.startsWith("daphnis") }
 
     /** Waits until no engine has a thread. Who leaks one fails by the test's time limit, after saying so here. */
     fun awaitNoEngineThreads() {

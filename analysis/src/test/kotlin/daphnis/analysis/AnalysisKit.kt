@@ -1,13 +1,15 @@
 package daphnis.analysis
 
 import daphnis.analysis.insitu.State
+import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.hill.Epicycle
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.populationOf
 
 /**
- * [count] spheres of radius [radius] and mass 1, uniform in the box of [boundary] (overlapping: nobody collides here),
+ * [count] spheres of radius [radius] and mass 1, uniform in the box of [boundary] (overlapping: nothing collides here),
  * at rest unless [velocity] says otherwise.
  */
 fun uniform(
@@ -29,41 +31,15 @@ fun uniform(
         val across = listOf(x, y, z)[flow.normalAxis]
         for (k in 0 until count) v[flow.flowAxis][k] += flow.rate * across[k]
     }
-    return State(
-        Population(
-            x,
-            y,
-            z,
-            v[0],
-            v[1],
-            v[2],
-            DoubleArray(count) {
-                radius
-            },
-            DoubleArray(count) { 1.0 },
-        ),
-        boundary,
-        0.0,
-        omega,
-    )
+    val radii = DoubleArray(count) { radius }
+    return State(Population(x, y, z, v[0], v[1], v[2], radii, DoubleArray(count) { 1.0 }), boundary, 0.0, omega)
 }
 
 /** Particles on the epicycles given, in a frame of angular speed [omega]. */
 fun onEpicycles(epicycles: List<Epicycle>, boundary: BoundaryConditions, omega: Double): State {
-    val s = epicycles.map { it.state(omega) }
-    fun column(k: Int) = DoubleArray(s.size) { s[it][k] }
-    val p =
-        Population(
-            column(0),
-            column(1),
-            column(2),
-            column(3),
-            column(4),
-            column(5),
-            DoubleArray(s.size) {
-                0.1
-            },
-            DoubleArray(s.size) { 1.0 },
-        )
-    return State(p, boundary, 0.0, omega)
+    val spheres = Array(epicycles.size) { k ->
+        val s = epicycles[k].state(omega)
+        Sphere(s[0], s[1], s[2], s[3], s[4], s[5], r = 0.1)
+    }
+    return State(populationOf(*spheres), boundary, 0.0, omega)
 }

@@ -46,11 +46,6 @@ abstract class FaultKit {
         return listOf(stateDigest(s.population)) + digests(s, steps)
     }
 
-    protected fun digests(s: Simulation, steps: Int) = List(steps) {
-        s.advance()
-        stateDigest(s.population)
-    }
-
     protected fun assertRefused(message: String, action: () -> Unit) {
         assertEquals(message, assertThrows(IllegalStateException::class.java, action).message)
     }

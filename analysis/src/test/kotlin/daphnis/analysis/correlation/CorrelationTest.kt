@@ -5,6 +5,7 @@ import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
+import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
@@ -86,6 +87,8 @@ class CorrelationTest {
             Periodic(Box.centred(10.0, 12.0, 8.0)),
             HillSheet(Box.centred(10.0, 12.0, 3.0), 1.0),
             HillSheet(Box.centred(10.0, 12.0, 3.0), 1.0, true),
+            LeesEdwards(Box.centred(10.0, 12.0, 8.0), 0.5),
+            LeesEdwards(Box.centred(10.0, 12.0, 8.0), -0.3),
         )) {
             val state = uniform(250, boundary, radius = 0.01).let { State(it.population, boundary, 0.77) }
             // A few sizes: the cells of the search are by size.

@@ -6,7 +6,9 @@ import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.DiffusionSection
 import daphnis.analysis.report.ReportPage
 import daphnis.analysis.report.Study
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
@@ -17,6 +19,7 @@ import daphnis.core.population.Population
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -39,19 +42,26 @@ class MeanSquareDisplacementTest {
      * Walkers in a periodic box whose velocity keeps a part [memory] from step to step; unit steps of time and unit
      * speeds: D = (1 + a)/(1 − a)/2.
      */
-    private fun walk(count: Int, times: Int, memory: Double, random: SeededRandom, drift: Double = 0.0): Trajectories {
+    private fun walk(
+        count: Int,
+        times: Int,
+        memory: Double,
+        random: SeededRandom,
+        drift: Double = 0.0,
+        boundary: BoundaryConditions = Periodic(box),
+    ): Trajectories {
         val v = Array(3) { DoubleArray(count) { random.nextGaussian() } }
         val p = population(count)
         val trajectories = Trajectories(positions, IntArray(count) { it })
         for (t in 0 until times) {
-            trajectories.add(Snapshot.of(p, Periodic(box), t.toLong(), t.toDouble()))
+            trajectories.add(Snapshot.of(p, boundary, t.toLong(), t.toDouble()))
             for ((axis, x) in listOf(p.x, p.y, p.z).withIndex()) {
                 for (k in 0 until count) {
                     x[k] += v[axis][k] + drift
                     v[axis][k] = memory * v[axis][k] + sqrt(1 - memory * memory) * random.nextGaussian()
                 }
             }
-            Periodic(box).endStep(p, t + 1.0)
+            boundary.endStep(p, t + 1.0)
         }
         return trajectories
     }
@@ -79,6 +89,17 @@ class MeanSquareDisplacementTest {
         }
         assertTrue(covered in 120..150) { "$covered of $runs" }
         assertEquals(0.5, sum / runs, 0.003)
+    }
+
+    @Test
+    fun `a walk through faces that slide has the displacements of one through faces that stand`() {
+        val still = MeanSquareDisplacement(walk(60, 64, 0.0, SeededRandom(9)))
+        for (rate in listOf(0.4, -1.3)) {
+            val slid = MeanSquareDisplacement(walk(60, 64, 0.0, SeededRandom(9), boundary = LeesEdwards(box, rate)))
+            for (axis in 1..2) {
+                assertArrayEquals(still.mean(axis), slid.mean(axis), 1e-9) { "rate $rate, ${"xyz"[axis]}" }
+            }
+        }
     }
 
     @Test
@@ -171,11 +192,7 @@ class MeanSquareDisplacementTest {
         val t = Trajectories(positions, intArrayOf(0, 7))
         val state = Snapshot.of(population(5), Periodic(box), 0, 1.0)
         assertTrue("particle 7 is missing" in problem { t.add(state) })
-        val silent =
-            Snapshot(
-                0, 1.0, state.lengths, state.periodic, 0.0, state.id, state.position, state.velocity, state.radius,
-                state.mass,
-            )
+        val silent = with(state) { Snapshot(0, 1.0, lengths, periodic, 0.0, id, position, velocity, radius, mass) }
         assertTrue("crossed the box" in problem { Trajectories(positions, intArrayOf(0)).add(silent) })
         val once = Trajectories(positions, intArrayOf(0)).also { it.add(state) }
         assertTrue("must ascend" in problem { once.add(state) })

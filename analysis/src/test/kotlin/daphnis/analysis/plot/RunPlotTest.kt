@@ -95,7 +95,11 @@ class RunPlotTest {
     @Test
     fun `a temperature that falls to zero is drawn too`() {
         RunPlot.write(series(3) { if (it == 2) 0.0 else 1.0 }, home, "cold", gas)
-        assertTrue(Files.size(home.resolve("run.png")) > 1000)
+        val points = temperatures()
+        assertEquals(3, points.size)
+        assertEquals(points[0][1], points[1][1])
+        // The top and the bottom of the panel are a twentieth of the values away.
+        assertEquals(244 / 1.1, points[2][1] - points[0][1], 0.01)
     }
 
     @Test
@@ -128,10 +132,7 @@ class RunPlotTest {
         // The temperature is 1 but for one row of 3 in the middle: the line touches the top of its panel there, at x =
         // 440 of 800 points.
         RunPlot.write(series(101) { if (it == 50) 3.0 else 1.0 }, home, "peak", gas)
-        val path = Regex(
-            "stroke=\"#1f4e79\"[^>]* d=\"M([^\"]*)\"",
-        ).find(Files.readString(home.resolve("run.svg")))!!.groupValues[1]
-        val points = path.split('L').map { p -> p.split(' ').map { it.toDouble() } }
+        val points = temperatures()
         assertEquals(101, points.size)
         val peak = points.minBy { it[1] }
         assertEquals(440.0, peak[0], 0.01)
@@ -141,6 +142,13 @@ class RunPlotTest {
         val picture = ImageIO.read(home.resolve("run.png").toFile())
         val ink = (0 until 640).filter { y -> isInk(picture.getRGB(880, y)) }
         assertTrue(ink.isNotEmpty() && ink.first() in 80..100) { "ink from $ink" }
+    }
+
+    /** The points of the line of the temperature, x and y from the upper left. */
+    private fun temperatures(): List<List<Double>> {
+        val line = Regex("stroke=\"#1f4e79\"[^>]* d=\"M([^\"]*)\"")
+        val path = line.find(Files.readString(home.resolve("run.svg")))!!.groupValues[1]
+        return path.split('L').map { p -> p.split(' ').map { it.toDouble() } }
     }
 
     private fun isInk(rgb: Int) = (rgb shr 16 and 255) < 120 && (rgb and 255) in 80..200

@@ -1,5 +1,6 @@
 package daphnis.core.engine
 
+import daphnis.core.api.EngineApi
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
@@ -36,6 +37,7 @@ public interface CollisionEngine : AutoCloseable {
      *   [Error], which a parallel engine throws on from wherever it came
      * @throws IllegalStateException after [close]
      */
+    @EngineApi
     public fun advance(step: CollisionStep)
 
     /**

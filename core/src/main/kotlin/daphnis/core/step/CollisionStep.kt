@@ -1,5 +1,6 @@
 package daphnis.core.step
 
+import daphnis.core.api.EngineApi
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
@@ -16,6 +17,7 @@ import daphnis.core.search.SearchStructure
  * @property search how neighbours are found
  * @property record where collisions are to be written in order, or null when nobody wants them
  */
+@EngineApi
 public class CollisionStep(
     public val population: Population,
     public val boundary: BoundaryConditions,

@@ -58,7 +58,11 @@ class GridTest {
                 "seed $seed, ${boundary.javaClass.simpleName}, ${p.size} spheres",
             )
         }
+        assertTrue(near > 1000 && met > 500) { "$near pairs within reach, $met that meet: too few to test anything" }
     }
+
+    private var near = 0
+    private var met = 0
 
     private fun compare(
         p: Population,
@@ -70,7 +74,7 @@ class GridTest {
     ) {
         val grid = Grid().apply { build(p, boundary, time, duration, reach) }
         assertEquals((0 until p.size).toSet(), grid.order.take(p.size).toSet()) { story }
-        val near = CellRuns(grid)
+        val runs = CellRuns(grid)
         // Ways within the reach, by index.
         val random = SeededRandom(p.size.toLong())
         val way = Array(3) { axis -> DoubleArray(p.size) { random.nextDouble(-reach[axis], reach[axis]) } }
@@ -79,10 +83,10 @@ class GridTest {
         for (slot in 0 until p.size) {
             val k = grid.order[slot]
             fun name(other: Int) = p.id[grid.order[other]]
-            val ahead = near.ahead(slot, p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
-            each(near, ahead) { other, code -> forward += canonical(p.id[k], name(other), code) }
-            val around = near.around(p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
-            each(near, around) { other, code -> all += Pair(p.id[k], name(other), code) }
+            val ahead = runs.ahead(slot, p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
+            each(runs, ahead) { other, code -> forward += canonical(p.id[k], name(other), code) }
+            val around = runs.around(p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
+            each(runs, around) { other, code -> all += Pair(p.id[k], name(other), code) }
         }
         val once = forward.filter { it.a != it.b }
         assertEquals(once.size, once.toSet().size) { "$story: a pair is named twice" }
@@ -91,14 +95,13 @@ class GridTest {
             val apart = (0..2).map { axis -> gap(p, grid.images, i, j, code, axis, way[axis][i], duration) }
             // Whoever may be anywhere within its reach must be found from the way of the one; who goes its own way,
             // from either.
-            if ((0..2).all {
-                    apart[it](reach[it], reach[it])
-                }
-            ) {
+            if ((0..2).all { apart[it](reach[it], reach[it]) }) {
+                near++
                 assertTrue(Pair(p.id[i], p.id[j], code) in all) { "$story: ${p.id[j]} is not found from ${p.id[i]}" }
             }
             val meet = (0..2).all { axis -> apart[axis](maxOf(0.0, -way[axis][j]), maxOf(0.0, way[axis][j])) }
             if (meet) {
+                met++
                 assertTrue(canonical(p.id[i], p.id[j], code) in found) {
                     "$story: ${p.id[i]} and ${p.id[j]} are not found forward"
                 }

@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.core.engine
 
 import daphnis.core.CellCrossingTimeStep
 import daphnis.core.FixedTimeStep
@@ -8,9 +8,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
-import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.SerialEngine
 import daphnis.core.force.Force
 import daphnis.core.force.SelfGravity
 import daphnis.core.hill.Epicycle
@@ -119,7 +116,7 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         }
         val p = simulation.population
         val isEventful = if (made.moon != null) made.moon.removed > 0 else p.id.any { p.boxesCrossed(it, 0) != 0 }
-        assertTrue(isEventful) { "$story: nobody crossed a face, or fell onto the moon" }
+        assertTrue(isEventful) { "$story: none crossed a face, or fell onto the moon" }
         for (output in made.outputs) assertEquals(undisturbed.outputs[0].seen, output.seen) { story }
         assertEquals(undisturbed.moon?.removed, made.moon?.removed) { story }
     }
@@ -134,11 +131,8 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         assertEquals(BitState(undisturbed.simulation).byId(), BitState(simulation).byId()) { story }
     }
 
-    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean = generateSequence(caught) { it.cause }.any {
-        it ===
-            thrown ||
-            thrown in it.suppressed
-    }
+    private fun isBecauseOf(caught: Throwable, thrown: Throwable): Boolean =
+        generateSequence(caught) { it.cause }.any { it === thrown || thrown in it.suppressed }
 
     private fun make(engine: CollisionEngine?): Made {
         val wire = Tripwire()

@@ -1,11 +1,13 @@
 package daphnis.core.engine
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
+import daphnis.core.population.Population
 import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.step.CollisionStep
 import kotlin.math.abs
@@ -14,6 +16,8 @@ import kotlin.math.ceil
 /**
  * The slow oracle: the serial engine without grid, bound or fast queue. Every pair and every image that could possibly
  * matter is asked after every collision, so nothing can be missed.
+ *
+ * An [isQuick] case takes milliseconds.
  */
 class BruteForceEngine : CollisionEngine {
     override val name get() = "brute-force"
@@ -32,7 +36,7 @@ class BruteForceEngine : CollisionEngine {
         rows.load(step.population, IntArray(n) { it }, step.duration, step.law.guard.needsLastCollision)
         images.prepare(step.boundary, step.start)
         walls.prepare(step.boundary)
-        codes = imageCodes(step)
+        codes = imageCodes(step.population, step.boundary, step.duration)
         queue.reset(step.duration, rows.id, n)
         for (a in 0 until n) {
             for (b in a + 1 until n) codes.forEach { queue(step, a, b, it) }
@@ -75,25 +79,36 @@ class BruteForceEngine : CollisionEngine {
         }
     }
 
-    /** Twice as far as the fastest could come. */
-    private fun imageCodes(step: CollisionStep): IntArray {
-        val p = step.population
-        var fastest = 0.0
-        for (k in 0 until p.size) fastest = maxOf(fastest, abs(p.vx[k]), abs(p.vy[k]), abs(p.vz[k]))
-        val largest = if (p.size == 0) 0.0 else p.radius.max()
-        val range = 2 * largest + 4 * fastest * step.duration
-        val shear = step.boundary.shear
-        val far = IntArray(3) { axis ->
-            if (step.boundary.contactFaces(axis) != ContactFaces.PERIODIC) return@IntArray 0
-            val slide = if (shear != null && shear.slideAxis == axis) {
-                2 + abs(shear.velocity) * step.duration * 4 / step.boundary.box.length(axis)
-            } else {
-                0.0
-            }
-            1 + ceil(range / step.boundary.box.length(axis) + slide).toInt()
-        }
+    private fun imageCodes(p: Population, boundary: BoundaryConditions, dt: Double): IntArray {
+        val far = IntArray(3) { boxes(p, boundary, dt, it) }
         return buildList {
             for (x in -far[0]..far[0]) for (y in -far[1]..far[1]) for (z in -far[2]..far[2]) add(Images.code(x, y, z))
         }.toIntArray()
+    }
+
+    companion object {
+        private const val MOST_SPHERES = 40
+        private const val MOST_BOXES = 20
+
+        /** Whether [p] has few enough spheres and images within a step of [dt] to ask them all. */
+        fun isQuick(p: Population, boundary: BoundaryConditions, dt: Double): Boolean =
+            p.size <= MOST_SPHERES && (0..2).all { boxes(p, boundary, dt, it) <= MOST_BOXES }
+
+        /** How many boxes away on each side of [axis]: twice as far as the fastest could come. */
+        private fun boxes(p: Population, boundary: BoundaryConditions, dt: Double, axis: Int): Int {
+            if (boundary.contactFaces(axis) != ContactFaces.PERIODIC) return 0
+            var fastest = 0.0
+            var largest = 0.0
+            for (k in 0 until p.size) {
+                fastest = maxOf(fastest, abs(p.vx[k]), maxOf(abs(p.vy[k]), abs(p.vz[k])))
+                largest = maxOf(largest, p.radius[k])
+            }
+            val range = 2 * largest + 4 * fastest * dt
+            val length = boundary.box.length(axis)
+            val shear = boundary.shear
+            val slides = shear != null && shear.slideAxis == axis
+            val slide = if (slides) 2 + abs(shear.velocity) * dt * 4 / length else 0.0
+            return 1 + ceil(range / length + slide).toInt()
+        }
     }
 }

@@ -1,10 +1,5 @@
-package daphnis.app
+package daphnis.core.engine
 
-import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
-import daphnis.core.engine.threadpool.ThreadPoolEngine
-import daphnis.core.parallel.FixedPool
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest.dynamicTest
@@ -13,15 +8,10 @@ import java.time.Duration
 import java.util.concurrent.CancellationException
 
 /** A step is done whole or not at all, in every engine, whatever throws wherever. */
-class FailingStepsTest {
-    private val engines: Map<String, () -> CollisionEngine?> = mapOf(
-        "no engine" to { null },
-        "serial" to { SerialEngine() },
-        "islands" to { IslandsEngine(FixedPool(3), fewest = 0) },
-        "thread-pool" to { ThreadPoolEngine(3) },
-        "actors" to { allEngines.create("actors", 3) },
-        "pekko" to { allEngines.create("pekko", 3) },
-    )
+abstract class FailingStepsContract(private val tested: TestedEngines) {
+    /** What makes an engine, or none, by the name of the test. */
+    protected open val engines: Map<String, () -> CollisionEngine?>
+        get() = tested.registry.names.associateWith { name -> { tested.make(name, FixedThreads(3)) } }
 
     private val kinds: List<(Int) -> Throwable> = listOf(
         { OutOfMemoryError("on purpose, $it") },
@@ -52,7 +42,7 @@ class FailingStepsTest {
         val expected = buildSet {
             add("time step")
             add("output")
-            if (name != "no engine") addAll(listOf("restitution", "guard"))
+            if (name != NO_ENGINE) addAll(listOf("restitution", "guard"))
             if (case != FailingCase.GAS) add("in a loop of a force")
         }
         assertTrue(steps.places.containsAll(expected)) { "thrown at ${steps.places} only" }
@@ -67,7 +57,9 @@ class FailingStepsTest {
         assertTrue(steps.failed > 0)
     }
 
-    private companion object {
-        val SEEDS = 11L..if (System.getProperty("daphnis.long") == "true") 40L else 12L
+    companion object {
+        /** Steps without collisions. */
+        const val NO_ENGINE = "no engine"
+        private val SEEDS = 11L..if (System.getProperty("daphnis.long") == "true") 40L else 12L
     }
 }

@@ -1,8 +1,5 @@
-package daphnis.app
+package daphnis.core.engine
 
-import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.pekko.PekkoEngine
-import daphnis.actors.region.RegionLayout
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
@@ -18,10 +15,6 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.islands.IslandsEngine
-import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force
 import daphnis.core.force.SelfGravity
 import daphnis.core.hill.Epicycle
@@ -33,18 +26,12 @@ import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
-import daphnis.core.parallel.FixedPool
-import daphnis.core.parallel.LoopStrategy
-import daphnis.core.parallel.ThreadHandler
-import daphnis.core.parallel.ThreadPerTask
 import daphnis.core.population.Population
-import daphnis.core.search.GridSort
 import daphnis.core.search.SearchStructure
-import org.apache.pekko.actor.typed.ActorSystem
 
 /** A random gas for engines: everything follows from [seed]. */
 class Draw(override val seed: Long) : Case {
-    private val random = SeededRandom(seed)
+    override val random = SeededRandom(seed)
     private val filling = Math.exp(random.nextDouble(Math.log(0.01), Math.log(0.5)))
     private val clumped = random.nextInt(4) == 0
     private val flat = random.nextInt(3) == 0
@@ -156,18 +143,8 @@ class Draw(override val seed: Long) : Case {
     private fun made(x: DoubleArray, y: DoubleArray, z: DoubleArray): Population {
         val n = x.size
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
-        return Population(
-            x,
-            y,
-            z,
-            gauss(),
-            gauss(),
-            gauss(),
-            radii,
-            DoubleArray(n) {
-                radii[it] * radii[it] * radii[it]
-            },
-        )
+        val masses = DoubleArray(n) { radii[it] * radii[it] * radii[it] }
+        return Population(x, y, z, gauss(), gauss(), gauss(), radii, masses)
     }
 
     override fun simulation(engine: CollisionEngine) = Simulation(
@@ -192,27 +169,9 @@ class Draw(override val seed: Long) : Case {
         }
     }
 
-    override fun engines(host: ActorSystem<*>): List<CollisionEngine> {
-        fun threads() = 1 + random.nextInt(8)
-        val handler: ThreadHandler = if (random.nextInt(4) == 0) {
-            ThreadPerTask(1 + random.nextInt(3))
-        } else {
-            FixedPool(threads())
-        }
-        return listOf(
-            IslandsEngine(FixedPool(threads()), fewest = 0),
-            ThreadPoolEngine(handler, LoopStrategy.entries[random.nextInt(3)], GridSort.entries[random.nextInt(2)]),
-            RegionActorEngine(threads(), layout()),
-            PekkoEngine(threads(), layout(), host),
-        )
-    }
-
-    private fun layout(): RegionLayout = if (random.nextInt(2) == 0) {
-        RegionLayout.Stretches(1 + random.nextInt(12))
-    } else {
-        RegionLayout.Blocks(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))
-    }
+    override fun threads(): Int = 1 + random.nextInt(8)
 
     override fun toString() =
-        "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, ${boundary.javaClass.simpleName}, dt $dt"
+        "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
+            "${boundary.javaClass.simpleName}, dt $dt"
 }

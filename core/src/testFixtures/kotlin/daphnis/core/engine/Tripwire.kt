@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.core.engine
 
 import daphnis.core.Output
 import daphnis.core.Simulation

@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.core.engine
 
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
@@ -7,13 +7,7 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
-import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
-import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.initial.SeededRandom
-import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -26,16 +20,14 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /** What engines count and record: the same from each, whatever happens on the way. */
 @Execution(ExecutionMode.SAME_THREAD)
-class EnginesCountTest {
-    private fun engines(): List<CollisionEngine> = listOf(
-        SerialEngine(),
-        IslandsEngine(FixedPool(1), fewest = 0),
-        IslandsEngine(FixedPool(3), fewest = 0),
-        ThreadPoolEngine(1),
-        ThreadPoolEngine(4),
-        allEngines.create("actors", 3)!!,
-        allEngines.create("pekko", 3)!!,
-    )
+abstract class EnginesCountContract(private val tested: TestedEngines) {
+    /** The serial engine, and each of the module on one thread and on three. */
+    private val makers: List<() -> CollisionEngine> = buildList {
+        add { SerialEngine() }
+        for (name in tested.registry.names) {
+            for (threads in listOf(1, 3)) add { tested.make(name, FixedThreads(threads)) }
+        }
+    }
 
     private fun counts(forcing: CollisionForcing) = with(forcing.counters) {
         listOf(collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays)
@@ -43,18 +35,8 @@ class EnginesCountTest {
 
     private fun row(x: DoubleArray, vx: DoubleArray, mass: DoubleArray, radius: Double): Population {
         val n = x.size
-        return Population(
-            x,
-            DoubleArray(n),
-            DoubleArray(n),
-            vx,
-            DoubleArray(n),
-            DoubleArray(n),
-            DoubleArray(n) {
-                radius
-            },
-            mass,
-        )
+        fun zeros() = DoubleArray(n)
+        return Population(x, zeros(), zeros(), vx, zeros(), zeros(), DoubleArray(n) { radius }, mass)
     }
 
     @Test
@@ -65,8 +47,9 @@ class EnginesCountTest {
         fun simulation(engine: CollisionEngine, restitution: Restitution) =
             Simulation(start(), Open, CollisionForcing(restitution, engine = engine), FixedTimeStep(20.0))
         val undisturbed = simulation(SerialEngine()) { 1.0 }.also { it.advance() }
-        assertTrue(undisturbed.collisions!!.counters.redoneSteps > 0)
-        for (kind in engines().indices) {
+        val honest = undisturbed.collisions!!
+        assertTrue(honest.counters.redoneSteps > 0)
+        for ((kind, make) in makers.withIndex()) {
             var thrown = 0
             for (call in 0..5) {
                 val calls = AtomicInteger()
@@ -79,25 +62,21 @@ class EnginesCountTest {
                         1.0
                     }
                 }
-                simulation(engines()[kind], restitution).use {
+                simulation(make(), restitution).use {
+                    val forcing = it.collisions!!
+                    val story = "${forcing.engine.name}, call $call"
                     try {
                         it.advance()
                     } catch (e: RuntimeException) {
                         thrown++
                         broken.set(false)
-                        assertEquals(
-                            List(5) {
-                                0L
-                            },
-                            counts(it.collisions!!),
-                        ) { "${it.collisions!!.engine.name}, call $call" }
+                        assertEquals(List(5) { 0L }, counts(forcing)) { story }
                         it.advance()
                     }
-                    assertEquals(stateDigest(undisturbed.population), stateDigest(it.population))
+                    assertEquals(stateDigest(undisturbed.population), stateDigest(it.population)) { story }
                     // An engine that has the serial one decide says so in the last count.
                     val decided = if (calls.get() > call && thrown == 0) 1L else 0L
-                    val expected = counts(undisturbed.collisions!!).dropLast(1) + decided
-                    assertEquals(expected, counts(it.collisions!!)) { "${it.collisions!!.engine.name}, call $call" }
+                    assertEquals(counts(honest).dropLast(1) + decided, counts(forcing)) { story }
                 }
             }
             assertTrue(thrown > 1) { "engine $kind threw $thrown times" }
@@ -130,7 +109,8 @@ class EnginesCountTest {
             ids.copyOf(),
         )
         val expected = ArrayList<List<Int>>()
-        for (engine in engines()) {
+        for (make in makers) {
+            val engine = make()
             val forcing = CollisionForcing(ConstantRestitution(1.0), engine = engine, recordCollisions = true)
             Simulation(start(), Open, forcing, FixedTimeStep(4.0)).use { it.advance() }
             val record = forcing.record!!
@@ -151,18 +131,14 @@ class EnginesCountTest {
     fun `a wall between two collisions at one time passes on which came first`() {
         // 2 strikes 1, which touches 0, which touches the wall: 0 comes back at once, and so does the push.
         val box = Box(0.0, -5.0, -5.0, 20.0, 5.0, 5.0)
-        for (engine in engines()) {
+        for (make in makers) {
+            val engine = make()
             val forcing = CollisionForcing(ConstantRestitution(1.0), engine = engine, recordCollisions = true)
             val start = row(doubleArrayOf(1.0, 3.0, 7.0), doubleArrayOf(0.0, 0.0, -1.0), DoubleArray(3) { 1.0 }, 1.0)
             Simulation(start, Walls(box), forcing, FixedTimeStep(4.0)).use { it.advance() }
             val record = forcing.record!!
-            assertEquals(
-                listOf(1 to 2, 0 to 1, 0 to 1, 1 to 2),
-                (0 until record.size).map {
-                    record.lower[it] to
-                        record.higher[it]
-                },
-            ) { engine.name }
+            val pairs = (0 until record.size).map { record.lower[it] to record.higher[it] }
+            assertEquals(listOf(1 to 2, 0 to 1, 0 to 1, 1 to 2), pairs) { engine.name }
             assertEquals(listOf(1, 2, 3, 4), (0 until record.size).map { record.rank[it] }) { engine.name }
         }
     }

@@ -1,8 +1,5 @@
-package daphnis.app
+package daphnis.core.engine
 
-import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.pekko.PekkoEngine
-import daphnis.actors.region.RegionLayout
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
@@ -15,21 +12,15 @@ import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.islands.IslandsEngine
-import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.initial.SeededRandom
-import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
-import org.apache.pekko.actor.typed.ActorSystem
 
 /**
  * A random case of the kinds that gases never are: exact, jammed, far too large or too small. Everything follows from
  * [seed].
  */
 class OddDraw(override val seed: Long) : Case {
-    private val random = SeededRandom(seed)
+    override val random = SeededRandom(seed)
     private val kind = Kind.entries[random.nextInt(Kind.entries.size)]
 
     private enum class Kind { TOUCHING_AT_REST, LATTICE, IMAGES, TIGHT, INELASTIC, ZEROS, CORNER, PILE, SCALES, THREADS }
@@ -71,8 +62,7 @@ class OddDraw(override val seed: Long) : Case {
         vy: Double,
         vz: Double,
         r: Double,
-        m: Double = r * r *
-            r,
+        m: Double = r * r * r,
     ) {
         spheres += doubleArrayOf(x, y, z, vx, vy, vz, r, m)
     }
@@ -250,21 +240,8 @@ class OddDraw(override val seed: Long) : Case {
         FixedTimeStep(dt),
     )
 
-    override fun engines(host: ActorSystem<*>): List<CollisionEngine> {
-        fun threads() = if (kind == Kind.THREADS) 16 + random.nextInt(49) else 1 + random.nextInt(4)
-        fun layout() = RegionLayout.Stretches(PRIMES[random.nextInt(PRIMES.size)])
-        return listOf(
-            IslandsEngine(FixedPool(threads()), fewest = 0),
-            ThreadPoolEngine(FixedPool(threads())),
-            RegionActorEngine(threads(), layout()),
-            PekkoEngine(threads(), layout(), host),
-        )
-    }
+    override fun threads(): Int = if (kind == Kind.THREADS) 16 + random.nextInt(49) else 1 + random.nextInt(4)
 
-    override fun toString() =
-        "seed $seed: $kind, ${population.size} spheres, ${boundary.javaClass.simpleName}, coefficient $coefficient, dt $dt"
-
-    private companion object {
-        val PRIMES = intArrayOf(2, 3, 5, 7, 11, 13, 31)
-    }
+    override fun toString() = "seed $seed: $kind, ${population.size} spheres, ${boundary.javaClass.simpleName}, " +
+        "coefficient $coefficient, dt $dt"
 }

@@ -1,0 +1,5 @@
+package daphnis.actors
+
+import daphnis.core.engine.EnginesCountContract
+
+class EnginesCountTest : EnginesCountContract(TestedActors())

@@ -1,0 +1,3 @@
+package daphnis.core.engine
+
+class EnginesCountTest : EnginesCountContract(CoreEngines)
