@@ -29,8 +29,8 @@ class AnalysisInputTest {
         val reads = IntArray(snapshots.size)
         val read = { k: Int -> snapshots[k].also { reads[k]++ } }
         val input = AnalysisInput(
-            "made", null, null, DoubleArray(snapshots.size) { it.toDouble() }, read, { boundary }, omega,
-            null, null, null, null, emptyList(),
+            "made", null, Int.MAX_VALUE, null, DoubleArray(snapshots.size) { it.toDouble() }, read, { boundary },
+            omega, null, null, null, null, emptyList(),
         )
         // Five are averaged, twenty are followed for diffusion, and the last is pictured.
         Analysis(input, AnalysisOptions(from = 4.0, frames = 5)).write(directory)
