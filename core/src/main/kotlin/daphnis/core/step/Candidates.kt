@@ -9,7 +9,7 @@ import daphnis.core.queue.EventSink
  * the bounds of the step alone: nobody goes farther than [PreparedStep.reach], and velocities that collisions create
  * are put into [PreparedStep.bounds] before anybody searches from them.
  *
- * [GridCandidates] is the fast one, [ExactCandidates] the slow reference. Each object belongs to one thread.
+ * [GridCandidates] is the fast one; a slow reference stands beside it in the tests. Each object belongs to one thread.
  */
 public interface Candidates {
     /**

@@ -13,7 +13,7 @@ import kotlin.math.ceil
  * The contract of [Candidates] in its plainest form: asks [contactTime] for every pair and every image that the bounds
  * of the step allow. Slow; the oracle of the tests.
  */
-public class ExactCandidates(private val prepared: PreparedStep) : Candidates {
+class ExactCandidates(private val prepared: PreparedStep) : Candidates {
     private val rows = prepared.rows
     private var version = 0L
     private var codes = IntArray(0)
