@@ -52,7 +52,7 @@ public class BucketEventQueue : EventQueue {
     override fun add(time: Double, first: Int, second: Int, image: Int) {
         if (store.size == store.capacity) squeezeOrGrow()
         store.add(time, first, second, image)
-        file(store.size - 1)
+        file(store.size - 1, time)
     }
 
     override fun pop(): Boolean {
@@ -69,10 +69,10 @@ public class BucketEventQueue : EventQueue {
         return if (b >= buckets) buckets - 1 else b
     }
 
-    private fun file(e: Int) {
-        val b = bucketOf(store.time(e))
+    private fun file(e: Int, time: Double) {
+        val b = bucketOf(time)
         if (b <= current) {
-            heap.push(e)
+            heap.push(e, time)
         } else {
             store.link(e, heads[b])
             heads[b] = e
@@ -86,7 +86,7 @@ public class BucketEventQueue : EventQueue {
             if (e == NONE) continue
             current = b
             while (e != NONE) {
-                if (!heap.isDead(e)) heap.push(e)
+                if (!heap.isDead(e)) heap.push(e, store.time(e))
                 e = store.link(e)
             }
             return true
@@ -102,7 +102,7 @@ public class BucketEventQueue : EventQueue {
         if (store.size > store.capacity / 4) store.grow()
         // Numbers have changed: everything is filed anew.
         heads.fill(NONE, 0, buckets)
-        for (e in 0 until store.size) file(e)
+        for (e in 0 until store.size) file(e, store.time(e))
     }
 
     private companion object {

@@ -47,7 +47,7 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
 
     override fun add(time: Double, first: Int, second: Int, image: Int) {
         store.add(time, first, second, image)
-        push(store.size - 1)
+        push(store.size - 1, time)
     }
 
     override fun pop(): Boolean {
@@ -86,12 +86,11 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
         size = 0
     }
 
-    /** Puts event [e] of the store into the heap. */
-    fun push(e: Int) {
+    /** Puts event [e] of the store, which is at [time], into the heap. */
+    fun push(e: Int, time: Double) {
         if (size == heap.size) grow()
         val heap = heap
         val times = times
-        val time = store.time(e)
         var k = size++
         while (k > 0) {
             val parent = (k - 1) shr 1

@@ -18,7 +18,8 @@ internal class EventStore(capacity: Int = INITIAL) : EventSink {
         private set
 
     /** Events for which there is room. */
-    val capacity: Int get() = data.size / WIDTH
+    var capacity = capacity
+        private set
 
     /** Forgets all events. */
     fun clear() {
@@ -76,12 +77,15 @@ internal class EventStore(capacity: Int = INITIAL) : EventSink {
     /** Doubles the room; the events stay. */
     fun grow() {
         data = data.copyOf(data.size * 2)
+        capacity *= 2
     }
 
     /** Forgets all events and makes room for [count]. */
     fun reserve(count: Int) {
         size = 0
-        if (capacity < count) data = LongArray((count + count / 2) * WIDTH)
+        if (capacity >= count) return
+        data = LongArray((count + count / 2) * WIDTH)
+        capacity = count + count / 2
     }
 
     /** The order of events [a] and [b], which are at one time, like a comparator; the slots have these [ids]. */
