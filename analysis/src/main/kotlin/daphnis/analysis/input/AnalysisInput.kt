@@ -144,8 +144,10 @@ public class AnalysisInput private constructor(
             val around = scenario?.let { Surroundings.of(it, source) }
             val given = around?.boundary ?: ofFrame(frames[0])
             if (around != null) for ((k, frame) in frames.withIndex()) requireNear(given, frame, "$path: frame $k")
+            val name = path.name.substringBeforeLast('.')
+            val firstBody = scenario?.firstBody(frames[0].size) ?: Int.MAX_VALUE
             return AnalysisInput(
-                path.name.substringBeforeLast('.'), scenario, scenario?.firstBody(frames[0].size) ?: Int.MAX_VALUE, null,
+                name, scenario, firstBody, null,
                 DoubleArray(frames.size) { frames[it].time }, { frames[it] }, { bounded(given, it) },
                 around?.angularSpeed, null, null, null, null, emptyList(),
             )
