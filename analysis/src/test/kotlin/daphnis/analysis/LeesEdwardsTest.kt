@@ -25,14 +25,24 @@ class LeesEdwardsTest {
     private val box = Box.centred(10.0, 8.0, 6.0)
 
     /** Images above have slid by 3 to the right, or by 3 to the left; the same modulo 10. */
-    private val slid = listOf(LeesEdwards(box, 0.5) to 0.75, LeesEdwards(box, -0.5) to 0.75, LeesEdwards(box, 0.5) to 5.75)
+    private val slid = listOf(
+        LeesEdwards(box, 0.5) to 0.75,
+        LeesEdwards(box, -0.5) to 0.75,
+        LeesEdwards(box, 0.5) to 5.75,
+    )
 
     private fun state(boundary: LeesEdwards, time: Double, vararg place: Triple<Double, Double, Double>): State {
         val n = place.size
         val zero = DoubleArray(n)
         val p = Population(
-            DoubleArray(n) { place[it].first }, DoubleArray(n) { place[it].second }, DoubleArray(n) { place[it].third },
-            zero, zero, zero, DoubleArray(n) { 0.25 }, DoubleArray(n) { 1.0 },
+            DoubleArray(n) { place[it].first },
+            DoubleArray(n) { place[it].second },
+            DoubleArray(n) { place[it].third },
+            zero,
+            zero,
+            zero,
+            DoubleArray(n) { 0.25 },
+            DoubleArray(n) { 1.0 },
         )
         return State(p, boundary, time)
     }
@@ -89,7 +99,8 @@ class LeesEdwardsTest {
 
     @Test
     fun `ranks along the flow are those of the places in the box, and there is no guiding centre`() {
-        val p = state(LeesEdwards(box, 0.5), 0.75, Triple(3.0, -1.0, 0.0), Triple(-4.9, 3.9, 0.0), Triple(0.5, 0.0, 0.0))
+        val p =
+            state(LeesEdwards(box, 0.5), 0.75, Triple(3.0, -1.0, 0.0), Triple(-4.9, 3.9, 0.0), Triple(0.5, 0.0, 0.0))
         val order = RadialOrder().sort(p, RadialKey.X)
         assertEquals(listOf(1, 2, 0), order.order.take(3))
         assertThrows(IllegalArgumentException::class.java) { RadialOrder().sort(p, RadialKey.GUIDING_CENTRE) }

@@ -98,8 +98,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() =
-        sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
+    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
 
     private fun collisions() {
         val c = dispersion()

@@ -13,8 +13,8 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
-import daphnis.core.scenario.WayOut
 import daphnis.core.scenario.SizesSpec
+import daphnis.core.scenario.WayOut
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -20,7 +20,8 @@ public class ImageShear(private val box: Box, flow: MeanFlow) {
 
     init {
         require(slideAxis < AXES - 1 && slideAxis != normalAxis) {
-            "images slide along ${AXIS_NAMES[slideAxis]} across ${AXIS_NAMES[normalAxis]}; it must be x or y, and not both"
+            "images slide along ${AXIS_NAMES[slideAxis]} across ${AXIS_NAMES[normalAxis]}; " +
+                "they can along x or y, across another axis"
         }
     }
 

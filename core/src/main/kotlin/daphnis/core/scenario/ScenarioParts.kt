@@ -2,7 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.search.SearchStructure
 
-/** What a scenario says in the same way as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]). */
+/** What a scenario says alike as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]). */
 public interface ScenarioParts {
     public val name: String
     public val description: String

@@ -60,7 +60,8 @@ public class ScenarioSetup private constructor(
             val initial = InitialState(scenario, around.box, around.boundary, check)
             val population = state ?: initial.population()
             // Where a run of this file had them says nothing of a new initial state.
-            val firstBody = (if (state == null) scenario.copy(firstBody = null) else scenario).firstBody(population.size)
+            val bodies = if (state == null) scenario.copy(firstBody = null) else scenario
+            val firstBody = bodies.firstBody(population.size)
             val forceSetup = ForceSetup(scenario, around.angularSpeed, check)
             val forces = forceSetup.forces(around.boundary, firstBody)
             val boundary = forceSetup.boundary

@@ -32,8 +32,9 @@ internal class StartCheck(
                     "must exceed the diameter of the largest sphere, ${2 * largest}"
                 }
                 // Moonlets may stick out of the slab that particles are put into.
-                ContactFaces.OPEN, ContactFaces.WRAPPING -> check.must(key, scenario.bodies.isNotEmpty() || length > 2 * largest) {
-                    "is $length; it is thinner than the largest sphere, ${2 * largest}"
+                ContactFaces.OPEN, ContactFaces.WRAPPING -> {
+                    val hasRoom = scenario.bodies.isNotEmpty() || length > 2 * largest
+                    check.must(key, hasRoom) { "is $length; it is thinner than the largest sphere, ${2 * largest}" }
                 }
             }
             if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)

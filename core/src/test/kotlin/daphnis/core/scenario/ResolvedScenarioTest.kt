@@ -24,7 +24,8 @@ class ResolvedScenarioTest {
         assertEquals(n - 1, ScenarioSetup.of(file, "file", state).scenario.firstBody)
         assertEquals(n - 1, file.firstBody(spheres = state.size))
         // The same file with fewer particles from the start: the moonlet is another sphere.
-        val thinner = ScenarioJson.parse(ScenarioJson.write(setup.scenario), "file", listOf("particles.opticalDepth=0.05"))
+        val fewer = listOf("particles.opticalDepth=0.05")
+        val thinner = ScenarioJson.parse(ScenarioJson.write(setup.scenario), "file", fewer)
         val anew = ScenarioSetup.of(thinner, "file")
         assertTrue(anew.population.size < n - 10)
         assertEquals(anew.population.size - 1, anew.scenario.firstBody)
@@ -41,7 +42,8 @@ class ResolvedScenarioTest {
 
     @Test
     fun `times in orbits are written out`() {
-        val setup = ScenarioSetup.of(moonlet("untilOrbits=2", "timeStep={\"type\":\"orbit-fraction\",\"steps\":100}"), "m")
+        val steps = """timeStep={"type":"orbit-fraction","steps":100}"""
+        val setup = ScenarioSetup.of(moonlet("untilOrbits=2", steps), "moonlet")
         val orbit = 2 * Math.PI / setup.angularSpeed!!
         assertEquals(2 * orbit, setup.scenario.end)
         assertEquals(orbit / 100, (setup.scenario.timeStep as TimeStepSpec.Fixed).dt)
@@ -70,7 +72,12 @@ class ResolvedScenarioTest {
     }
 
     private fun words(boundary: BoundaryConditions) = (0..2).map { axis ->
-        listOf(boundary.contactFaces(axis), boundary.box.length(axis), boundary.meanFlow?.rate, boundary.shear?.velocity)
+        listOf(
+            boundary.contactFaces(axis),
+            boundary.box.length(axis),
+            boundary.meanFlow?.rate,
+            boundary.shear?.velocity,
+        )
     }
 
     @Test
@@ -88,7 +95,7 @@ class ResolvedScenarioTest {
         assertTrue(fits("""{"type":"hill-sheet","radiallyOpen":true}"""))
         assertTrue(fits("""{"type":"walls","axes":"xz"}"""))
         assertTrue(fits("""{"type":"walls","axes":"x"}""", flat))
-        for (none in listOf("""{"type":"walls","axes":"x"}""", """{"type":"walls","axes":"yz"}""")) assertFalse(fits(none))
+        for (axes in listOf("x", "yz")) assertFalse(fits("""{"type":"walls","axes":"$axes"}"""))
         for (none in listOf("periodic", "lees-edwards", "sheared-periodic")) {
             val more = mapOf("lees-edwards" to ""","shearRate":1""", "sheared-periodic" to ""","velocityJump":1""")
             assertFalse(fits("""{"type":"$none"${more[none].orEmpty()}}""", flat))
