@@ -77,11 +77,11 @@ class StepPhasesTest {
 
             override fun endStep(population: Population, time: Double) {
                 boundary.endStep(population, time)
+                population.addCrossing(population.indexOf(0), 1, 5)
                 val one = populationOf(Sphere(x = 1.0, y = 2.0, z = 3.0, r = 1e-3))
                 val id = intArrayOf(1_000_000_000 + population.size)
                 population.add(Population(one.x, one.y, one.z, one.vx, one.vy, one.vz, one.radius, one.mass, id))
                 population.addCrossing(population.indexOf(id[0]), 2, 7)
-                population.addCrossing(population.indexOf(0), 1, 5)
                 check(!fails) { "no more" }
             }
         }

@@ -7,6 +7,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
+import daphnis.core.boundary.Periodic
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
@@ -20,6 +21,7 @@ import daphnis.core.permuted
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
+import daphnis.core.randomSpheres
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
@@ -106,6 +108,18 @@ class GravityTest {
             }
         }
         return sqrt(error / size)
+    }
+
+    @Test
+    fun `the pull on a body does not depend on the order of the arrays`() {
+        val box = Periodic(Box.centred(20.0, 20.0, 20.0))
+        val p = randomSpheres(500, box, 5, 1.0) { 0.3 }
+        val digests = (1L..5L).map { seed ->
+            val q = p.permuted(seed)
+            BodyGravity(intArrayOf(0, 7), box, 1.0).kick(q, 0.0, 0.1)
+            stateDigest(q)
+        }
+        assertEquals(1, digests.toSet().size)
     }
 
     @Test
