@@ -39,8 +39,8 @@ internal class PairPart(private val study: Study) : Part {
         const val RADII = 8.0
         const val BINS = 80
         const val IN_PLANE = "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of " +
-            "particles without correlation. Spheres one above the other are nearer than contact in this view, so that " +
-            "g is not 0 there."
+            "particles without correlation. Spheres one above the other are nearer than contact in this view, " +
+            "so that g is not 0 there."
         const val IN_SPACE = "Radial distribution function in space: pairs at a distance, over those of particles " +
             "without correlation."
     }

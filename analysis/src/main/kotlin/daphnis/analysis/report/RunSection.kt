@@ -14,7 +14,8 @@ internal class RunSection(private val study: Study) : Section {
         val run = input.directory?.path ?: return
         page.paragraph(
             "To do it again, from the directory in which this report was made: the scenario as it was resolved is in " +
-                "the run directory; it gives the same state digest on any machine, with any engine and number of threads.",
+                "the run directory; it gives the same state digest on any machine, with any engine and number of " +
+                "threads.",
         )
         val again = quoted(besides(run))
         page.commands(

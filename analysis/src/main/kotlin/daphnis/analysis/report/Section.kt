@@ -22,7 +22,7 @@ internal interface Section : Part {
     /** Whether it is about runs of this kind; when it is not, the report is silent about it. */
     val applies: Boolean get() = true
 
-    /** Why it would mean nothing here, as the end of a sentence; null when it means something. Asked after all states. */
+    /** Why it would mean nothing here, as the end of a sentence; null when it means something. Asked at the end. */
     val leftOut: String? get() = null
 
     /** Indices of the states that it is to [follow], ascending, beside those that are averaged. */
