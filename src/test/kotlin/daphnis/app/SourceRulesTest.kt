@@ -31,8 +31,8 @@ class SourceRulesTest {
 
     @Test
     fun `only the command line names its flags`() {
-        // A property of a style sheet has a colon behind it, or a bracket before it.
-        val flag = Regex(""""[^"]*(?<![-\w(])--[a-z][a-z-]*+(?!:)""")
+        // A property of a style sheet has a colon behind it, or var( before it.
+        val flag = Regex(""""[^"]*(?<![-\w])(?<!var\()--[a-z][a-z-]*+(?!:)""")
         val naming = modules.flatMap { sources("$it/src/main/kotlin") }
             .filter { file -> file.readLines().any { flag.containsMatchIn(it) } }
             .map { it.name }.toSet()

@@ -228,10 +228,9 @@ class MeanSquareDisplacementTest {
         val run = RunDirectory(path)
         for (step in run.snapshotSteps()) {
             val f = H5md.read(run.snapshot(step)).single()
-            val silent =
-                Snapshot(
-                    f.step, f.time, f.lengths, f.periodic, f.shearOffset, f.id, f.position, f.velocity, f.radius, f.mass,
-                )
+            val silent = with(f) {
+                Snapshot(step, time, lengths, periodic, shearOffset, id, position, velocity, radius, mass)
+            }
             H5md.write(listOf(silent), run.snapshot(step), "old")
         }
         val old = section(path, 5.0)

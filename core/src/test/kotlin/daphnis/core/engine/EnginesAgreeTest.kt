@@ -17,7 +17,7 @@ class EnginesAgreeTest : EnginesAgreeContract(CoreEngines) {
     override val oracle = BruteForceEngine()
 
     @Test
-    fun `islands of very many spheres give the digest of the serial engine over a hundred steps, whichever way they take them`() {
+    fun `islands of very many spheres give the digest of the serial engine over a hundred steps, either way`() {
         val random = SeededRandom(11)
         val n = 21_000
         fun drawn(at: (Int) -> Int) = DoubleArray(n) { 2.6 * at(it) + 0.2 * random.nextDouble(-1.0, 1.0) }

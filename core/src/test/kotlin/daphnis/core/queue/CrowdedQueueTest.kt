@@ -18,7 +18,7 @@ class CrowdedQueueTest {
     private fun EventQueue.add(e: Event) = add(e.time, e.first, e.second, e.image)
 
     @Test
-    fun `images of a pair at one time come in their order as seen from the lower id, whoever asked and in which order`() {
+    fun `images of a pair at one time come in their order as seen from the lower id, whichever sphere asked`() {
         val ids = intArrayOf(5, 3)
         val events = buildList {
             for (x in listOf(-1, 1, 2)) {
