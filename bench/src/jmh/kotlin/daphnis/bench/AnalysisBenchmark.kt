@@ -1,6 +1,5 @@
 package daphnis.bench
 
-import daphnis.analysis.insitu.State as Patch
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
 import daphnis.analysis.streamline.Streamlines
@@ -21,6 +20,7 @@ import org.openjdk.jmh.annotations.Setup
 import org.openjdk.jmh.annotations.State
 import org.openjdk.jmh.annotations.Warmup
 import java.util.concurrent.TimeUnit
+import daphnis.analysis.insitu.State as Patch
 
 /**
  * Radial order and streamlines of a large ring patch on one thread: a sort of unordered particles, a sort of particles

@@ -124,7 +124,16 @@ public class AnalysisInput internal constructor(
                 snapshot.time
             }
             val notice = "${run.path}: is of $record: without a scenario units, rotating frame and bodies are not known"
-            return ofRun(run, record.program, null, steps, times, boundaryOf(run.readSnapshot(steps[0])), null, notices + notice)
+            return ofRun(
+                run,
+                record.program,
+                null,
+                steps,
+                times,
+                boundaryOf(run.readSnapshot(steps[0])),
+                null,
+                notices + notice,
+            )
         }
 
         private fun steps(run: RunDirectory): List<Long> = run.snapshotSteps().ifEmpty {

@@ -1,8 +1,8 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
-import daphnis.core.run.Version
 import daphnis.core.run.TransportColumns
+import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path

@@ -13,11 +13,8 @@ import daphnis.core.step.PreparedStep
  * What one thread of the pool has to itself, and what it does with a collision. Who may see a sphere that collides is
  * not searching at that moment; whoever searches later has the lock of the queue between.
  */
-internal class PoolWorker(
-    prepared: PreparedStep,
-    private val trails: Trails,
-    val found: Findings = Findings(),
-) : Impact(prepared, prepared.rows, found) {
+internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, val found: Findings = Findings()) :
+    Impact(prepared, prepared.rows, found) {
     val taken = Taken()
     val record = CollisionRecord()
 
