@@ -71,7 +71,7 @@ class ArchitectureTest {
 
     @Test
     fun `what engines are made of knows no engine`() {
-        val parts = listOf("search", "queue", "boundary", "collision")
+        val parts = listOf("search", "queue", "boundary", "collision", "step")
         for (part in parts) know("daphnis.core.$part..", "daphnis.core.engine..")
     }
 

@@ -1,9 +1,12 @@
 package daphnis.core.collision
 
+import daphnis.core.api.EngineApi
+
 /**
  * What the last collision of two spheres was like: filled by [CollisionLaw.collide], which itself keeps nothing. One
  * object per worker, used again and again.
  */
+@EngineApi
 public class CollisionOutcome {
     /** Normal component of the relative velocity at contact, > 0. */
     public var impactSpeed: Double = 0.0

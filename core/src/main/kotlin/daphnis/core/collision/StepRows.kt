@@ -1,5 +1,6 @@
 package daphnis.core.collision
 
+import daphnis.core.api.EngineApi
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Columns
@@ -17,6 +18,7 @@ import daphnis.core.population.Population
  * A sphere's position and velocity are those at its **local time**; both change only at its own collisions. The arrays
  * of the population are not written, so they are the copy from which a step is redone; [store] writes to a second set.
  */
+@EngineApi
 public class StepRows {
     /** See the table above. */
     public var state: DoubleArray = DoubleArray(0)

@@ -1,5 +1,6 @@
 package daphnis.core.collision
 
+import daphnis.core.api.EngineApi
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.collision.StepRows.Companion.RADIUS
@@ -11,6 +12,7 @@ import daphnis.core.collision.StepRows.Companion.VX
  * Reflecting walls. A wall is a partner with a negative number, −1 − face; faces are numbered −x, +x, −y, +y, −z, +z
  * from 0, and in the order of events a wall counts as an id of that negative number.
  */
+@EngineApi
 public class WallContact {
     private val lower = DoubleArray(3)
     private val upper = DoubleArray(3)

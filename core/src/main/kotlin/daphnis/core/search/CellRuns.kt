@@ -1,6 +1,6 @@
 package daphnis.core.search
 
-import daphnis.core.boundary.Images
+import daphnis.core.api.EngineApi
 import kotlin.math.ceil
 import kotlin.math.floor
 
@@ -10,19 +10,8 @@ import kotlin.math.floor
  *
  * @param closer closer bounds on the others than the reach that the grid was built for; null to do without
  */
-public class CellRuns(private val grid: Grid, private val closer: RowBounds? = null) {
-    /** First slot of run r; runs are set by [ahead] and [around]. */
-    public var from: IntArray = IntArray(INITIAL)
-        private set
-
-    /** One past the last slot of run r. */
-    public var to: IntArray = IntArray(INITIAL)
-        private set
-
-    /** Image of the spheres in run r, see [Images]. */
-    public var image: IntArray = IntArray(INITIAL)
-        private set
-
+@EngineApi
+public class CellRuns(private val grid: Grid, private val closer: RowBounds? = null) : SlotRuns() {
     private val levels = grid.levels
 
     // The class of sizes at hand.
@@ -30,7 +19,6 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private var cells = layout.cells
     private var periodic = layout.periodic
     private var starts = grid.cellStart
-    private var count = 0
 
     // The box of cells at hand along row axis, middle and slow axis; may reach beyond the faces of periodic axes.
     private val least = IntArray(3)
@@ -288,27 +276,11 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         }
     }
 
-    private fun addRun(first: Int, end: Int, code: Int) {
-        if (first >= end) return
-        if (count == from.size) grow()
-        from[count] = first
-        to[count] = end
-        image[count] = code
-        count++
-    }
-
-    private fun grow() {
-        from = from.copyOf(count * 2)
-        to = to.copyOf(count * 2)
-        image = image.copyOf(count * 2)
-    }
-
     private fun code(image0: Int, image1: Int, image2: Int): Int =
         ((image0 and 0xff) shl (8 * layout.axes[0])) or ((image1 and 0xff) shl (8 * layout.axes[1])) or
             ((image2 and 0xff) shl (8 * layout.axes[2]))
 
     private companion object {
-        const val INITIAL = 64
         const val ROUND_FROM = 4.0
         const val ROUNDING = 1e-9
     }

@@ -1,5 +1,6 @@
 package daphnis.core.search
 
+import daphnis.core.api.EngineApi
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
@@ -17,6 +18,7 @@ import java.lang.invoke.VarHandle
  * k. Who searched before and did not look where k now goes, has not moved since, or k would be found again from its
  * side; and where it was, k's own search finds it.
  */
+@EngineApi
 public class RowBounds {
     /**
      * Six numbers a row: least and greatest velocity along the row axis, the middle and the slow axis. Least above

@@ -1,5 +1,6 @@
 package daphnis.core.step
 
+import daphnis.core.api.EngineApi
 import daphnis.core.collision.StepRows
 import daphnis.core.queue.EventSink
 
@@ -11,6 +12,7 @@ import daphnis.core.queue.EventSink
  *
  * [GridCandidates] is the fast one; a slow reference stands beside it in the tests. Each object belongs to one thread.
  */
+@EngineApi
 public interface Candidates {
     /**
      * Adds to [sink] what slots [from] until [to] can have before anybody has moved. When all slots have been asked,

@@ -1,5 +1,6 @@
 package daphnis.core.step
 
+import daphnis.core.api.EngineApi
 import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
@@ -23,6 +24,7 @@ import daphnis.core.search.RowBounds
  *
  * @param sort how the grid is built; changes nothing but the time it takes
  */
+@EngineApi
 public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     /** Puts the spheres in cell order. */
     public val grid: Grid = Grid(sort)

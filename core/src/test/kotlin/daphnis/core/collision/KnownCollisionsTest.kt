@@ -25,9 +25,9 @@ class KnownCollisionsTest {
         return forcing
     }
 
-    private fun Population.place(id: Int) = indexOf(id).let { doubleArrayOf(x[it], y[it], z[it]) }
+    private fun Population.placeOf(id: Int) = indexOf(id).let { doubleArrayOf(x[it], y[it], z[it]) }
 
-    private fun Population.velocity(id: Int) = indexOf(id).let { doubleArrayOf(vx[it], vy[it], vz[it]) }
+    private fun Population.velocityOf(id: Int) = indexOf(id).let { doubleArrayOf(vx[it], vy[it], vz[it]) }
 
     private fun assertNear(expected: DoubleArray, actual: DoubleArray, story: String) {
         for (axis in 0..2) assertEquals(expected[axis], actual[axis], 1e-13) { "$story, ${"xyz"[axis]}" }
@@ -66,9 +66,9 @@ class KnownCollisionsTest {
         val p = populationOf(sphere(origin, DoubleArray(3), 2.0, 1.0), sphere(second, velocity, 1.0, 2.0))
         boundary.endStep(p, 0.0)
         val record = step(p, boundary, 2.0, 0.5).record!!
-        assertNear(turned(turn, after1[0], after1[1], after1[2]), p.velocity(0), story)
-        assertNear(turned(turn, after2[0], after2[1], after2[2]), p.velocity(1), story)
-        val apart = DoubleArray(3) { p.place(1)[it] - p.place(0)[it] }
+        assertNear(turned(turn, after1[0], after1[1], after1[2]), p.velocityOf(0), story)
+        assertNear(turned(turn, after2[0], after2[1], after2[2]), p.velocityOf(1), story)
+        val apart = DoubleArray(3) { p.placeOf(1)[it] - p.placeOf(0)[it] }
         if (boundary === cube) for (axis in 0..2) apart[axis] -= 30 * Math.rint(apart[axis] / 30)
         assertNear(turned(turn, 3.5, 2.0, 3.0), apart, story)
         assertEquals(listOf(1.0, 3.0), listOf(record.time[0], record.impulse(0)).map { Math.rint(it * 1e12) / 1e12 })
@@ -87,8 +87,8 @@ class KnownCollisionsTest {
             Sphere(x = 0.0, y = 14.0 + 5 - 30, z = 4.0, vx = 1.0 - 6, vy = -3.0, vz = -2.0, m = 2.0),
         )
         step(p, boundary, 1.5, 0.5)
-        assertNear(after1, p.velocity(0), "first")
-        assertNear(doubleArrayOf(after2[0] - 6, after2[1], after2[2]), p.velocity(1), "second")
+        assertNear(after1, p.velocityOf(0), "first")
+        assertNear(doubleArrayOf(after2[0] - 6, after2[1], after2[2]), p.velocityOf(1), "second")
     }
 
     @Test
@@ -105,8 +105,8 @@ class KnownCollisionsTest {
                 val expected = DoubleArray(3) {
                     if (it == axis) wall - sign * (4.0 - gap / 2) else start[it] + 4 * 0.125
                 }
-                assertNear(expected, p.place(0), "axis $axis, $sign")
-                assertEquals(-sign, p.velocity(0)[axis])
+                assertNear(expected, p.placeOf(0), "axis $axis, $sign")
+                assertEquals(-sign, p.velocityOf(0)[axis])
                 assertEquals(1L, forcing.counters.wallCollisions)
             }
         }

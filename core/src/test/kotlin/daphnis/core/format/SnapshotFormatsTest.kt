@@ -110,7 +110,7 @@ class SnapshotFormatsTest {
         val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
             .first { Files.exists(it.resolve("settings.gradle.kts")) }
         val scenarios = Files.readAllLines(root.resolve("docs/scenario.md"))
-        val masses = mapOf(Presence.ALWAYS to "kept", Presence.IF_THERE to "kept if there", Presence.NEVER to "none")
+        val masses = mapOf(Presence.ALWAYS to "kept", Presence.IF_THERE to "kept if present", Presence.NEVER to "none")
         for (format in SnapshotFormats.readable) {
             val row = scenarios.single { it.startsWith("| `.${format.extensions.first()}`") }
             for (ending in format.extensions) assertTrue("`.$ending`" in row) { row }

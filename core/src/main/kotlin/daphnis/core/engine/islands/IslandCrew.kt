@@ -1,5 +1,6 @@
 package daphnis.core.engine.islands
 
+import daphnis.core.api.EngineApi
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.engine.islands.IslandBoard.Companion.FREE
@@ -19,6 +20,7 @@ import java.util.function.IntConsumer
  *
  * @param size number of workers
  */
+@EngineApi
 public class IslandCrew(private val field: IslandField, public val size: Int) {
     private val board = field.board
     private val workers = List(size) { IslandWorker(field, it, ::membersOf) }

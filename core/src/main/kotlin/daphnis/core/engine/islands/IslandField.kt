@@ -1,5 +1,6 @@
 package daphnis.core.engine.islands
 
+import daphnis.core.api.EngineApi
 import daphnis.core.collision.StepRows
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
@@ -46,6 +47,7 @@ import daphnis.core.step.PreparedStep
  * Phases are separated by barriers or messages; within a phase the columns of a sphere are written by its owner only,
  * see [IslandBoard].
  */
+@EngineApi
 public class IslandField(workers: Int, internal val prepared: PreparedStep = PreparedStep()) {
     /** The grid of this step. */
     public val grid: Grid get() = prepared.grid

@@ -1,6 +1,9 @@
 package daphnis.core.engine.islands
 
+import daphnis.core.api.EngineApi
+
 /** Says which spheres a worker may take into its islands. */
+@EngineApi
 public fun interface ClaimRule {
     public fun mayClaim(slot: Int): Boolean
 }
@@ -16,6 +19,7 @@ public fun interface ClaimRule {
  *
  * @param membersOf the members of a worker, by its number; asked only to follow paths in another worker's islands
  */
+@EngineApi
 public class IslandWorker internal constructor(
     private val field: IslandField,
     number: Int,
