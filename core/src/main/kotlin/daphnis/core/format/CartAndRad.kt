@@ -12,13 +12,13 @@ import java.nio.file.Path
 
 /**
  * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius.
- * Spheres in the order of their ids; ids and masses are not kept.
+ * Spheres are in the order of their ids; ids and masses are not kept.
  */
 public object CartAndRad : ReadableFormat, WritableFormat {
     override val title: String = "CartAndRad"
     override val extensions: List<String> = listOf("bin", "cartandrad")
 
-    /** SwiftVis numbers its files behind the word. */
+    /** SwiftVis puts the number of a file after the word. */
     override val mark: String = "cartandrad"
     override val keeps: Kept = Kept(masses = NEVER, velocities = ALWAYS, ids = NEVER, severalStates = false)
     override val word: String = "cartandrad"
@@ -64,7 +64,7 @@ public object CartAndRad : ReadableFormat, WritableFormat {
      * Reads [path]; ids are 0, 1, 2, …
      *
      * @param density mass per volume, since the file has no masses
-     * @throws FormatException when the length is not what N says, or a number is not finite, or a radius is not
+     * @throws FormatException when the length does not agree with N, a number is not finite, or a radius is not
      *   positive
      */
     public fun population(path: Path, density: Double = 1.0): Population {

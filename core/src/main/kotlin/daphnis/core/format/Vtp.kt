@@ -30,8 +30,8 @@ public object Vtp : WritableFormat {
     }
 
     /**
-     * Writes one [snapshot]: points, one vertex a sphere, point data radius, velocity, mass, id, and the time as field
-     * data.
+     * Writes one [snapshot]: points, one vertex per sphere, point data radius, velocity, mass, id, and the time as
+     * field data.
      */
     public fun write(snapshot: Snapshot, path: Path) {
         val n = snapshot.size

@@ -1,8 +1,8 @@
 package daphnis.core.format
 
 /**
- * Where in a line of extended XYZ what stands, by its [properties], `name:type:count` again and again. Columns that
- * are not there are −1.
+ * The places of the columns in a line of extended XYZ, from its [properties], a repeated `name:type:count`. Columns
+ * that are not there are −1.
  *
  * @param fail refuses the file
  */
