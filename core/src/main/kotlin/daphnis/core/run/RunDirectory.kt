@@ -12,7 +12,7 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** The files of one run and where they lie. `docs/guide.md` has the table. */
+/** The files of one run and where they are. `docs/guide.md` has the table. */
 public class RunDirectory internal constructor(public val path: Path, internal val files: FileOperations) {
     public constructor(path: Path) : this(path, FileOperations())
 
@@ -43,7 +43,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     internal val previousCheckpoint: Path get() = path.resolve("checkpoint.previous")
     internal val newCheckpoint: Path get() = path.resolve("checkpoint.new")
 
-    /** What a run writes beside its scenario and what stands in directories. */
+    /** What a run writes, except for its scenario and the files in subdirectories. */
     internal fun ownFiles(): List<Path> =
         listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, series, transport, impacts, collisions, report)
 
@@ -65,7 +65,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     /**
      * Reads the snapshot after [step].
      *
-     * @throws FormatException when it cannot be read, is damaged or is of another step
+     * @throws FormatException when it cannot be read, is damaged or belongs to another step
      */
     public fun readSnapshot(step: Long): Snapshot {
         val file = snapshot(step)
@@ -80,12 +80,12 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         return snapshot
     }
 
-    /** What says that there is a run, one of the two; what a start that was cut short leaves is beside it. */
+    /** The two files of which one marks a run; an interrupted start leaves its file beside it. */
     internal val origins: List<Path> get() = listOf(scenario, program)
 
     internal fun holdsRun(): Boolean = origins.any { it.exists() }
 
-    /** @throws InputException when there is no run here, or none of a scenario */
+    /** @throws InputException when there is no run here, or it is not the run of a scenario */
     public fun requireScenario() {
         requireRun()
         if (scenario.exists()) return

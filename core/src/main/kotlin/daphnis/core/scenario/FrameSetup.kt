@@ -2,7 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 
-/** What a scenario's frame means in its units, and times given in orbits. */
+/** A scenario's frame in its units, and times given in orbits. */
 public object FrameSetup {
     /**
      * Angular speed of the frame in radians per unit of time; null when there is no frame.
@@ -33,11 +33,11 @@ public object FrameSetup {
     }
 
     /**
-     * Radially Hill's frame has no two places alike: what leaves at one side comes in at the other only with the
-     * frame's shear, so images along x must slide with it (or there be none); along z the pull towards the midplane
-     * turns round at periodic faces.
+     * In Hill's frame no two radial positions are equivalent: a sphere that leaves at one side enters at the other only
+     * with the frame's shear, so images along x must slide with it, or there must be none. Along z the force towards
+     * the midplane would change sign at periodic faces.
      *
-     * @param boundary the [Scenario.boundary], made
+     * @param boundary the boundary conditions made from [Scenario.boundary]
      */
     internal fun checkFaces(scenario: Scenario, boundary: BoundaryConditions, omega: Double?, check: ValueCheck) {
         val frame = scenario.frame as? FrameSpec.Hill ?: return

@@ -13,7 +13,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Compares a JSON tree with what a serializer expects and names the first thing that is wrong by its path: an unknown
+ * Compares a JSON tree with what a serializer expects and names the first error by its path: an unknown
  * key with the nearest known one, a missing key, a value of the wrong kind, a number that is not finite.
  */
 @OptIn(ExperimentalSerializationApi::class)

@@ -9,8 +9,8 @@ import kotlinx.serialization.json.JsonPrimitive
 
 /**
  * Replaces keys of a scenario's tree by `path=value` settings, as given on the command line. A path is what messages
- * call a key: names with dots between, and `[k]` behind the name of a list, from 0: `timeStep.dt`,
- * `forces[0].massRatio`, `box.lengths[2]`. A value is JSON, or else a string.
+ * call a key: names with dots between, and `[k]` after the name of a list, from 0: `timeStep.dt`,
+ * `forces[0].massRatio`, `box.lengths[2]`. A value is JSON, or otherwise a string.
  */
 internal object Settings {
     fun apply(tree: JsonElement, settings: List<String>): JsonElement {
@@ -21,8 +21,8 @@ internal object Settings {
         }
         for (setting in settings) {
             changed = set(changed, setting)
-            // Who says how long in orbits does not mean the time that the scenario had before; `until` goes before
-            // `untilOrbits` anyway.
+            // A length given in orbits replaces the time that the scenario had, since `until` has priority over
+            // `untilOrbits`.
             if (setting.substringBefore('=') == ORBITS) changed = JsonObject((changed as JsonObject) - UNTIL)
         }
         return changed

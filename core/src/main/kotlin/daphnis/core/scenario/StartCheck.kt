@@ -8,7 +8,10 @@ import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import kotlin.math.abs
 
-/** Whether a population can start in its box: inside, wide enough for its images, nobody in anybody's place. */
+/**
+ * Checks that a population can start in its box: all spheres are inside, the box is wide enough for its images, and no
+ * spheres overlap.
+ */
 internal class StartCheck(
     private val scenario: Scenario,
     private val population: Population,
@@ -31,7 +34,7 @@ internal class StartCheck(
                 ContactFaces.WALL -> check.that(key, length, length > 2 * largest) {
                     "must exceed the diameter of the largest sphere, ${2 * largest}"
                 }
-                // Moonlets may stick out of the slab that particles are put into.
+                // Moonlets may stick out of the slab in which particles are placed.
                 ContactFaces.OPEN, ContactFaces.WRAPPING -> {
                     val hasRoom = scenario.bodies.isNotEmpty() || length > 2 * largest
                     check.must(key, hasRoom) { "is $length; it is thinner than the largest sphere, ${2 * largest}" }
@@ -52,7 +55,7 @@ internal class StartCheck(
         }
     }
 
-    /** What the search says of sizes beyond what it can compute is said of the scenario. */
+    /** An error of the search about sizes that it cannot compute becomes an error in the scenario. */
     private inline fun <T> computable(key: String, work: () -> T): T = try {
         work()
     } catch (e: IllegalArgumentException) {
@@ -83,7 +86,10 @@ internal class StartCheck(
         }
     }
 
-    /** Who falls onto a moon is found where he stands at the end of a step, so nobody may fly through it within one. */
+    /**
+     * A sphere that falls onto a moon is detected from its position at the end of a step, so none may pass through the
+     * moon within one step.
+     */
     private fun checkSatellites(timeStep: TimeStep) {
         val rate = abs(boundary.meanFlow?.rate ?: return)
         for ((k, force) in scenario.forces.withIndex()) {
@@ -97,7 +103,7 @@ internal class StartCheck(
         }
     }
 
-    /** Images that slide by many boxes in a step would each have to be searched. */
+    /** If images slid by many boxes in a step, each would have to be searched. */
     private fun checkSlide(timeStep: TimeStep) {
         val shear = boundary.shear ?: return
         val slide = abs(shear.velocity) * timeStep.next(population)
@@ -111,8 +117,8 @@ internal class StartCheck(
         const val MOST_SLIDE = 4
 
         /**
-         * Bound on two spheres' ways in a step, in boxes; more would be right still, but every image in between would
-         * be searched.
+         * Bound on the paths of two spheres in a step, in boxes. Longer ones would still be right, but every image in
+         * between would be searched.
          */
         const val MOST_BOXES = 3
     }
