@@ -59,7 +59,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     )
     private val acceptLoss by option(
         "--accept-loss",
-        help = "take files that are not what the run wrote as they are; which is said",
+        help = "accept files that differ from what the run wrote, and report them",
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 

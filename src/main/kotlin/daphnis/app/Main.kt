@@ -40,7 +40,7 @@ fun main(args: Array<String>) {
     System.out.flush()
     val problem = output.problem ?: exitProcess(code)
     val failed = if (code == EXIT_DONE) EXIT_FAILED else code
-    exitProcess(complain("standard output: $problem; not all that was said has arrived", failed))
+    exitProcess(complain("standard output: $problem; part of the output was lost", failed))
 }
 
 /**

@@ -14,7 +14,7 @@ class ResumeCommand : CliktCommand(name = "resume") {
     private val until by option("--until", help = "end at this time instead of the scenario's").double()
     private val acceptLoss by option(
         "--accept-loss",
-        help = "go on with tables that are damaged, as they are; what is lost is said",
+        help = "continue with damaged tables as they are, and report what is lost",
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 

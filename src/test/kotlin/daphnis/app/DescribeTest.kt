@@ -134,7 +134,7 @@ class DescribeTest {
 
     @Test
     fun `what a run would warn of stands at the end`() {
-        assertTrue("60.0 steps an orbit" in row(describe("ring-patch", "timeStep.steps=60"), "note"))
+        assertTrue("60.0 steps per orbit" in row(describe("ring-patch", "timeStep.steps=60"), "note"))
         assertFalse("\nnote" in describe("ring-patch"))
     }
 

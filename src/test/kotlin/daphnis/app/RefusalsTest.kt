@@ -55,7 +55,7 @@ class RefusalsTest {
         for (name in listOf("checkpoint", "checkpoint.previous")) Files.delete(home.resolve("a/$name"))
         assertRefused(
             daphnis("resume", at("a")),
-            "though the run has gone on; bring one back, or run it again from its start: resume --accept-loss",
+            "but the run has already written output; bring one back, or run it again from its start: resume --accept-loss",
         )
         for (file in Files.list(home.resolve("a/snapshots")).toList()) Files.delete(file)
         val none = "${at("a")}: has no snapshots; run with --set output.snapshotEvery=10, say"

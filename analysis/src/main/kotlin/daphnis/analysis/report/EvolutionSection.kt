@@ -58,8 +58,8 @@ internal class EvolutionSection(private val study: Study) : Section {
                 page,
                 plots.ratePlot(rate),
                 "collision-rate",
-                "collisions of a particle over time",
-                "Collisions of a particle.",
+                "collisions per particle over time",
+                "Collisions per particle.",
                 HEIGHT,
             )
         }

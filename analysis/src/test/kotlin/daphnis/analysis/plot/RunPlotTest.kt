@@ -42,7 +42,7 @@ class RunPlotTest {
         val colours = HashSet<Int>()
         for (x in 0 until 1600 step 4) for (y in 0 until 1280) colours += picture.getRGB(x, y)
         assertTrue(colours.size > 10) { "the picture has ${colours.size} colours" }
-        for (label in listOf("my run", "granular temperature", "collisions of a particle")) {
+        for (label in listOf("my run", "granular temperature", "collisions per particle")) {
             assertTrue(label in svg) {
                 label
             }

@@ -142,7 +142,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
     }
 
     private fun wrongType(name: String): Nothing =
-        fail(name, "is not of numbers of at most 64 bits of the kind that belongs there")
+        fail(name, "has the wrong numeric type (at most 64 bits)")
 
     private fun fail(name: String, problem: String): Nothing = throw FormatException("$path: $name $problem")
 

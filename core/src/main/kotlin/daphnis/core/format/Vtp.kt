@@ -95,7 +95,9 @@ public object Vtp : WritableFormat {
         }
         Files.writeString(
             path,
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n$entries</Collection>\n</VTKFile>\n",
+            "<?xml version=\"1.0\"?>\n" +
+                "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n" +
+                "<Collection>\n$entries</Collection>\n</VTKFile>\n",
         )
     }
 

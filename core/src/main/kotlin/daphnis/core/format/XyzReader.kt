@@ -14,7 +14,7 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         val columns = XyzColumns(keys["properties"] ?: "species:S:1:pos:R:3", ::fail)
         val rows = Rows(n)
         for (k in 0 until n) {
-            val line = lines.next() ?: fail("the file is cut short: $n particles are announced, $k are there")
+            val line = lines.next() ?: fail("the file is cut short: $n particles are declared, $k are there")
             val cells = line.trim().split(SPACES)
             if (cells.size < columns.width) fail("${cells.size} values, Properties has ${columns.width}")
             rows.set(k, cells, columns)
@@ -30,7 +30,7 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         val n = head.trim().toIntOrNull()?.takeIf { it >= 0 }
             ?: fail("'${TextLines.shown(head)}' must be the number of particles")
         if (n > lines.bytes / LEAST_BYTES) {
-            fail("$n particles are announced; a file of ${lines.bytes} bytes cannot hold so many")
+            fail("$n particles are declared; a file of ${lines.bytes} bytes cannot hold so many")
         }
         return n
     }

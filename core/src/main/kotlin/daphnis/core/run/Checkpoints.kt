@@ -92,11 +92,11 @@ internal class Checkpoints(private val directory: RunDirectory) {
     private fun requireUnbegun(acceptLoss: Boolean, notices: MutableList<String>) {
         if (!Files.exists(directory.summary) && directory.snapshotSteps().none { it > 0 }) return
         val other = directory.previousCheckpoint.fileName
-        val missing = "${directory.checkpoint}: is missing, and so is $other, though the run has gone on"
+        val missing = "${directory.checkpoint} and $other are both missing, but the run has already written output"
         if (!acceptLoss) {
             throw InputException("", null, missing, WayOut.BEGIN_ANEW)
         }
-        notices += "$missing; it begins anew"
+        notices += "$missing; it starts again from the beginning"
     }
 
     private fun taken(

@@ -72,7 +72,7 @@ public class Run internal constructor(
     }
 
     private fun wayOn() = if (directory.holdsRun()) {
-        "what was written before stands, go on with resume when that is mended"
+        "earlier output is intact; fix this, then resume"
     } else {
         "the run was removed while it went on"
     }

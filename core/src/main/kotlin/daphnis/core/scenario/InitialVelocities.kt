@@ -87,7 +87,7 @@ internal class InitialVelocities(
         val wanted = spec.sigma?.let { it * it * masses.sum() } ?: ((spec.temperature ?: 0.0) * masses.size)
         if (wanted == 0.0) return
         check.that("velocities.exact", true, masses.size >= 2) {
-            "needs two particles at least, for one alone has no velocity against the centre of mass"
+            "needs at least two particles; a single particle has no velocity relative to the centre of mass"
         }
         val means = DoubleArray(3) { if (spec.zeroMomentum) 0.0 else mean(v[it], masses) }
         var square = 0.0

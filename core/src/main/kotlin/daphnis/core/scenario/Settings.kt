@@ -59,7 +59,7 @@ internal object Settings {
             ?: throw wrongArgument(
                 SETTINGS,
                 setting,
-                "'$part' is no key; write forces[0].x for x of the first of a list, and quote it for the shell",
+                "'$part' is not a key; for x of the first entry of a list write forces[0].x, and quote it for the shell",
             )
         listOf(found.groupValues[1]) + INDEX.findAll(found.groupValues[2]).map { it.value }
     }

@@ -27,7 +27,8 @@ internal class StartCheck(
             when (boundary.contactFaces(axis)) {
                 ContactFaces.PERIODIC -> {
                     check.that(key, length, length > 2 * largest) {
-                        "must exceed the diameter of the largest sphere, ${2 * largest}, or it would touch its own image"
+                        "must exceed the diameter of the largest sphere, ${2 * largest}, " +
+                            "or it would touch its own image"
                     }
                     checkCrossings(axis, largest, timeStep)
                 }
@@ -45,13 +46,13 @@ internal class StartCheck(
         checkSlide(timeStep)
         checkSatellites(timeStep)
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
-        val overlap =
-            computable("box") {
-                Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
-            }
+        val overlap = computable("box") {
+            Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
+        }
         val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
         check.must(key, overlap.depth <= TOLERANCE) {
-            "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; nobody may overlap at the start"
+            "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; " +
+                "spheres must not overlap at the start"
         }
     }
 
@@ -82,7 +83,8 @@ internal class StartCheck(
         for (u in population.velocity(axis)) fastest = maxOf(fastest, abs(u))
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
         check.must("timeStep", range < boundary.box.length(axis) * MOST_BOXES) {
-            "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; take a smaller dt"
+            "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; " +
+                "take a smaller dt"
         }
     }
 

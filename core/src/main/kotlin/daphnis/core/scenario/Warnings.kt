@@ -33,7 +33,8 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
     if (ratio <= MOST_FALL) return null
     val what = if (thermal > 0) "the thermal speed" else "the speed of a fall through the box"
     return line(
-        "timeStep: a step of %.4g changes speeds across the walls along %s by %.2g of %s; elastic bounces there gain about %.1g of their energy each; take steps of %.3g or less",
+        "timeStep: a step of %.4g changes speeds across the walls along %s by %.2g of %s; " +
+            "elastic bounces there gain about %.1g of their energy each; take steps of %.3g or less",
         dt,
         "xyz"[axis],
         ratio,
@@ -54,7 +55,8 @@ private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
     // Round-off of a step given as part of an orbit is not a reason to warn.
     if (steps >= FEWEST_STEPS * (1 - 1e-9)) return null
     return line(
-        "timeStep: %.3g steps an orbit; chords are off the epicycles by %.1g of an epicycle within a step, and forces act once a step; take %.0f or more",
+        "timeStep: %.3g steps per orbit; chords deviate from the epicycles by %.1g of an epicycle within a step, " +
+            "and forces act once per step; take %.0f or more",
         steps,
         (omega * dt).let { it * it / 8 },
         FEWEST_STEPS,

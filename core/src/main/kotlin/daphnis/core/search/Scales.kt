@@ -17,13 +17,14 @@ internal object Scales {
      */
     fun requireSpeeds(fastest: Double, smallest: Double, duration: Double) {
         require(fastest <= MOST) {
-            "the fastest sphere has a speed of $fastest along an axis; contacts can be computed up to $MOST: " + MEND
+            "the fastest sphere has a speed of $fastest along an axis; contacts can be computed up to $MOST: $MEND"
         }
         require(smallest >= 1 / MOST) {
-            "the smallest radius is $smallest; contacts can be computed from ${1 / MOST} on: " + MEND
+            "the smallest radius is $smallest; contacts can be computed from ${1 / MOST} on: $MEND"
         }
         require(smallest * (smallest / duration) >= LEAST_SQUARE_A_TIME) {
-            "a radius of $smallest and a step of $duration are too far apart to compute contacts: $MEND, or a smaller dt"
+            "a radius of $smallest and a step of $duration are too far apart to compute contacts: " +
+                "$MEND, or a smaller dt"
         }
     }
 

@@ -86,7 +86,7 @@ internal open class Impact(
     /**
      * Queues what the sphere at [place] can touch now, except slot [except].
      *
-     * @return false when the engine cannot go on
+     * @return false when the engine cannot continue
      */
     protected open fun search(place: Int, except: Int): Boolean {
         candidates.around(rows, place, except, schedule)

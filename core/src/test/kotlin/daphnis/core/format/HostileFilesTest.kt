@@ -208,7 +208,7 @@ class HostileFilesTest {
         assertRefused(
             text("a.xyz", "2147483647\n\nX 0 0 0\n"),
             "a.xyz:1",
-            "2147483647 particles are announced",
+            "2147483647 particles are declared",
             "bytes cannot hold",
         )
         assertRefused(text("a.xyz", "1\nProperties=species:S:2147483647:pos:R:3\nX 0 0 0\n"), "a.xyz:2", "2147483647")

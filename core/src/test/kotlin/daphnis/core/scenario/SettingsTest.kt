@@ -53,7 +53,7 @@ class SettingsTest {
     @Test
     fun `a path that is none is refused`() {
         for (path in listOf("forces[", "forces]", "forces[0", "forces[a]", "[0]", "forces[-1]", "forces[0]x", "box..lengths", ".box", "box.")) {
-            assertRefused("$path=1", "settings: ", "$path=1", "is no key")
+            assertRefused("$path=1", "settings: ", "$path=1", "is not a key")
         }
         assertRefused("nothing", "path=value")
         assertRefused("=1", "path=value")

@@ -50,10 +50,10 @@ class WarningsTest {
     }
 
     @Test
-    fun `fewer than a hundred steps an orbit are told, a hundred are not`() {
+    fun `fewer than a hundred steps per orbit are told, a hundred are not`() {
         fun ring(steps: Int) = BuiltIn.scenario("ring-patch", listOf("box.lengths=[40,40,20]", "timeStep.steps=$steps"))
         assertEquals(emptyList<String>(), warningsOf(ring(100)))
-        assertTrue("99.0 steps an orbit" in warningsOf(ring(99)).single())
+        assertTrue("99.0 steps per orbit" in warningsOf(ring(99)).single())
     }
 
     @Test

@@ -5,7 +5,7 @@ import daphnis.core.queue.EventStore
 import daphnis.core.queue.EventStore.Companion.NONE
 
 /**
- * The potential collisions that one worker has found and that lie beyond the window at hand, by slices of time. A hint
+ * The potential collisions that one worker has found and that lie beyond the present window, by slices of time. A hint
  * says that a pair may touch at a time; whether it still will is decided when its slice comes, by computing the contact
  * time again. The same bits mean that neither sphere has changed since. So no hint ever has to be removed.
  *
