@@ -31,7 +31,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             interruption.armed = true
             val summary = run.execute(Progress(quiet, run.until)) { interruption.requested }
             if (!summary.finished) {
-                println("interrupted after step ${summary.steps}; go on with: daphnis resume ${quoted("$directory")}")
+                println("interrupted after step ${summary.steps}; continue with: daphnis resume ${quoted("$directory")}")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             if (run.hasSeries) drawPlot(run, summary)

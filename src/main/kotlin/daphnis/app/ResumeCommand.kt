@@ -19,7 +19,7 @@ class ResumeCommand : CliktCommand(name = "resume") {
     private val quiet by option("--quiet", help = "no progress").flag()
 
     override fun help(context: Context) =
-        "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
+        "Continue a run from its last good checkpoint, to the same bits as an uninterrupted run."
 
     override fun run() {
         carryOut(quiet) { Run.resume(pathOf(directory, "dir"), until, allEngines, acceptLoss) }

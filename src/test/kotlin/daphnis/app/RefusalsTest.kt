@@ -50,7 +50,7 @@ class RefusalsTest {
         assertRefused(daphnis("analyze", at("a"), "--from", "99", "--quiet"), "daphnis: --from: is 99; the last state")
         val series = home.resolve("a/series.csv")
         Files.writeString(series, Files.readString(series).dropLast(80))
-        val mend = "; bring it back, or take what is there: analyze --accept-loss"
+        val mend = "; bring it back, or accept what is there: analyze --accept-loss"
         assertRefused(daphnis("analyze", at("a"), "--quiet"), "daphnis: $series: ", mend)
         for (name in listOf("checkpoint", "checkpoint.previous")) Files.delete(home.resolve("a/$name"))
         assertRefused(
@@ -58,7 +58,7 @@ class RefusalsTest {
             "but the run has already written output; bring one back, or run it again from its start: resume --accept-loss",
         )
         for (file in Files.list(home.resolve("a/snapshots")).toList()) Files.delete(file)
-        val none = "${at("a")}: has no snapshots; run with --set output.snapshotEvery=10, say"
+        val none = "${at("a")}: has no snapshots; run with --set output.snapshotEvery=10, for example"
         for (more in listOf(listOf("analyze"), listOf("export", "--format", "xyz"))) {
             assertRefused(daphnis(more.first(), at("a"), *more.drop(1).toTypedArray()), none)
         }

@@ -69,7 +69,7 @@ public class Simulation @JvmOverloads constructor(
 
     init {
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
-        require(forces.count { it is Drift } <= 1) { "two forces want to stand for the drift; there can be one" }
+        require(forces.count { it is Drift } <= 1) { "two forces are a Drift; there can be only one" }
         for (force in forces) force.useLoop(loop)
     }
 

@@ -21,7 +21,7 @@ public class ImageShear(private val box: Box, flow: MeanFlow) {
     init {
         require(slideAxis < AXES - 1 && slideAxis != normalAxis) {
             "images slide along ${AXIS_NAMES[slideAxis]} across ${AXIS_NAMES[normalAxis]}; " +
-                "they can along x or y, across another axis"
+                "they can slide along x or y, across another axis"
         }
     }
 

@@ -72,7 +72,7 @@ public object CartAndRad : ReadableFormat, WritableFormat {
         val head = Files.newInputStream(path).use { it.readNBytes(4) }
         val n = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN).getInt()
         if (n < 0 || size != 4L + (ROW + 8L) * n) {
-            throw FormatException("$path: says $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+            throw FormatException("$path: declares $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
         }
         val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN).position(4)
         val columns = Array(6) { DoubleArray(n) }

@@ -71,7 +71,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
     /** The strings of attribute [attribute] of the group [name]. */
     fun texts(name: String, attribute: String): List<String> {
         val data = (find(name) ?: fail(name, "is missing")).getAttribute(attribute)?.data
-        return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be texts") }
+        return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be strings") }
             ?: fail(name, "has no list of texts $attribute")
     }
 

@@ -82,7 +82,7 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         for (column in snapshot.position) for (p in column) far = maxOf(far, abs(p))
         val least = snapshot.radius.min()
         must(far + least * VISIBLE > far) {
-            "coordinates and edges are up to $far, beside which a radius of $least is lost in rounding"
+            "coordinates and edges are up to $far, compared with which a radius of $least is lost in rounding"
         }
     }
 

@@ -57,7 +57,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
         // Nothing could replace it.
         found.find {
             !Files.isRegularFile(it)
-        }?.let { throw InputException("$it", null, "is no file; take it away, and resume again") }
+        }?.let { throw InputException("$it", null, "is not a file; remove it and resume again") }
         val problems = ArrayList<String>()
         val whole = ArrayList<Pair<Path, Checkpoint>>()
         for (file in found) {
@@ -74,7 +74,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
             return taken(file, GoodCheckpoint(checkpoint, appended.beginnings), problems, notices)
         }
         if (whole.isEmpty()) {
-            val mend = "no checkpoint is left to go on from, run the scenario again"
+            val mend = "no usable checkpoint is left, run the scenario again"
             throw InputException("", null, "${problems.joinToString("; ")}; $mend")
         }
         if (!acceptLoss) {

@@ -60,7 +60,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
 
     private fun make() {
         if (path.exists()) return
-        if (Files.isSymbolicLink(path)) throw InputException(path.toString(), null, "is a link that leads nowhere")
+        if (Files.isSymbolicLink(path)) throw InputException(path.toString(), null, "is a link without a target")
         path.toAbsolutePath().parent?.let { Files.createDirectories(it) }
         isMade = try {
             Files.createDirectory(path)
@@ -97,7 +97,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
                     part,
                 )
             ) {
-                refuse("$part is a link; what it leads to is not touched, take the link away")
+                refuse("$part is a link, and its target is not touched; remove the link")
             }
             if (part.exists() && !part.isDirectory()) refuse("$part is no directory")
             if (part.exists() && !Files.isWritable(part)) refuse("$part is not writable")

@@ -54,7 +54,7 @@ public class Run internal constructor(
      */
     @JvmOverloads
     public fun execute(watcher: Output = Output { }, cancelled: BooleanSupplier = BooleanSupplier { false }): Summary {
-        check(!isExecuted) { "this run was carried out before; resume goes on with it" }
+        check(!isExecuted) { "this run was executed before; resume continues it" }
         isExecuted = true
         try {
             RunFiles(directory, from?.beginnings.orEmpty()).use { files ->
@@ -74,7 +74,7 @@ public class Run internal constructor(
     private fun wayOn() = if (directory.holdsRun()) {
         "earlier output is intact; fix this, then resume"
     } else {
-        "the run was removed while it went on"
+        "the run was removed while it was in progress"
     }
 
     private fun isDone(): Boolean = simulation.time >= until - plan.endSlack

@@ -72,7 +72,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         val snapshot = try {
             H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
         } catch (e: FormatException) {
-            throw FormatException("${e.message}; take the file away to go on without this snapshot")
+            throw FormatException("${e.message}; remove the file to continue without this snapshot")
         }
         if (snapshot.step != step) {
             throw FormatException("$file: holds the state after step ${snapshot.step}; its name says $step")
@@ -89,7 +89,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     public fun requireScenario() {
         requireRun()
         if (scenario.exists()) return
-        throw InputException("$path", null, "holds a run of ${ProgramRecord.read(program)}; only it can go on with it")
+        throw InputException("$path", null, "holds a run of ${ProgramRecord.read(program)}; only it can continue the run")
     }
 
     /** @throws InputException when there is no run here */

@@ -68,7 +68,7 @@ internal fun restore(outputs: Map<String, Output>, saved: Map<String, OutputStat
         try {
             outputs[name]?.restore(state)
         } catch (e: RuntimeException) {
-            throw InputException(source, null, "output '$name' cannot go on from what it saved: ${e.message}")
+            throw InputException(source, null, "output '$name' cannot continue from what it saved: ${e.message}")
         }
     }
 }

@@ -152,7 +152,7 @@ private fun giveBack(
 ) {
     restore(own, checkpoint.outputs, "${directory.path}")
     for (name in checkpoint.outputs.keys - own.keys - RunOutputs.RESERVED) {
-        notices += "${directory.path}: output '$name' is no longer there; what it had saved is given up"
+        notices += "${directory.path}: output '$name' is no longer there; what it had saved is dropped"
     }
 }
 
@@ -165,7 +165,7 @@ private fun checkSame(
 ): ScenarioChanges {
     val changes = ScenarioChanges.between(checkpoint?.scenario, scenario)
     changes.essential.firstOrNull()?.let {
-        val mend = "take the change back, or run the changed scenario into another directory"
+        val mend = "undo the change, or run the changed scenario into another directory"
         throw InputException(directory.scenario.toString(), null, "$it; $mend")
     }
     for (change in changes.harmless) notices += "${directory.scenario}: $change"

@@ -52,7 +52,7 @@ internal object SavedOutputs {
         }
         saved
     } catch (e: IOException) {
-        throw IllegalArgumentException("what outputs keep ends too soon, or is none", e)
+        throw IllegalArgumentException("saved outputs are cut short or damaged", e)
     }
 
     private fun read(input: DataInputStream, state: OutputState) {

@@ -82,12 +82,12 @@ internal class FileState(
     private fun withMasses(snapshot: Snapshot, notices: MutableList<String>): Snapshot {
         if (snapshot.hasMass) {
             check.must("placement.density", spec.density == null) {
-                "is ${spec.density}; leave it out, for ${spec.path} has masses"
+                "is ${spec.density}; leave it out, since ${spec.path} has masses"
             }
             return snapshot
         }
         if (spec.density == null) {
-            notices += "${spec.path} has no masses: a density of 1 is taken; placement.density says another"
+            notices += "${spec.path} has no masses: a density of 1 is assumed; placement.density sets another"
         }
         val density = spec.density ?: 1.0
         for (k in snapshot.mass.indices) {

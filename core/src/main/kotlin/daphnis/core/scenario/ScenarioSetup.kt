@@ -80,7 +80,7 @@ public class ScenarioSetup private constructor(
 
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
-                "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
+                "must be in 1..${ThreadHandler.MOST}, or 0 for one per core"
             }
             val output = scenario.output
             check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) {

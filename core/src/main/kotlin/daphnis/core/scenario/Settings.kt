@@ -77,7 +77,7 @@ internal object Settings {
         if (step.startsWith('[')) {
             val list =
                 tree as? JsonArray
-                    ?: throw wrongArgument(SETTINGS, setting, "$here is no list in this scenario, so it has no $step")
+                    ?: throw wrongArgument(SETTINGS, setting, "$here is not a list in this scenario, so it has no $step")
             val k = step.trim('[', ']').toIntOrNull()?.takeIf { it in list.indices }
                 ?: throw wrongArgument(SETTINGS, setting, "$here has ${entries(list.size)}, so it has no $step")
             return JsonArray(
@@ -94,7 +94,7 @@ internal object Settings {
             throw wrongArgument(SETTINGS, setting, "$here is a list; write $here[0] for its first entry")
         }
         if (tree != null && tree !is JsonObject) {
-            throw wrongArgument(SETTINGS, setting, "'$step' is looked for inside something that is no object")
+            throw wrongArgument(SETTINGS, setting, "'$step' is looked up inside something that is not an object")
         }
         val fields = tree ?: JsonObject(emptyMap())
         return JsonObject(fields + (step to put(fields[step], steps, at + 1, value, setting)))

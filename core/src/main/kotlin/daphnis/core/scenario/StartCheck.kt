@@ -100,7 +100,7 @@ internal class StartCheck(
                 maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
             val way = rate * farthest * timeStep.next(population)
             check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
-                "is small against the $way that particles drift past it in a step; take a smaller dt, or 0 for a point"
+                "is small compared with the $way that particles drift past it in a step; take a smaller dt, or 0 for a point"
             }
         }
     }

@@ -16,13 +16,13 @@ public enum class WayOut(public val words: String) {
     ONLY_RUNS_ARE_REPLACED("only runs are replaced"),
 
     /** `acceptLoss` of [daphnis.core.run.Run.resume]: damaged tables are accepted as they are. */
-    RESUME_WITH_LOSS("bring the file back, or go on with what is there"),
+    RESUME_WITH_LOSS("bring the file back, or continue with what is there"),
 
     /** `acceptLoss` of [daphnis.core.run.Run.resume]: the run starts again. */
     BEGIN_ANEW("bring one back, or run it again from its start"),
 
     /** `acceptLoss` of an analysis: damaged files are accepted as they are. */
-    ANALYSE_WITH_LOSS("bring it back, or take what is there"),
+    ANALYSE_WITH_LOSS("bring it back, or accept what is there"),
 
     /** A scenario that writes snapshots. */
     WRITE_SNAPSHOTS("run with snapshots"),

@@ -99,7 +99,7 @@ class ResumeTest {
             for ((name, damage) in damages) {
                 val directory = damaged("$table-$name") { damage(it.resolve(table)) }
                 val message = refusal(directory)
-                assertTrue(table in message && "go on with what is there" in message) { message }
+                assertTrue(table in message && "continue with what is there" in message) { message }
                 val notices = resume(directory, acceptLoss = true)
                 assertTrue(notices.any { table in it && ("lost" in it || "as they are" in it) }) { notices.toString() }
                 assertEquals(whole["digest"], results(directory)["digest"])

@@ -207,7 +207,7 @@ class RunTest {
         assertTrue(e.wayOut == WayOut.BEGIN_ANEW && "checkpoint" in e.message.orEmpty()) { e.message }
         assertEquals(before, files("broken"))
         Run.resume(home.resolve("broken"), acceptLoss = true).use { run ->
-            assertTrue(run.notices.any { "begins anew" in it }) { run.notices.toString() }
+            assertTrue(run.notices.any { "starts again" in it }) { run.notices.toString() }
             assertEquals(whole.stateDigest, run.execute().stateDigest)
         }
     }

@@ -86,7 +86,7 @@ class ResolvedScenarioTest {
             Surroundings.of(BuiltIn.scenario("ring-patch", listOf("boundary=$boundary") + more), "ring")
             true
         } catch (e: InputException) {
-            assertTrue("boundary.type: is " in e.message!! && "does not go with a frame" in e.message!!) { e.message }
+            assertTrue("boundary.type: is " in e.message!! && "cannot be combined with a frame" in e.message!!) { e.message }
             false
         }
         val flat = "frame.verticalFactor=0"

@@ -43,11 +43,11 @@ class SettingsTest {
             "[2]",
         )
         assertRefused("forces[0].acceleration[3]=1", "forces[0].acceleration has 3 entries")
-        assertRefused("bodies[0].radius=1", "bodies is no list", "[0]")
-        assertRefused("box[0]=1", "box is no list")
+        assertRefused("bodies[0].radius=1", "bodies is not a list", "[0]")
+        assertRefused("box[0]=1", "box is not a list")
         assertRefused("forces[99999999999].constant=1", "2 entries")
         assertRefused("forces.constant=1", "forces is a list", "forces[0]")
-        assertRefused("until[0]=1", "until is no list")
+        assertRefused("until[0]=1", "until is not a list")
     }
 
     @Test
