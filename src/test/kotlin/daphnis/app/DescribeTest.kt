@@ -33,11 +33,8 @@ class DescribeTest {
         val lines = text.lines()
         val at = lines.indexOfFirst { it.startsWith(label.padEnd(18)) }
         assertTrue(at >= 0) { "no $label in\n$text" }
-        return (
-            listOf(lines[at]) + lines.drop(at + 1).takeWhile {
-                it.startsWith(" ")
-            }
-            ).joinToString("\n") { it.drop(18) }
+        val continued = lines.drop(at + 1).takeWhile { it.startsWith(" ") }
+        return (listOf(lines[at]) + continued).joinToString("\n") { it.drop(18) }
     }
 
     private fun assertNear(expected: Double, found: String) = assertTrue(abs(found.toDouble() / expected - 1) < 6e-4) {

@@ -17,11 +17,8 @@ class RefusalsTest {
     private fun at(name: String) = home.resolve(name).toString()
 
     private fun small(name: String) = daphnis(
-        "run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--set", "output.snapshotEvery=10", "--out",
-        at(
-            name,
-        ),
-        "--quiet",
+        "run", "cooling-gas", "--set", "particles.count=100", "--steps", "20",
+        "--set", "output.snapshotEvery=10", "--out", at(name), "--quiet",
     )
 
     @Test
@@ -55,7 +52,8 @@ class RefusalsTest {
         for (name in listOf("checkpoint", "checkpoint.previous")) Files.delete(home.resolve("a/$name"))
         assertRefused(
             daphnis("resume", at("a")),
-            "but the run has already written output; bring one back, or run it again from its start: resume --accept-loss",
+            "but the run has already written output; " +
+                "bring one back, or run it again from its start: resume --accept-loss",
         )
         for (file in Files.list(home.resolve("a/snapshots")).toList()) Files.delete(file)
         val none = "${at("a")}: has no snapshots; run with --set output.snapshotEvery=10, for example"
@@ -147,11 +145,8 @@ class RefusalsTest {
         val known = arrayOf("--set", "units.lengthInMetres=0.5", "--set", "units.speedInCmPerSecond=10")
         assertDone(
             daphnis(
-                "run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known, "--out",
-                at(
-                    "b",
-                ),
-                "--quiet",
+                "run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known,
+                "--out", at("b"), "--quiet",
             ),
         )
         assertTrue("m s-1" in assertDone(daphnis("export", at("b"), "--format", "h5md", "--units", "si")))

@@ -26,7 +26,8 @@ internal class DiffusionSection(private val study: Study) : Section {
     private val displacement by lazy { trajectories?.let { MeanSquareDisplacement(it) } }
 
     override val heading = "Diffusion"
-    override val over = "Mean square displacements over all origins, without images and relative to the centre of mass. " +
+    override val over = "Mean square displacements over all origins, without images " +
+        "and relative to the centre of mass. " +
         "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on."
     override val leftOut get() = when {
         coordinates.isEmpty() -> "no periodic axis is without a mean flow"
@@ -64,13 +65,8 @@ internal class DiffusionSection(private val study: Study) : Section {
         val along = all.map {
             row("self-diffusion D_${coordinates[it].name}", d.diffusion(it, from = mean.from), units.viscosity, 1.0)
         }
-        return (
-            if (all.size == 1) {
-                along
-            } else {
-                listOf(row("self-diffusion D", mean, units.viscosity, 1.0)) + along
-            }
-            ).filterNotNull()
+        val whole = if (all.size == 1) null else row("self-diffusion D", mean, units.viscosity, 1.0)
+        return (listOf(whole) + along).filterNotNull()
     }
 
     private fun row(what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {

@@ -27,7 +27,8 @@ public object CartAndRad : ReadableFormat, WritableFormat {
     /** Writes `CartAndRad.STEP.bin` for each state. */
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         for (snapshot in snapshots) write(snapshot.population(), directory.resolve("CartAndRad.${snapshot.step}.bin"))
-        val left = "CartAndRad cannot store masses and ids; they are left out, and spheres are in the order of their ids"
+        val left = "CartAndRad cannot store masses and ids; they are left out, " +
+            "and spheres are in the order of their ids"
         return Exported(directory, remark = left)
     }
 
@@ -72,7 +73,8 @@ public object CartAndRad : ReadableFormat, WritableFormat {
         val head = Files.newInputStream(path).use { it.readNBytes(4) }
         val n = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN).getInt()
         if (n < 0 || size != 4L + (ROW + 8L) * n) {
-            throw FormatException("$path: declares $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+            val needed = 4L + (ROW + 8L) * n
+            throw FormatException("$path: declares $n spheres, which would be $needed bytes; it has $size")
         }
         val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN).position(4)
         val columns = Array(6) { DoubleArray(n) }

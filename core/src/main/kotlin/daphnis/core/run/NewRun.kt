@@ -93,10 +93,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
             if (Files.isDirectory(file, NOFOLLOW_LINKS)) refuse("$file is a directory")
         }
         for (part in parts()) {
-            if (Files.isSymbolicLink(
-                    part,
-                )
-            ) {
+            if (Files.isSymbolicLink(part)) {
                 refuse("$part is a link, and its target is not touched; remove the link")
             }
             if (part.exists() && !part.isDirectory()) refuse("$part is no directory")

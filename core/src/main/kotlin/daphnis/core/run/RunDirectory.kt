@@ -89,7 +89,8 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     public fun requireScenario() {
         requireRun()
         if (scenario.exists()) return
-        throw InputException("$path", null, "holds a run of ${ProgramRecord.read(program)}; only it can continue the run")
+        val made = ProgramRecord.read(program)
+        throw InputException("$path", null, "holds a run of $made; only it can continue the run")
     }
 
     /** @throws InputException when there is no run here */

@@ -45,8 +45,8 @@ public object FrameSetup {
         val fitsRadially = !boundary.repeats(0) || flow?.rate == -1.5 * omega!!
         val fitsVertically = !boundary.repeats(2) || frame.verticalFactor == 0.0
         check.that("boundary.type", scenario.boundary, fitsRadially && fitsVertically) {
-            "it cannot be combined with a frame of type hill, whose mean flow v_y = -3/2 Ω x is not the same at both faces; " +
-                "it must be hill-sheet or open (or walls across x and z)"
+            "it cannot be combined with a frame of type hill, whose mean flow v_y = -3/2 Ω x " +
+                "is not the same at both faces; it must be hill-sheet or open (or walls across x and z)"
         }
     }
 

@@ -36,9 +36,7 @@ internal class SchemaCheck(private val source: String) {
             PolymorphicKind.SEALED -> checkSealed(element, descriptor, path)
             SerialKind.ENUM -> {
                 val name = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
-                if (name !in
-                    descriptor.names()
-                ) {
+                if (name !in descriptor.names()) {
                     fail(path, "is ${shown(element)}; ${choices(name.orEmpty(), descriptor.names())}")
                 }
             }
@@ -106,9 +104,8 @@ internal class SchemaCheck(private val source: String) {
         PrimitiveKind.LONG -> "a whole number of at most 64 bits"
         PrimitiveKind.DOUBLE -> "a finite number"
         StructureKind.LIST -> "a list"
-        PolymorphicKind.SEALED -> "an object whose type is one of ${descriptor.getElementDescriptor(
-            1,
-        ).names().joinToString()}"
+        PolymorphicKind.SEALED ->
+            "an object whose type is one of ${descriptor.getElementDescriptor(1).names().joinToString()}"
         SerialKind.ENUM -> "one of ${descriptor.names().joinToString()}"
         else -> "an object with ${descriptor.names().joinToString()}"
     }

@@ -59,7 +59,8 @@ internal object Settings {
             ?: throw wrongArgument(
                 SETTINGS,
                 setting,
-                "'$part' is not a key; for x of the first entry of a list write forces[0].x, and quote it for the shell",
+                "'$part' is not a key; for x of the first entry of a list write forces[0].x, " +
+                    "and quote it for the shell",
             )
         listOf(found.groupValues[1]) + INDEX.findAll(found.groupValues[2]).map { it.value }
     }
@@ -75,18 +76,13 @@ internal object Settings {
         val step = steps[at]
         val here = steps.take(at).joinToString(".").replace(".[", "[")
         if (step.startsWith('[')) {
-            val list =
-                tree as? JsonArray
-                    ?: throw wrongArgument(SETTINGS, setting, "$here is not a list in this scenario, so it has no $step")
+            val noList = "$here is not a list in this scenario, so it has no $step"
+            val list = tree as? JsonArray ?: throw wrongArgument(SETTINGS, setting, noList)
             val k = step.trim('[', ']').toIntOrNull()?.takeIf { it in list.indices }
                 ?: throw wrongArgument(SETTINGS, setting, "$here has ${entries(list.size)}, so it has no $step")
             return JsonArray(
                 list.mapIndexed { i, entry ->
-                    if (i == k) {
-                        put(entry, steps, at + 1, value, setting)
-                    } else {
-                        entry
-                    }
+                    if (i == k) put(entry, steps, at + 1, value, setting) else entry
                 },
             )
         }

@@ -83,8 +83,8 @@ internal class StartCheck(
         for (u in population.velocity(axis)) fastest = maxOf(fastest, abs(u))
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
         check.must("timeStep", range < boundary.box.length(axis) * MOST_BOXES) {
-            "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; " +
-                "take a smaller dt"
+            "is so long that the fastest sphere passes more than once through the box " +
+                "along ${"xyz"[axis]} in a step; take a smaller dt"
         }
     }
 
@@ -100,7 +100,8 @@ internal class StartCheck(
                 maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
             val way = rate * farthest * timeStep.next(population)
             check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
-                "is small compared with the $way that particles drift past it in a step; take a smaller dt, or 0 for a point"
+                "is small compared with the $way that particles drift past it in a step; " +
+                    "take a smaller dt, or 0 for a point"
             }
         }
     }

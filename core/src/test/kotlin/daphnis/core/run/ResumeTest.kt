@@ -88,7 +88,7 @@ class ResumeTest {
     }
 
     @Test
-    fun `a table that is shorter or changed where both checkpoints know it is refused by name, and accepted when asked for`() {
+    fun `a table that is shorter or changed before both checkpoints is refused by name, and accepted on request`() {
         val damages = listOf<Pair<String, (Path) -> Unit>>(
             "cut" to { cut(it, 150) },
             "flipped" to { flip(it, 130) },

@@ -10,8 +10,12 @@ import org.junit.jupiter.api.Test
 /** `--set path=value`, and what is said of paths that lead nowhere. */
 class SettingsTest {
     private val text = """{ "box": { "lengths": [4, 5, 6] }, "boundary": { "type": "periodic" },
-        "forces": [{ "type": "uniform-acceleration", "acceleration": [0, 0, -1] }, { "type": "self-gravity", "constant": 1 }],
-        "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 1 }, "until": 1 }"""
+        "forces": [
+            { "type": "uniform-acceleration", "acceleration": [0, 0, -1] },
+            { "type": "self-gravity", "constant": 1 }
+        ],
+        "restitution": { "type": "constant", "coefficient": 1 },
+        "timeStep": { "type": "fixed", "dt": 1 }, "until": 1 }"""
 
     private fun with(vararg settings: String) = ScenarioJson.parse(text, "s", settings.toList())
 
@@ -52,7 +56,8 @@ class SettingsTest {
 
     @Test
     fun `a path that is none is refused`() {
-        for (path in listOf("forces[", "forces]", "forces[0", "forces[a]", "[0]", "forces[-1]", "forces[0]x", "box..lengths", ".box", "box.")) {
+        val lists = listOf("forces[", "forces]", "forces[0", "forces[a]", "[0]", "forces[-1]", "forces[0]x")
+        for (path in lists + listOf("box..lengths", ".box", "box.")) {
             assertRefused("$path=1", "settings: ", "$path=1", "is not a key")
         }
         assertRefused("nothing", "path=value")

@@ -45,7 +45,8 @@ class WarningsTest {
             "fall through the box" in warningsOf(box("timeStep.dt=0.5", "velocities={\"type\":\"rest\"}")).single(),
         )
         // Two that cancel.
-        val both = "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]},{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,1]}]"
+        fun upward(a: Int) = """{"type":"uniform-acceleration","acceleration":[0,0,$a]}"""
+        val both = "forces=[${upward(-1)},${upward(1)}]"
         assertEquals(emptyList<String>(), warningsOf(box("timeStep.dt=0.1", both)))
     }
 
