@@ -141,8 +141,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         return node
     }
 
-    private fun wrongType(name: String): Nothing =
-        fail(name, "has the wrong numeric type (at most 64 bits)")
+    private fun wrongType(name: String): Nothing = fail(name, "has the wrong numeric type (at most 64 bits)")
 
     private fun fail(name: String, problem: String): Nothing = throw FormatException("$path: $name $problem")
 
