@@ -259,7 +259,7 @@ class RunTest {
             Files.write(home.resolve("broken").resolve(name), ByteArray(10))
         }
         val e = assertThrows(InputException::class.java) { resume("broken") }
-        assertTrue(e.message.orEmpty().contains("no checkpoint is left")) { e.message }
+        assertTrue(e.message.orEmpty().contains("no usable checkpoint is left")) { e.message }
         assertFalse('\n' in e.message.orEmpty())
     }
 
