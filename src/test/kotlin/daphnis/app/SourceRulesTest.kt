@@ -42,15 +42,6 @@ class SourceRulesTest {
 
     private companion object {
         val LONG = setOf("CellRuns.kt", "Streamlines.kt")
-        val FLAGS = setOf(
-            "Settings.kt",
-            "NewRun.kt",
-            "Checkpoints.kt",
-            "RunStart.kt",
-            "Analysis.kt",
-            "RunSection.kt",
-            "AnalysisInput.kt",
-            "SteadinessText.kt",
-        )
+        val FLAGS = setOf("RunSection.kt", "SteadinessText.kt")
     }
 }

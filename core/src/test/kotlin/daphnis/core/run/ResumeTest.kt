@@ -83,7 +83,7 @@ class ResumeTest {
                 Files.createDirectory(it.resolve(name))
             }
             val message = assertThrows(InputException::class.java) { resume(directory) }.message.orEmpty()
-            assertTrue("$name: is no file" in message && '\n' !in message) { message }
+            assertTrue("$name: is not a file" in message && '\n' !in message) { message }
         }
     }
 
