@@ -51,7 +51,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         "--azimuth",
         help = "direction in which these rays climb, from x toward y, degrees (default 0)",
     ).double().default(0.0)
-    private val frames by option("--frames", help = "states that are averaged at most (default 40)").int().default(40)
+    private val frames by option("--frames", help = "the most states that are averaged (default 40)").int().default(40)
     private val out by option(
         "--out",
         metavar = "dir",
@@ -59,7 +59,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     )
     private val acceptLoss by option(
         "--accept-loss",
-        help = "take files that are not what the run wrote as they are; which is said",
+        help = "accept files that differ from what the run wrote, and report them",
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 

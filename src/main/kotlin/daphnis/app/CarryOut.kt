@@ -22,16 +22,14 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             val directory = run.directory.path
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else ""
-                println(
-                    "${spheres(
-                        run.simulation.population.size,
-                    )}, ${from}time ${run.simulation.time} to ${run.until}, into $directory",
-                )
+                val count = spheres(run.simulation.population.size)
+                println("$count, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
             }
             interruption.armed = true
             val summary = run.execute(Progress(quiet, run.until)) { interruption.requested }
             if (!summary.finished) {
-                println("interrupted after step ${summary.steps}; go on with: daphnis resume ${quoted("$directory")}")
+                val command = "daphnis resume ${quoted("$directory")}"
+                println("interrupted after step ${summary.steps}; continue with: $command")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             if (run.hasSeries) drawPlot(run, summary)

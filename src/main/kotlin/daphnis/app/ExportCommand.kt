@@ -109,8 +109,8 @@ class ExportCommand : CliktCommand(name = "export") {
 
     private fun remarks(written: Exported): List<String> {
         val isAsked = scale != null
-        val why = " (one mean radius is 1), so that no reader takes them for fractions of the box; " +
-            "--scale 1 leaves them"
+        val why = " (one mean radius is 1), so that readers do not interpret them as fractions of the box; " +
+            "--scale 1 leaves them unchanged"
         val scaled = "lengths and velocities are multiplied by ${written.scale}" + if (isAsked) "" else why
         return listOfNotNull(scaled.takeIf { written.scale != 1.0 }, written.remark)
     }

@@ -45,7 +45,7 @@ private fun inFlags(wayOut: WayOut): String = when (wayOut) {
     WayOut.ONLY_RUNS_ARE_REPLACED -> "--force replaces runs only"
     WayOut.RESUME_WITH_LOSS, WayOut.BEGIN_ANEW -> "${wayOut.words}: resume --accept-loss"
     WayOut.ANALYSE_WITH_LOSS -> "${wayOut.words}: analyze --accept-loss"
-    WayOut.WRITE_SNAPSHOTS -> "run with --set output.snapshotEvery=10, say"
+    WayOut.WRITE_SNAPSHOTS -> "run with --set output.snapshotEvery=10, for example"
 }
 
 /** Arguments whose flag has another name. */

@@ -40,7 +40,7 @@ fun main(args: Array<String>) {
     System.out.flush()
     val problem = output.problem ?: exitProcess(code)
     val failed = if (code == EXIT_DONE) EXIT_FAILED else code
-    exitProcess(complain("standard output: $problem; not all that was said has arrived", failed))
+    exitProcess(complain("standard output: $problem; part of the output was lost", failed))
 }
 
 /**
@@ -80,9 +80,8 @@ internal fun runDaphnis(args: Array<String>): Int {
  * for what was meant.
  */
 private fun requireReadable(words: Array<String>) {
-    val mend = "has letters that the locale's encoding, ${System.getProperty(
-        "sun.jnu.encoding",
-    )}, has not; try LC_ALL=C.UTF-8"
+    val encoding = System.getProperty("sun.jnu.encoding")
+    val mend = "has letters that the locale's encoding, $encoding, has not; try LC_ALL=C.UTF-8"
     words.find { UNREADABLE in it }?.let { throw InputException("'$it'", null, mend) }
     val here = System.getProperty("user.dir")
     if (UNREADABLE in here) throw InputException("working directory", null, mend)

@@ -14,12 +14,12 @@ class ResumeCommand : CliktCommand(name = "resume") {
     private val until by option("--until", help = "end at this time instead of the scenario's").double()
     private val acceptLoss by option(
         "--accept-loss",
-        help = "go on with tables that are damaged, as they are; what is lost is said",
+        help = "continue with damaged tables as they are, and report what is lost",
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 
     override fun help(context: Context) =
-        "Go on with a run from its last good checkpoint, to the same bits as an unbroken run."
+        "Continue a run from its last good checkpoint, to the same bits as an uninterrupted run."
 
     override fun run() {
         carryOut(quiet) { Run.resume(pathOf(directory, "dir"), until, allEngines, acceptLoss) }

@@ -25,7 +25,7 @@ class RunCommand : CliktCommand(name = "run") {
         help = "scenario file or built-in name (default: paper-figure-1)",
     ).default("paper-figure-1")
     private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
-    private val threads by option("--threads", help = "threads of the engine (default: all there are)").int()
+    private val threads by option("--threads", help = "threads of the engine (default: one per core)").int()
     private val steps by option("--steps", help = "end after this many steps").long()
     private val until by option("--until", help = "end at this time").double()
     private val seed by option("--seed", help = "seed of the initial state").long()

@@ -16,16 +16,11 @@ internal fun scenarioNamed(word: String, settings: List<String>): Scenario {
         throw InputException(
             word,
             null,
-            "no such file, and no built-in scenario; ${Nearest.question(
-                word,
-                BuiltIn.names,
-            )}built in are ${BuiltIn.names.joinToString()}",
+            "no such file, and no built-in scenario; ${Nearest.question(word, BuiltIn.names)}" +
+                "built in are ${BuiltIn.names.joinToString()}",
         )
     }
-    if (Files.isDirectory(
-            path,
-        )
-    ) {
+    if (Files.isDirectory(path)) {
         throw InputException(word, null, "is a directory; a scenario file or a built-in name is needed")
     }
     return ScenarioJson.read(path, settings).atHome(path.toAbsolutePath().parent)

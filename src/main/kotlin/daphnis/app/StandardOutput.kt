@@ -10,7 +10,7 @@ import java.nio.charset.Charset
 
 /**
  * Standard output that remembers its first failure, which `System.out` swallows. A reader that has gone (`| head -1`)
- * is no failure: what nobody reads is dropped and the work goes on to its end, because files are what most commands are
+ * is no failure: what is not read is dropped and the work goes on to its end, because files are what most commands are
  * for. A full device is one, and is said when the command has done its work.
  */
 internal class StandardOutput(private val target: OutputStream) : OutputStream() {
@@ -22,7 +22,7 @@ internal class StandardOutput(private val target: OutputStream) : OutputStream()
 
     override fun flush() = attempt { target.flush() }
 
-    /** What went wrong, in words; null when everything was written or nobody wanted to read it. */
+    /** What went wrong, in words; null when everything was written or no reader wanted it. */
     val problem: String? get() = failure?.message?.takeUnless { "pipe" in it.lowercase() }
 
     private fun attempt(write: () -> Unit) {

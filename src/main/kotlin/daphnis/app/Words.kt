@@ -6,7 +6,7 @@ import java.nio.file.Path
 
 /**
  * The path that [word] of the command line means. An empty one, as of a variable that is not set, would mean the
- * working directory, which nobody wants.
+ * working directory, which is never wanted.
  *
  * @param what the option or argument
  */

@@ -143,7 +143,8 @@ class CommandLineTest {
         )
         Files.writeString(
             home.resolve("collapse.json"),
-            """{ "box": { "lengths": [100, 10, 10] }, "boundary": { "type": "open" }, "placement": { "type": "file", "path": "line.csv" },
+            """{ "box": { "lengths": [100, 10, 10] }, "boundary": { "type": "open" },
+                "placement": { "type": "file", "path": "line.csv" },
                 "restitution": { "type": "constant", "coefficient": 0.2 }, "guard": { "type": "none" },
                 "timeStep": { "type": "fixed", "dt": 50 }, "until": 50 }""",
         )

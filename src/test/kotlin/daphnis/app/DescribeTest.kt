@@ -33,11 +33,8 @@ class DescribeTest {
         val lines = text.lines()
         val at = lines.indexOfFirst { it.startsWith(label.padEnd(18)) }
         assertTrue(at >= 0) { "no $label in\n$text" }
-        return (
-            listOf(lines[at]) + lines.drop(at + 1).takeWhile {
-                it.startsWith(" ")
-            }
-            ).joinToString("\n") { it.drop(18) }
+        val continued = lines.drop(at + 1).takeWhile { it.startsWith(" ") }
+        return (listOf(lines[at]) + continued).joinToString("\n") { it.drop(18) }
     }
 
     private fun assertNear(expected: Double, found: String) = assertTrue(abs(found.toDouble() / expected - 1) < 6e-4) {
@@ -134,7 +131,7 @@ class DescribeTest {
 
     @Test
     fun `what a run would warn of stands at the end`() {
-        assertTrue("60.0 steps an orbit" in row(describe("ring-patch", "timeStep.steps=60"), "note"))
+        assertTrue("60.0 steps per orbit" in row(describe("ring-patch", "timeStep.steps=60"), "note"))
         assertFalse("\nnote" in describe("ring-patch"))
     }
 

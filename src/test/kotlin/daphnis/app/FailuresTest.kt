@@ -151,7 +151,7 @@ class FailuresTest {
         val damaged = home.resolve("a/snapshots/0000000004.h5")
         val bytes = Files.readAllBytes(damaged)
         Files.write(damaged, bytes.copyOf(bytes.size / 2))
-        val out = arrayOf("0000000004.h5", "take the file away to go on without this snapshot")
+        val out = arrayOf("0000000004.h5", "remove the file to continue without this snapshot")
         assertRefused(daphnis("compare", at("a"), at("b")), *out)
         assertRefused(daphnis("analyze", at("a"), "--from", "0", "--quiet"), *out)
         assertRefused(daphnis("export", at("a"), "--format", "xyz"), *out)

@@ -21,15 +21,19 @@ class PlacementFileTest {
      */
     private fun from(file: String, more: String = "") = Files.writeString(
         home.resolve("from.json"),
-        """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" }, "placement": { "type": "file", "path": "$file"$more },
-            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }""",
+        """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" },
+            "placement": { "type": "file", "path": "$file"$more },
+            "restitution": { "type": "constant", "coefficient": 1 },
+            "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 0.1 }""",
     ).toString()
 
     @BeforeEach
     fun `a run to start from`() {
         val first = """{ "box": { "lengths": [10, 10, 10] }, "boundary": { "type": "periodic" },
-            "particles": { "count": 40, "sizes": { "type": "list", "radii": [0.25, 0.5] }, "density": 3 }, "velocities": { "type": "gaussian", "sigma": 1 },
-            "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1,
+            "particles": { "count": 40, "sizes": { "type": "list", "radii": [0.25, 0.5] }, "density": 3 },
+            "velocities": { "type": "gaussian", "sigma": 1 },
+            "restitution": { "type": "constant", "coefficient": 1 },
+            "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1,
             "output": { "snapshotEvery": 5 } }"""
         Files.writeString(home.resolve("first.json"), first)
         assertDone(daphnis("run", at("first.json"), "--out", at("a"), "--quiet"))
@@ -137,7 +141,8 @@ class PlacementFileTest {
     @Test
     fun `a state whose images have slid needs its time, and the run goes on from there`() {
         val sheared = """{ "box": { "lengths": [8, 8, 8] }, "boundary": { "type": "lees-edwards", "shearRate": 1.25 },
-            "particles": { "count": 150, "sizes": { "type": "equal", "radius": 0.5 } }, "placement": { "type": "lattice" },
+            "particles": { "count": 150, "sizes": { "type": "equal", "radius": 0.5 } },
+            "placement": { "type": "lattice" },
             "velocities": { "type": "gaussian", "sigma": 1, "shearProfile": true },
             "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.0625 }"""
         Files.writeString(

@@ -72,7 +72,7 @@ class ProgramRunTest {
             daphnis("resume", run("gas")),
             "gas",
             "the program 'gas in a program'",
-            "only it can go on with it",
+            "only it can continue the run",
         )
         val sheared = run("sheared") { LeesEdwards(it, 0.3) }
         assertRefused(daphnis("analyze", sheared), "images slide", "export it")

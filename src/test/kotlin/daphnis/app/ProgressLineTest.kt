@@ -21,9 +21,7 @@ class ProgressLineTest {
     fun `a line never is wider than the terminal`() {
         for (progress in listOf(line, longest)) {
             for (columns in 0..200) {
-                assertTrue(
-                    progress.text(columns).length <= columns,
-                ) { progress.text(columns) }
+                assertTrue(progress.text(columns).length <= columns) { progress.text(columns) }
             }
         }
     }

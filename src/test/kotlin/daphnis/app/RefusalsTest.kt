@@ -17,11 +17,8 @@ class RefusalsTest {
     private fun at(name: String) = home.resolve(name).toString()
 
     private fun small(name: String) = daphnis(
-        "run", "cooling-gas", "--set", "particles.count=100", "--steps", "20", "--set", "output.snapshotEvery=10", "--out",
-        at(
-            name,
-        ),
-        "--quiet",
+        "run", "cooling-gas", "--set", "particles.count=100", "--steps", "20",
+        "--set", "output.snapshotEvery=10", "--out", at(name), "--quiet",
     )
 
     @Test
@@ -50,15 +47,16 @@ class RefusalsTest {
         assertRefused(daphnis("analyze", at("a"), "--from", "99", "--quiet"), "daphnis: --from: is 99; the last state")
         val series = home.resolve("a/series.csv")
         Files.writeString(series, Files.readString(series).dropLast(80))
-        val mend = "; bring it back, or take what is there: analyze --accept-loss"
+        val mend = "; bring it back, or accept what is there: analyze --accept-loss"
         assertRefused(daphnis("analyze", at("a"), "--quiet"), "daphnis: $series: ", mend)
         for (name in listOf("checkpoint", "checkpoint.previous")) Files.delete(home.resolve("a/$name"))
         assertRefused(
             daphnis("resume", at("a")),
-            "though the run has gone on; bring one back, or run it again from its start: resume --accept-loss",
+            "but the run has already written output; " +
+                "bring one back, or run it again from its start: resume --accept-loss",
         )
         for (file in Files.list(home.resolve("a/snapshots")).toList()) Files.delete(file)
-        val none = "${at("a")}: has no snapshots; run with --set output.snapshotEvery=10, say"
+        val none = "${at("a")}: has no snapshots; run with --set output.snapshotEvery=10, for example"
         for (more in listOf(listOf("analyze"), listOf("export", "--format", "xyz"))) {
             assertRefused(daphnis(more.first(), at("a"), *more.drop(1).toTypedArray()), none)
         }
@@ -147,11 +145,8 @@ class RefusalsTest {
         val known = arrayOf("--set", "units.lengthInMetres=0.5", "--set", "units.speedInCmPerSecond=10")
         assertDone(
             daphnis(
-                "run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known, "--out",
-                at(
-                    "b",
-                ),
-                "--quiet",
+                "run", "cooling-gas", "--set", "particles.count=100", "--steps", "1", *known,
+                "--out", at("b"), "--quiet",
             ),
         )
         assertTrue("m s-1" in assertDone(daphnis("export", at("b"), "--format", "h5md", "--units", "si")))

@@ -10,7 +10,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.name
 import kotlin.io.path.readLines
 
-/** What the sources of the program keep to. Exceptions are named here, each until it is mended: none may be left over. */
+/** Rules for the sources of the program. Exceptions are named here until they are fixed; none may be left over. */
 class SourceRulesTest {
     private val modules = listOf("core", "actors", "analysis")
 

@@ -17,9 +17,7 @@ class DamageTest {
         val bad = cases.filterNot { it.verdict.isGood }
         assertTrue(bad.isEmpty()) { "seed $SEED:\n" + bad.joinToString("\n") }
         for (verdict in listOf(Verdict.SAME, Verdict.TOLD)) {
-            assertTrue(
-                cases.count { it.verdict == verdict } > CASES / 10,
-            ) { "$verdict" }
+            assertTrue(cases.count { it.verdict == verdict } > CASES / 10) { "$verdict" }
         }
     }
 

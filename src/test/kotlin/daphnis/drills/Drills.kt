@@ -33,7 +33,8 @@ fun main(args: Array<String>) {
     for (note in tally.notes) println(note)
     for (line in tally.lost) println("LOST: $line")
     println(
-        "${drill.name}: ${tally.tried} tried with seed $seed in ${(System.nanoTime() - begin) / 1_000_000_000} s, ${tally.lost.size} lost",
+        "${drill.name}: ${tally.tried} tried with seed $seed in ${(System.nanoTime() - begin) / 1_000_000_000} s, " +
+            "${tally.lost.size} lost",
     )
     exitProcess(if (tally.lost.isEmpty()) 0 else 1)
 }

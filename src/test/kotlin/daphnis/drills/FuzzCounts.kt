@@ -47,10 +47,8 @@ internal class Fuzz(private val cases: Int, private val seed: Long) {
         worker.start()
         worker.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS))
         if (!worker.isAlive) return true
-        counts.faults +=
-            "seed $seed case $number takes more than $PATIENCE_SECONDS s: ${worker.stackTrace.take(
-                FRAMES,
-            ).joinToString(" | ")}"
+        val frames = worker.stackTrace.take(FRAMES).joinToString(" | ")
+        counts.faults += "seed $seed case $number takes more than $PATIENCE_SECONDS s: $frames"
         return false
     }
 

@@ -52,11 +52,8 @@ internal object KillDrill : Drill {
                         } else {
                             listOf("no run directory")
                         }
-                say(
-                    "${if (bad.isEmpty()) "same" else "LOST"}: ${SCENARIOS[which].substringBefore(
-                        ' ',
-                    )} on $engine, ${chain.history}",
-                )
+                val verdict = if (bad.isEmpty()) "same" else "LOST"
+                say("$verdict: ${SCENARIOS[which].substringBefore(' ')} on $engine, ${chain.history}")
                 lost += bad.map { "$which on $engine, ${chain.history}: $it" }
                 chain.directory.deleteRecursively()
             }
@@ -70,15 +67,8 @@ internal object KillDrill : Drill {
         val words = SCENARIOS[which].split(' ')
         val settings = words.drop(3).flatMap { listOf("--set", it) }
         return arrayOf(
-            "run",
-            *words.take(
-                3,
-            ).toTypedArray(),
-            *settings.toTypedArray(), "--engine", engine, "--threads",
-            threadsOf(
-                engine,
-            ),
-            "--quiet", "--out", out,
+            "run", *words.take(3).toTypedArray(), *settings.toTypedArray(),
+            "--engine", engine, "--threads", threadsOf(engine), "--quiet", "--out", out,
         )
     }
 

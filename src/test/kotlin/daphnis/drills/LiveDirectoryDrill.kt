@@ -15,9 +15,10 @@ internal object LiveDirectoryDrill : Drill {
     override val what = "run --force, resume, analyze, export and compare at the directory of a run under way"
     override val cases = 30
 
-    private val RUN = "run cooling-gas --until 60 --set output.checkpointEvery=11 --set output.snapshotEvery=9 --engine islands --threads 2 --quiet --out".split(
-        ' ',
-    )
+    private const val COMMAND =
+        "run cooling-gas --until 60 --set output.checkpointEvery=11 --set output.snapshotEvery=9 " +
+            "--engine islands --threads 2 --quiet --out"
+    private val RUN = COMMAND.split(' ')
 
     /** Words after `daphnis`; LIVE stands for the directory, WHOLE for one like it that is done. */
     private val INTRUSIONS = listOf(
@@ -46,11 +47,8 @@ internal object LiveDirectoryDrill : Drill {
                 while (program.isAlive && !live.resolve("checkpoint").exists()) Thread.sleep(1)
                 var isOver = false
                 while (program.isAlive && tried < cases) {
-                    val words = INTRUSIONS[
-                        random.nextInt(
-                            INTRUSIONS.size,
-                        ),
-                    ].replace("LIVE", "live").replace("WHOLE", "whole")
+                    val intrusion = INTRUSIONS[random.nextInt(INTRUSIONS.size)]
+                    val words = intrusion.replace("LIVE", "live").replace("WHOLE", "whole")
                     val ended = Program.run(home, *words.split(' ').toTypedArray())
                     // Perhaps the run had ended before the other one began, which then was allowed what it did.
                     isOver = !program.isAlive

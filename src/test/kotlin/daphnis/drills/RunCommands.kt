@@ -61,7 +61,8 @@ internal class RunCommands(private val base: Path) {
         val summary = Summary.read(run.summary)
         put(
             "summary",
-            "${summary.stateDigest} ${summary.steps} ${summary.collisions} ${summary.guardActivations} ${summary.energy} ${summary.maxOverlap}",
+            "${summary.stateDigest} ${summary.steps} ${summary.collisions} ${summary.guardActivations} " +
+                "${summary.energy} ${summary.maxOverlap}",
         )
     }
 

@@ -52,11 +52,8 @@ internal object SmallHeapDrill : Drill {
     }
 
     private fun command(engine: String, out: String): Array<String> = arrayOf(
-        "run", "elastic-gas", "--steps", "12", *SETTINGS.toTypedArray(), "--engine", engine, "--threads",
-        threadsOf(
-            engine,
-        ),
-        "--quiet", "--out", out,
+        "run", "elastic-gas", "--steps", "12", *SETTINGS.toTypedArray(),
+        "--engine", engine, "--threads", threadsOf(engine), "--quiet", "--out", out,
     )
 
     /** A run with little memory, then a resume with enough. */

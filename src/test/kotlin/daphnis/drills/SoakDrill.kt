@@ -23,7 +23,8 @@ import kotlin.math.abs
  */
 internal object SoakDrill : Drill {
     override val name = "soak"
-    override val what = "an elastic gas at filling factor 0.3 for so many collisions on each engine: overlap, energy, memory"
+    override val what =
+        "an elastic gas at filling factor 0.3 for so many collisions on each engine: overlap, energy, memory"
     override val cases = 10_000_000
 
     override fun run(cases: Int, seed: Long, say: (String) -> Unit): Tally {
@@ -66,7 +67,8 @@ internal object SoakDrill : Drill {
         if (drift > MOST_DRIFT) lost += "$name: energy has changed by $drift of itself"
         growth(live)?.let { if (it > MOST_LIVE) lost += "$name: live memory has grown by $it bytes" }
         growth(resident)?.let { if (it > MOST_RESIDENT) lost += "$name: resident memory has grown by $it bytes" }
-        val text = "$name: %d collisions, overlap %.1e, energy %.1e, live memory %+d kB, resident %+d kB after a third of the way"
+        val text = "$name: %d collisions, overlap %.1e, energy %.1e, " +
+            "live memory %+d kB, resident %+d kB after a third of the way"
         return Tally(
             collisions,
             lost,

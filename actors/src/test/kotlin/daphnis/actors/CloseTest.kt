@@ -213,7 +213,7 @@ class CloseTest {
     }
 
     @Test
-    fun `a coroutine that is cancelled in the middle of a step leaves the population as before, and the engine works on`() {
+    fun `a coroutine that is cancelled within a step leaves the population as before, and the engine works on`() {
         var slow = true
         val engine = RegionActorEngine(2, FaultKit.layout).also { it.probe = { if (slow) Thread.sleep(5) } }
         val step = FaultKit.step()

@@ -66,7 +66,7 @@ class FaultsTest {
     }
 
     @Test
-    fun `an error in a region, in any phase, is thrown at once, the population is as before, and the engine works on`() {
+    fun `an error in a region, in any phase, is thrown at once, the population is as before, the engine works on`() {
         for (phase in Phase.entries) {
             for (error in errors) {
                 var armed = false

@@ -56,9 +56,7 @@ class AnalysisGuideTest {
         val order = RadialOrder().sort(state, RadialKey.X)
         assertTrue(state.population === population)
         for (rank in 1 until order.size) {
-            assertTrue(
-                population.x[order.order[rank - 1]] <= population.x[order.order[rank]],
-            )
+            assertTrue(population.x[order.order[rank - 1]] <= population.x[order.order[rank]])
         }
         val lines = Streamlines.of(state, slabs = 4, groups = 5, RadialKey.GUIDING_CENTRE)
         assertEquals(100, lines.count.sum())

@@ -21,10 +21,10 @@ import daphnis.core.scenario.ScenarioSetup
  * | | |
  * |---|---|
  * | PAPER_1, PAPER_2, PAPER_3 | the runs of the paper's figures, all 30 time units |
- * | CLUMPED | 1e5 elastic spheres that start at φ = 0.3 in the lower corner of a box that is eight times as large each way |
+ * | CLUMPED | 1e5 elastic spheres that start at φ = 0.3 in the lower corner of a box eight times as long each way |
  * | DENSE | 1e5 elastic spheres at φ = 0.45, molten, 0.6 τ |
  * | GAS_1E4, GAS_1E5, GAS_1E6 | elastic gases at φ = 0.1, steps of 0.1 τ |
- * | RING_1E5, RING_1E6 | the built-in ring patch, steady, copied side by side until there are about so many; 198 steps per orbit |
+ * | RING_1E5, RING_1E6 | the built-in ring patch, steady, copied to about that number; 198 steps per orbit |
  * | WAKES | the built-in self-gravity wakes, 1,476 particles, 1000 steps per orbit |
  * | MOONLET | the built-in moonlet, 60,000 particles, from its start |
  */

@@ -1,46 +1,46 @@
 package daphnis.core
 
 /**
- * Something that looks at the simulation after every step and writes, draws or sums: the one way out of a run for
- * series, snapshots, progress and whatever a program adds. It must not change the state.
+ * Something that looks at the simulation after every step and writes, draws or sums. Series, snapshots, progress and
+ * whatever a program adds leave a run in this one way. It must not change the state.
  *
  * An output lives between [open] and [close]. In a run with a directory ([daphnis.core.run.Run]) it may also keep its
  * state in the checkpoint: [save] gives it, [restore] takes it back before [open]. All calls come from the thread that
  * drives the simulation; [close] comes from the thread that closes it, never while another call is under way. An output
- * that is a lambda has [write] only.
+ * given as a lambda has [write] only.
  */
 public fun interface Output {
     /**
      * Called after each step, and once before the first of a simulation that starts. When it throws in a step of a
-     * [Simulation] that was given it, the step is taken back as a whole; if the step is done again, those outputs are
-     * asked that have not yet seen it. When it throws in a run, the step stands, the run ends, and its last checkpoint
-     * is that from before.
+     * [Simulation] which owns it, the whole step is taken back. If the step is done again, only the outputs that have
+     * not yet seen it are called. When it throws in a run, the step stands and the run ends; the last checkpoint is the
+     * one from before.
      */
     public fun write(simulation: Simulation)
 
-    /** Called once, before the first [write]. What throws here is thrown on, and [close] is not called. */
+    /** Called once, before the first [write]. An exception from here is passed on, and [close] is not called. */
     public fun open(simulation: Simulation, opening: Opening) {}
 
-    /** Called when the run has come to its end, after the last [write]; not by a [Simulation] alone. */
+    /** Called when the run has come to its end, after the last [write]. A [Simulation] alone does not call it. */
     public fun finish(simulation: Simulation) {}
 
     /**
-     * Puts all that the output needs to go on from here into [state], before each checkpoint of a run. What it has
-     * written elsewhere by now must be safe when this returns, since the checkpoint vouches for it.
+     * Puts everything that the output needs to continue from here into [state]. Called before each checkpoint of a run.
+     * What the output has written elsewhere must be safe when this returns, since the checkpoint relies on it.
      */
     public fun save(state: OutputState) {}
 
     /**
-     * Takes over what [save] put into [state] in the checkpoint that a run goes on from; not called when that was
+     * Takes over what [save] put into [state] in the checkpoint from which a run continues. Not called when [save] put
      * nothing.
      */
     public fun restore(state: OutputState) {}
 
-    /** Called once at the end, however it came to it, if [open] was. */
+    /** Called once at the end, whatever ended the run, provided that [open] was called. */
     public fun close() {}
 }
 
-/** How an output begins. */
+/** How an output starts. */
 public enum class Opening {
     /** At the start of a run: nothing was written before. */
     START,

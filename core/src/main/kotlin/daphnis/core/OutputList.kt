@@ -1,6 +1,6 @@
 package daphnis.core
 
-/** Outputs that are asked together, in their order. One thread opens and writes; any thread may [close]. */
+/** Outputs that are called together, in their order. One thread opens and writes; any thread may [close]. */
 internal class OutputList(private val outputs: List<Output>) {
     private val lock = Any()
     private var inUse = false
@@ -9,7 +9,10 @@ internal class OutputList(private val outputs: List<Output>) {
     /** How many are open. */
     private var opened = 0
 
-    /** How many have seen the state at hand; more than none when one threw, and the others are to see it once only. */
+    /**
+     * How many outputs have seen the present state. It is above 0 after one threw; the outputs before that one are not
+     * called again.
+     */
     private var shown = 0
 
     val isEmpty: Boolean get() = outputs.isEmpty()
@@ -22,7 +25,7 @@ internal class OutputList(private val outputs: List<Output>) {
         }
     }
 
-    /** Shows the state to those that have not seen it. */
+    /** Shows the state to the outputs that have not seen it. */
     fun write(simulation: Simulation) = use {
         while (shown < outputs.size) {
             outputs[shown].write(simulation)
@@ -34,8 +37,9 @@ internal class OutputList(private val outputs: List<Output>) {
     fun finish(simulation: Simulation) = use { for (output in outputs) output.finish(simulation) }
 
     /**
-     * Closes those that are open, last to first, each though another throws. A call under way on another thread ends
-     * first, and that thread closes them; so does the caller of an output that asks for it.
+     * Closes those that are open, last to first, each even if another throws. A call under way on another thread ends
+     * first, and that thread then closes them. When an output itself asks for closing, the thread that called the
+     * output closes them.
      */
     fun close() {
         synchronized(lock) {
@@ -68,7 +72,7 @@ internal class OutputList(private val outputs: List<Output>) {
     }
 }
 
-/** Closes each of [all], last to first, though another throws. */
+/** Closes each of [all], last to first, even if another throws. */
 internal fun closeAll(all: Iterable<AutoCloseable>) {
     all.fold(AutoCloseable {}) { before, next -> AutoCloseable { before.use { next.close() } } }.close()
 }

@@ -9,7 +9,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 
 /**
- * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, carried on a step at
+ * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, advanced one step at
  * a time.
  *
  * ```
@@ -18,11 +18,11 @@ import daphnis.core.population.Population
  * ```
  *
  * One step: forces act for its first half · spheres drift with every collision in time order · boundary conditions ·
- * forces act for its second half ([StepPhases]) · outputs look. Not thread-safe: one thread calls; an engine may use
- * more within [advance].
+ * forces act for its second half ([StepPhases]) · outputs are called. Not thread-safe: one thread calls; an engine may
+ * use more within [advance].
  *
  * @param collisions null for spheres that pass through one another
- * @param runStart time at step 0, for a run that goes on at [startStep]; null to count back from there, with a fixed
+ * @param runStart time at step 0, for a run that continues at [startStep]; null to count back from there, with a fixed
  *   step
  * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
  */
@@ -53,8 +53,8 @@ public class Simulation @JvmOverloads constructor(
         runStart ?: if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else startTime
 
     /**
-     * The forces in the order in which they act before the drift. A [Drift] acts next to it: last before it, first
-     * after it.
+     * The forces in the order in which they act before the drift. A [Drift] acts next to the drift: last before it,
+     * first after it.
      */
     public val forces: List<Force> = forces.sortedBy { it is Drift }
     private val loop = ClosableLoop(collisions?.engine?.loop ?: InlineLoop, CLOSED)
@@ -64,22 +64,22 @@ public class Simulation @JvmOverloads constructor(
 
     private val outputs = OutputList(outputs)
 
-    /** Whether it was given outputs of its own. */
+    /** Whether this simulation was given outputs of its own. */
     internal val hasOutputs: Boolean get() = !outputs.isEmpty
 
     init {
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
-        require(forces.count { it is Drift } <= 1) { "two forces want to stand for the drift; there can be one" }
+        require(forces.count { it is Drift } <= 1) { "two forces are a Drift; there can be only one" }
         for (force in forces) force.useLoop(loop)
     }
 
     /**
-     * Carries the simulation on by one step.
+     * Advances the simulation by one step.
      *
-     * A step is done whole or not at all. Whatever throws in it (time step, force, engine, boundary, output, an [Error]
-     * too) is thrown on, and all is as it was before: population with the order of its arrays, boxes crossed, counters,
-     * [time] and [step]; the record of collisions is empty. The step may then be done again, to the same bits. Outputs
-     * that had seen it before another output threw are not asked again.
+     * A step is done completely or not at all. Whatever is thrown in it (by time step, force, engine, boundary or
+     * output, even an [Error]) is passed on, and everything is as it was before: the population with the order of its
+     * arrays, boxes crossed, counters, [time] and [step]. The record of collisions is empty. The step may then be done
+     * again, with the same bits as result. Outputs that had seen it before another output threw are not called again.
      *
      * @throws IllegalStateException when the state is no longer finite, after [close], and from within a step
      */
@@ -116,15 +116,15 @@ public class Simulation @JvmOverloads constructor(
         outputs.write(this)
     }
 
-    /** The clock goes on by a step. */
+    /** Advances the clock by one step. */
     private fun settle(start: Double, duration: Double) {
         step++
         time = if (timeStep is FixedTimeStep) runStart + step * duration else start + duration
     }
 
     /**
-     * Opens the outputs, and shows them the initial state of a simulation that starts; done by the first [advance] if
-     * nobody asked before. Each is opened and sees it once, though another throws.
+     * Opens the outputs, and shows them the initial state of a simulation that starts. The first [advance] does this if
+     * it was not done before. Each output is opened once and sees that state once, even if another throws.
      */
     public fun open() {
         if (opened || busy) return
@@ -138,7 +138,10 @@ public class Simulation @JvmOverloads constructor(
         opened = true
     }
 
-    /** Stands at [time] after [step] steps of a run that began where this was made. To be called before all else. */
+    /**
+     * Sets the clock to [time] after [step] steps of a run that began with the state which this was made with. To be
+     * called before everything else.
+     */
     internal fun goOnFrom(time: Double, step: Long) {
         check(!opened && this.step == 0L) { "the simulation has begun: it is at step ${this.step}" }
         this.time = time
@@ -146,9 +149,9 @@ public class Simulation @JvmOverloads constructor(
     }
 
     /**
-     * Ends the threads of the engine and closes the outputs; from then on [advance], and loops that forces have been
-     * given, throw [IllegalStateException]. A step under way, on another thread or around this call, ends well or
-     * throws and is as if it had not begun; outputs are closed behind it. Closing twice is allowed.
+     * Ends the threads of the engine and closes the outputs; from then on [advance] throws [IllegalStateException], and
+     * so do the loops which forces were given. A step under way, on another thread or around this call, either
+     * succeeds, or throws and is as if it had not begun. Outputs are closed after it. Closing twice is allowed.
      */
     override fun close() {
         loop.close()

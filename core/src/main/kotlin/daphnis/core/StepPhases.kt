@@ -8,10 +8,10 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
- * The phases of a step, for who drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] · [kickAgain] ·
- * [checkFinite] · [commit]. A [Simulation] calls them one after the other. A driver of several machines calls them on
- * each machine's part of the population and exchanges spheres in between. Until [commit] all of them together can be
- * taken back. One thread calls; [loop] may use more.
+ * The phases of a step, for the code which drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] ·
+ * [kickAgain] · [checkFinite] · [commit]. A [Simulation] calls them one after the other. A driver of several machines
+ * calls them on each machine's part of the population and exchanges spheres in between. Until [commit], all phases
+ * together can be taken back. One thread calls; [loop] may use more.
  *
  * @param collisions null for spheres that pass through one another
  * @param forces in the order in which they act before the drift; they have been given their loop
@@ -43,7 +43,7 @@ public class StepPhases(
         for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
     }
 
-    /** Brings every sphere to the end of the step on its path, with every collision in time order. */
+    /** Moves every sphere along its path to the end of the step, with every collision in time order. */
     public fun drift(start: Double, duration: Double) {
         if (collisions != null) {
             collisions.advance(population, boundary, start, duration)
@@ -52,7 +52,7 @@ public class StepPhases(
         }
     }
 
-    /** Brings back, or takes away, the spheres that are beyond the boundary at the [end] of the step. */
+    /** Brings back or removes the spheres that are beyond the boundary at the [end] of the step. */
     public fun applyBoundary(end: Double) {
         if (boundary is PerSphereBoundary) {
             loop.run(population.size) { _, from, to -> boundary.endStep(population, end, from, to) }
@@ -67,9 +67,9 @@ public class StepPhases(
     }
 
     /**
-     * One sum over everything is NaN or infinite as soon as one number is; cheap against a step.
+     * Takes one sum over everything, which is NaN or infinite as soon as one number is. Cheap compared with a step.
      *
-     * @throws IllegalStateException that says [at] which step and time, when the state is not finite
+     * @throws IllegalStateException when the state is not finite; its message says [at] which step and time
      */
     public fun checkFinite(at: () -> String) {
         val p = population
@@ -85,7 +85,10 @@ public class StepPhases(
         undo.commit()
     }
 
-    /** All is as it was at [begin]: population, counters; the record of collisions is empty. Allocates nothing. */
+    /**
+     * Restores population and counters to what they were at [begin]; the record of collisions is empty. Allocates
+     * nothing.
+     */
     public fun takeBack() {
         undo.takeBack()
         collisions?.record?.clear()

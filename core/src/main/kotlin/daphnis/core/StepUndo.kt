@@ -5,8 +5,8 @@ import daphnis.core.population.Population
 
 /**
  * What a population and its counters were before the step under way, so that the step can be taken back. The engine
- * writes to the population's second set of arrays. Those of before only need their velocities, which forces change.
- * Taking back allocates nothing, asks nobody and uses no other thread.
+ * writes to the population's second set of arrays, so of the first set only the velocities, which forces change, have
+ * to be kept. Taking back allocates nothing, calls no other object's code and uses no other thread.
  */
 internal class StepUndo(private val population: Population, private val counters: CollisionCounters?) {
     private var vx = DoubleArray(0)
@@ -22,7 +22,10 @@ internal class StepUndo(private val population: Population, private val counters
         population.beginStep()
     }
 
-    /** To be called before forces change velocities. Allocates when the population has another size than last time. */
+    /**
+     * To be called before forces change velocities. Allocates when the size of the population has changed since the
+     * last time.
+     */
     fun keepVelocities() {
         vx = copy(population.vx, vx)
         vy = copy(population.vy, vy)
@@ -41,10 +44,10 @@ internal class StepUndo(private val population: Population, private val counters
         population.commitStep()
     }
 
-    /** All is as at [begin]. */
+    /** Restores the state at [begin]. */
     fun takeBack() {
         population.takeStepBack()
-        // By the index of before, for the arrays of before.
+        // Indexed as before the step, since the arrays are those from before the step.
         if (hasVelocities) {
             vx.copyInto(population.vx)
             vy.copyInto(population.vy)

@@ -7,7 +7,8 @@ import kotlin.math.abs
 
 /**
  * Chooses the length of the next step. Must be a pure function of the population, so that a resumed run chooses the
- * same, and may not depend on the order of its arrays. One that looks at every sphere is better a [PerSphereTimeStep].
+ * same length, and must not depend on the order of its arrays. A time step which looks at every sphere should be a
+ * [PerSphereTimeStep].
  */
 public fun interface TimeStep {
     /** @return the length of a step that starts with [population], > 0, in units of time */
@@ -15,19 +16,19 @@ public fun interface TimeStep {
 }
 
 /**
- * A step whose length depends on one number that every sphere has a part in, such as the greatest speed. Parts of a
- * population are measured by different threads or machines, and combined in any order to the same bits.
+ * A step whose length depends on one number to which every sphere contributes, such as the greatest speed. Different
+ * threads or machines measure parts of a population. The results are combined in any order and give the same bits.
  */
 public interface PerSphereTimeStep : TimeStep {
     /**
-     * The number for the spheres of [population] at the indices [from] until [to]; for none of them what changes
-     * nothing in [combine].
+     * The number for the spheres of [population] at the indices [from] until [to]; for an empty range the neutral
+     * element of [combine].
      */
     public fun measure(population: Population, from: Int, to: Int): Double
 
     /**
-     * The number for two parts together. Neither the order of the two nor that of several calls may change a bit, as
-     * with a maximum; a plain sum is none.
+     * The number for two parts together. Neither the order of the two nor that of several calls may change a bit. A
+     * maximum satisfies this; a plain sum does not.
      */
     public fun combine(one: Double, other: Double): Double
 

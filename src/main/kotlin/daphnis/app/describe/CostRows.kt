@@ -40,7 +40,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         row("rows of series.csv", times(output.seriesEvery), times(output.seriesEvery) * SERIES_BYTES)
         row("rows of transport.csv", times(output.transportEvery), times(output.transportEvery) * TRANSPORT_BYTES)
         row("checkpoints kept", 2.0, 2 * CHECKPOINT_BYTES * size)
-        if (output.collisionLog) rows.add("outputs", "collisions.csv, some $LOG_BYTES B a collision")
+        if (output.collisionLog) rows.add("outputs", "collisions.csv, some $LOG_BYTES B per collision")
     }
 
     private fun row(what: String, count: Double, disk: Double) {

@@ -32,13 +32,11 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun force(k: Int, force: ForceSpec) {
         val text = when (force) {
-            is ForceSpec.UniformAcceleration -> "uniform-acceleration, ${force.acceleration.joinToString {
-                say.acceleration(it)
-            }}"
+            is ForceSpec.UniformAcceleration ->
+                "uniform-acceleration, ${force.acceleration.joinToString { say.acceleration(it) }}"
             is ForceSpec.SelfGravity ->
-                "self-gravity, opening angle ${number(
-                    force.openingAngle,
-                )}, softening ${say.length(force.softening)}, reaches ${say.length(reach(force))}"
+                "self-gravity, opening angle ${number(force.openingAngle)}, " +
+                    "softening ${say.length(force.softening)}, reaches ${say.length(reach(force))}"
             is ForceSpec.BodyGravity -> "body-gravity, softening ${say.length(force.softening)}"
             is ForceSpec.Satellite -> satellite(force)
         }
@@ -72,9 +70,8 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val ratio = hillRadius(2 * g * mass, omega) / (2 * radius)
         rows.add(
             "Hill radius",
-            "${say.length(
-                hillRadius(g * mass, omega),
-            )} of a sphere of mean mass; of two, r_p = r_h / (r_1 + r_2) = ${number(ratio)}$off",
+            "${say.length(hillRadius(g * mass, omega))} of a sphere of mean mass; " +
+                "of two, r_p = r_h / (r_1 + r_2) = ${number(ratio)}$off",
         )
         val area = setup.boundary.box.length(0) * setup.boundary.box.length(1)
         val surface = particles.sumOf { population.mass[it] } / area

@@ -37,9 +37,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val masses = particles.map { population.mass[it] }
         val same = radii.min() == radii.max()
         val size = if (same) {
-            say.length(
-                radii[0],
-            )
+            say.length(radii[0])
         } else {
             "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
         }
@@ -108,9 +106,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
         val law = when (val law = scenario.restitution) {
             is RestitutionSpec.Constant -> "${number(law.coefficient)} at every speed"
-            is RestitutionSpec.Bridges -> "bridges, ${number(
-                law.prefactor,
-            )} v^${number(law.exponent)} with v in cm/s: $examples"
+            is RestitutionSpec.Bridges ->
+                "bridges, ${number(law.prefactor)} v^${number(law.exponent)} with v in cm/s: $examples"
             is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
         }
         rows.add("restitution", law)

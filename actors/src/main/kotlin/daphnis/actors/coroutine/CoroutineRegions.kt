@@ -15,12 +15,12 @@ import kotlinx.coroutines.launch
 import java.util.concurrent.ExecutorService
 
 /**
- * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of commands. A region's state is
- * touched by its coroutine alone while it handles a command, and by the coordinator only when all have answered: what
- * happens before a send on a channel is seen after the receive that gets it.
+ * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of commands. Only its coroutine
+ * touches a region's state while it handles a command, and the coordinator touches it only when all regions have
+ * answered. What happens before a send on a channel is seen after the receive that gets it.
  */
 internal class CoroutineRegions(dispatcher: CoroutineDispatcher, regions: List<Region>, answers: Answers) : RegionHost {
-    // How a coroutine ends is told by its completion; there is nobody else to tell.
+    // How a coroutine ends is told by its completion; nothing else has to be told.
     private val scope = CoroutineScope(SupervisorJob() + dispatcher + CoroutineExceptionHandler { _, _ -> })
 
     /** One command at most: a region has answered the last before it gets the next. */
@@ -40,7 +40,7 @@ internal class CoroutineRegions(dispatcher: CoroutineDispatcher, regions: List<R
 
     override val name: String get() = "the dispatcher"
 
-    /** An executor that was told to end at once drops coroutines without a word. */
+    /** An executor that was told to end at once drops coroutines silently. */
     override val hasEnded: Boolean get() = executor?.isTerminated == true
 
     private val executor = (dispatcher as? ExecutorCoroutineDispatcher)?.executor as? ExecutorService

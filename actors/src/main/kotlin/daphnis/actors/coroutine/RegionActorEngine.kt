@@ -34,14 +34,13 @@ import java.util.concurrent.atomic.AtomicInteger
  * runs on the thread that calls [advance], or in the coroutine that calls [advanceSuspending]. The step's logic and the
  * reason why nothing deadlocks are in [StepCoordinator].
  *
- * **Failure.** However a step fails, [advance] says so, with the population as before. An exception in a region has the
- * step decided by the serial engine, since regions work on guessed paths; an error is thrown on. When the dispatcher
- * ends, or gives the regions no thread for 30 s, it throws an
- * [IllegalStateException].
+ * **Failure.** However a step fails, [advance] throws and leaves the population as before. After an exception in a
+ * region the serial engine decides the step, since regions work on guessed paths; an error is passed on. When the
+ * dispatcher ends, or gives the regions no thread for 30 s, it throws an [IllegalStateException].
  *
- * **Interrupts, cancelling, closing.** [advance] finishes its step though its thread is interrupted, and leaves the
+ * **Interrupts, cancelling, closing.** [advance] finishes its step even if its thread is interrupted, and leaves the
  * flag set. [close] returns at once; a step under way ends with a [CancellationException] and the population as before,
- * unless it is being written already. Afterwards [advance] and [loop] throw an [IllegalStateException].
+ * unless the population is being written already. Afterwards [advance] and [loop] throw an [IllegalStateException].
  *
  * @param threads of the engine's own pool; only the number of workers to plan for when [dispatcher] is given
  * @param layout regions; chosen from the number of spheres and threads at the first step when null
@@ -72,7 +71,7 @@ public class RegionActorEngine(
     /** Called by every region before each command; for tests. Set before the first step. */
     internal var probe: ((RegionCommand) -> Unit)? by steps::probe
 
-    /** Nanoseconds after which a step is lost in which nothing begins; for tests. Set before the first step. */
+    /** Nanoseconds after which a step in which nothing begins counts as lost; for tests. Set before the first step. */
     internal var patience: Long by steps::patience
 
     override fun advance(step: CollisionStep) {
@@ -80,15 +79,16 @@ public class RegionActorEngine(
     }
 
     /**
-     * [advance] for a coroutine that may be cancelled. Then it ends soon with a [CancellationException] and the
-     * population as before, unless that is being written already: then the step is finished and this returns. One
-     * caller at a time. The coordinator's share of the work is done on [Dispatchers.Default].
+     * [advance] for a coroutine that may be cancelled. When it is cancelled, this ends soon with a
+     * [CancellationException] and the population as before, unless the population is being written already. In that
+     * case the step is finished and this returns. One caller at a time. The coordinator's share of the work is done on
+     * [Dispatchers.Default].
      */
     public suspend fun advanceSuspending(step: CollisionStep) {
         currentCoroutineContext().ensureActive()
         val caller = currentCoroutineContext()[Job]
-        // Twice: a change of dispatcher asks on return whether the job around it is cancelled, and would throw away a
-        // step that is done.
+        // Twice, since a change of dispatcher checks on return whether the job around it is cancelled, and would
+        // discard a step that is done.
         withContext(NonCancellable) {
             withContext(Dispatchers.Default) {
                 val news = Channel<Unit>(Channel.CONFLATED)

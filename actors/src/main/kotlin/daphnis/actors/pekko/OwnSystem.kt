@@ -9,14 +9,14 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * An actor system with [threads] threads, started when it is first wanted, and anew when the last one has ended. From
+ * An actor system with [threads] threads, started when it is first needed, and again when the last one has ended. From
  * any thread.
  */
 internal class OwnSystem(private val threads: Int) {
     private var system: ActorSystem<Void>? = null
     private var isEnded = false
 
-    /** The system. Starting it blocks for some hundred milliseconds, which no interrupt of the caller breaks off. */
+    /** The system. Starting it blocks for some hundred milliseconds, and no interrupt of the caller ends that wait. */
     @Synchronized
     fun get(): ActorSystem<Void> {
         check(!isEnded) { "the engine is closed" }
@@ -24,7 +24,7 @@ internal class OwnSystem(private val threads: Int) {
         return onFreshThread(::start).also { system = it }
     }
 
-    /** Does [task] on the system's default dispatcher. */
+    /** Runs [task] on the system's default dispatcher. */
     fun execute(task: Runnable) {
         get().dispatchers().lookup(DispatcherSelector.defaultDispatcher()).execute(task)
     }
@@ -39,14 +39,14 @@ internal class OwnSystem(private val threads: Int) {
         try {
             thread.start()
         } catch (e: Throwable) {
-            // No thread, or no memory, to be had: said once must do.
+            // No thread or no memory is available: telling it once must suffice.
             ending.terminate()
         }
     }
 
     /**
-     * An interrupt of this thread or of the system's can lose the message that ends it, so it is said until that has
-     * happened.
+     * An interrupt of this thread or of the system's threads can lose the message that ends the system, so it is sent
+     * until the system has ended.
      */
     private fun terminate(ending: ActorSystem<Void>) {
         repeat(MOST_TRIES) {
@@ -55,9 +55,9 @@ internal class OwnSystem(private val threads: Int) {
                 ending.getWhenTerminated().toCompletableFuture().get(PAUSE_MILLIS, TimeUnit.MILLISECONDS)
                 return
             } catch (e: TimeoutException) {
-                // Again.
+                // Try again.
             } catch (e: InterruptedException) {
-                // Again.
+                // Try again.
             }
         }
     }
@@ -77,8 +77,8 @@ internal class OwnSystem(private val threads: Int) {
                 "pekko.actor.default-dispatcher.executor" to "thread-pool-executor",
                 "pekko.actor.default-dispatcher.thread-pool-executor.fixed-pool-size" to threads,
                 "pekko.actor.default-dispatcher.throughput" to 1,
-                // A system that interrupts have reached while it ended may not shut its executors down; their threads
-                // must not stay for long.
+                // A system that was interrupted while it ended may not shut its executors down; their threads must not
+                // stay for long.
                 "pekko.actor.default-dispatcher.thread-pool-executor.keep-alive-time" to KEEP_ALIVE,
                 "pekko.actor.internal-dispatcher.executor" to "thread-pool-executor",
                 "pekko.actor.internal-dispatcher.thread-pool-executor.fixed-pool-size" to 2,

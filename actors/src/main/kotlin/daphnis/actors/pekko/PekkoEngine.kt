@@ -19,19 +19,19 @@ import java.util.concurrent.CancellationException
  * The region protocol of [StepCoordinator] on Apache Pekko typed actors: each region is an actor; the coordinator's
  * loop runs on the thread that calls [advance].
  *
- * [advance] blocks its caller, so call it from a thread that no actor of the system needs. It finishes its step though
- * its thread is interrupted, and however a step fails, it says so, with the population as before. An exception in a
- * region has the step decided by the serial engine, since regions work on guessed paths; an error is thrown on. When
- * the actor system ends, or gives the regions no thread for 30 s, [advance] throws an [IllegalStateException].
+ * [advance] blocks its caller, so call it from a thread that no actor of the system needs. It finishes its step even if
+ * its thread is interrupted. However a step fails, it throws and leaves the population as before. After an exception in
+ * a region the serial engine decides the step, since regions work on guessed paths; an error is passed on. When the
+ * actor system ends, or gives the regions no thread for 30 s, [advance] throws an [IllegalStateException].
  *
- * [close] returns at once; a step under way ends with a [CancellationException] and the population as before, unless it
- * is being written already. The actors stop and, if it is the engine's own, the actor system. Afterwards [advance] and
- * [loop] throw an [IllegalStateException].
+ * [close] returns at once; a step under way ends with a [CancellationException] and the population as before, unless
+ * the population is being written already. The actors stop, and so does the actor system if it is the engine's own.
+ * Afterwards [advance] and [loop] throw an [IllegalStateException].
  *
  * @param threads of the engine's own actor system; only the number of workers to plan for when [host] is given
  * @param layout regions; chosen from the number of spheres and threads at the first step when null
- * @param host an actor system to live in; the engine's actors are system actors there and run on its default
- *   dispatcher. When null, the engine makes one of its own at the first step
+ * @param host an actor system to run in; the engine's actors are system actors there and run on its default dispatcher.
+ *   When null, the engine starts its own at the first step
  */
 public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null, host: ActorSystem<*>? = null) :
     CollisionEngine {
@@ -54,7 +54,7 @@ public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null
     /** Called by every region before each command; for tests. Set before the first step. */
     internal var probe: ((RegionCommand) -> Unit)? by steps::probe
 
-    /** Nanoseconds after which a step is lost in which nothing begins; for tests. Set before the first step. */
+    /** Nanoseconds after which a step in which nothing begins counts as lost; for tests. Set before the first step. */
     internal var patience: Long by steps::patience
 
     override fun advance(step: CollisionStep) {

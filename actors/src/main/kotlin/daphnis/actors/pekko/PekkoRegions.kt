@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * The regions of an engine as system actors of [system], on its default dispatcher. They need no parent of their own to
- * supervise them: whatever a region throws is its answer.
+ * supervise them, since whatever a region throws becomes its answer.
  */
 internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Region>, answers: Answers) : RegionHost {
     private val actors = ArrayList<ActorRef<RegionBehavior.Message>>(regions.size)
@@ -30,9 +30,8 @@ internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Re
     }
 
     /**
-     * The protocol bounds the mailbox: the command at hand, and the request to stop. One with a capacity of its own
-     * would lock, and when the sender is interrupted while it waits for the lock, Pekko drops the message and says
-     * nothing.
+     * The protocol bounds the mailbox: the present command, and the request to stop. A mailbox with a capacity of its
+     * own would lock, and when the sender is interrupted while it waits for the lock, Pekko drops the message silently.
      */
     private fun spawn(region: Region, answers: Answers, number: Int): ActorRef<RegionBehavior.Message> {
         val name = "daphnis-$number-region-${region.number}"
@@ -43,7 +42,7 @@ internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Re
 
     override val hasEnded: Boolean get() = system.whenTerminated().isCompleted
 
-    /** While an actor is just starting, an interrupt breaks a send off, before anything has been sent. */
+    /** While an actor is starting, an interrupt can abort a send before anything has been sent. */
     override fun send(command: RegionCommand) {
         uninterrupted { actors[command.region].tell(RegionBehavior.Handle(command)) }
     }

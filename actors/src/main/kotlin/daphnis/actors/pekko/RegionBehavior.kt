@@ -8,14 +8,14 @@ import org.apache.pekko.actor.typed.PostStop
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 
 /**
- * An actor that owns a region: it handles a command and answers, also when it fails. Its end, however it comes, is told
- * to the coordinator.
+ * An actor that owns a region: it handles a command and answers, even when it fails. The coordinator is told of its
+ * end, whatever the cause.
  *
- * Pekko guarantees that what was done before a send is seen by the receiver, and what an actor did for one message when
- * it handles the next.
+ * Pekko guarantees that the receiver sees what was done before a send, and that an actor sees, when it handles a
+ * message, what it did for the one before.
  */
 internal object RegionBehavior {
-    /** What a region's actor understands. */
+    /** The messages that a region's actor understands. */
     sealed interface Message
 
     /** Do [command] and answer it. */

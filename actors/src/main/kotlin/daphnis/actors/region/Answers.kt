@@ -5,9 +5,9 @@ import java.util.concurrent.atomic.AtomicIntegerArray
 import java.util.concurrent.atomic.AtomicReferenceArray
 
 /**
- * The coordinator's mailbox: room for one answer of each region, since a region gets its next command only after it has
- * answered the last one. Putting an answer in allocates nothing, waits for nobody and throws nothing, so a region can
- * say even that it ran out of memory.
+ * The coordinator's mailbox: room for one answer from each region, since a region gets its next command only after it
+ * has answered the last one. Putting an answer in allocates nothing, never waits and throws nothing, so a region can
+ * report even that it ran out of memory.
  *
  * Hand-over: reply filled → put in its place (volatile) → taken by the coordinator → read.
  */
@@ -17,35 +17,35 @@ internal class Answers(count: Int) {
     private val gone = AtomicIntegerArray(count)
     private val counted = AtomicInteger()
 
-    /** Wakes who waits for answers. Written before the first command of a step is sent. */
+    /** Wakes the thread or coroutine that waits for answers. Written before the first command of a step is sent. */
     @Volatile
     var waker: Waker = Waker { }
 
-    /** How many have come since the start, with the regions that have gone. */
+    /** How many answers have come since the start, plus the regions that have left. */
     val count: Int get() = counted.get()
 
-    /** From a region: [reply] to its command. */
+    /** Called by a region: [reply] to its command. */
     fun put(reply: RegionReply) {
         replies.set(reply.region, reply)
         tell()
     }
 
-    /** From [region]: its command ended with [failure]. */
+    /** Called by [region]: its command ended with [failure]. */
     fun fail(region: Int, failure: Throwable) {
         failures.set(region, failure)
         tell()
     }
 
-    /** From whoever runs [region]: it takes no more commands. */
+    /** Called by the code that runs [region]: it takes no more commands. */
     fun leave(region: Int) {
         gone.set(region, 1)
         tell()
     }
 
-    /** Whether [region] takes no more commands. An answer may still lie here. */
+    /** Whether [region] takes no more commands. An answer may still be here. */
     fun hasLeft(region: Int): Boolean = gone.get(region) != 0
 
-    /** Whether an answer of [region] lies here. */
+    /** Whether an answer of [region] is here. */
     fun has(region: Int): Boolean = replies.get(region) != null || failures.get(region) != null
 
     /** Takes the answer of [region] to a command of [phase]; null when there is none. */
@@ -59,12 +59,12 @@ internal class Answers(count: Int) {
         try {
             waker.wake()
         } catch (e: Throwable) {
-            // Out of memory, say. Who waits looks again after a slice of time.
+            // Out of memory, for example. The waiting thread looks again after a slice of time.
         }
     }
 }
 
-/** Wakes a coordinator that waits. From any thread; a call when nobody waits is not lost. */
+/** Wakes a coordinator that waits. From any thread; a call is not lost when it does not wait yet. */
 internal fun interface Waker {
     fun wake()
 }

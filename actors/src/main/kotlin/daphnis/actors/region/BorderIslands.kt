@@ -3,11 +3,11 @@ package daphnis.actors.region
 import daphnis.core.engine.islands.IslandCrew
 
 /**
- * Islands that cross borders, and the locks under which they are processed. An island needs the regions that its
- * spheres belong to and those around them, since it may grow into these. Islands that need the same regions form a
- * batch. A batch is granted to the first of its regions when all that it needs are unlocked; all are taken at once or
- * none, so nobody waits while holding a lock and there is no order of locks to get wrong. Batches are tried in the
- * order of their first collisions.
+ * Islands that cross borders, and the locks under which they are processed. An island needs the regions to which its
+ * spheres belong and those around them, since it may grow into these. Islands that need the same regions form a batch.
+ * A batch is granted to the first of its regions when all that it needs are unlocked; either all are locked at once or
+ * none, so no batch waits while it holds a lock, and there is no lock order to violate. Batches are tried in the order
+ * of their first collisions.
  */
 internal class BorderIslands(private val map: RegionMap, private val crew: IslandCrew) {
     private class Batch(val regions: BooleanArray) {
@@ -28,8 +28,8 @@ internal class BorderIslands(private val map: RegionMap, private val crew: Islan
     }
 
     /**
-     * Adds the island of [root]; [also] is a sphere that it needs besides those of its seeds, −1 for none, [before] the
-     * regions it had already.
+     * Adds the island of [root]. [also] is a sphere that it needs besides those of its seeds, −1 for none; [before] are
+     * the regions that it had already.
      */
     fun add(root: Int, also: Int, before: BooleanArray?) {
         val regions = before?.copyOf() ?: BooleanArray(map.count)
@@ -44,7 +44,7 @@ internal class BorderIslands(private val map: RegionMap, private val crew: Islan
         for (other in 0 until map.count) if (map.areNeighbours(region, other)) regions[other] = true
     }
 
-    /** Grants what can be granted now. */
+    /** Grants the batches that can be granted now. */
     fun grant(send: (RegionCommand) -> Unit) {
         waiting.sortBy { it.start }
         val iterator = waiting.iterator()
@@ -59,7 +59,7 @@ internal class BorderIslands(private val map: RegionMap, private val crew: Islan
         }
     }
 
-    /** Unlocks what was granted to the region of [reply] and takes back what it could not process. */
+    /** Unlocks what was granted to the region of [reply], and takes back the islands that it could not process. */
     fun returned(reply: RegionReply) {
         val batch = granted.remove(reply.region) ?: return
         for (k in lockedBy.indices) if (lockedBy[k] == reply.region) lockedBy[k] = NOBODY

@@ -4,8 +4,8 @@ import daphnis.core.engine.islands.ClaimRule
 import daphnis.core.engine.islands.IslandCrew
 
 /**
- * The work of one region, without any framework: whoever owns it calls [handle] with one command after the other, from
- * one thread at a time, each call happening after the one before.
+ * The work of one region, without any framework. Its owner calls [handle] with one command after the other, from one
+ * thread at a time, and each call happens after the one before.
  */
 public class Region(public val number: Int, private val map: RegionMap, private val crew: IslandCrew) {
     private val worker = crew[number]
@@ -13,16 +13,16 @@ public class Region(public val number: Int, private val map: RegionMap, private 
     private val ownSpheres = ClaimRule { map.regionOf(it) == number }
     private val lockedSpheres = ClaimRule { locked[map.regionOf(it)] }
 
-    /** Called before each command; for tests that make a region fail or dawdle. */
+    /** Called before each command; for tests that make a region fail or wait. */
     public var probe: (RegionCommand) -> Unit = {}
 
-    /** Whether [serve] is at work. */
+    /** Whether [serve] is running. */
     @Volatile
     internal var isAtWork: Boolean = false
         private set
 
     /**
-     * Does what [command] says and puts what comes of it into [answers], whatever that is: throws nothing, since who
+     * Executes [command] and puts the result into [answers], whatever it is. Throws nothing, since a framework that
      * runs actors may lose what they throw.
      */
     internal fun serve(command: RegionCommand, answers: Answers) {
@@ -32,12 +32,12 @@ public class Region(public val number: Int, private val map: RegionMap, private 
         } catch (e: Throwable) {
             answers.fail(number, e)
         } finally {
-            // After the answer: who sees neither knows that there will be none.
+            // After the answer, so that when neither this flag nor an answer is seen, none will come.
             isAtWork = false
         }
     }
 
-    /** Does what [command] says and answers it. Throws what goes wrong. */
+    /** Executes [command] and returns the answer. Throws what goes wrong. */
     public fun handle(command: RegionCommand): RegionReply {
         probe(command)
         worker.claimRule = ownSpheres

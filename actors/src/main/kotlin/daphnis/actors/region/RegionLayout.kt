@@ -15,7 +15,7 @@ public sealed class RegionLayout {
         }
     }
 
-    /** Equal boxes: [x] · [y] · [z] of them fill the space that the spheres take up. */
+    /** Equal boxes: [x] · [y] · [z] of them fill the space that the spheres occupy. */
     public data class Blocks(val x: Int, val y: Int, val z: Int) : RegionLayout() {
         override val count: Int get() = x * y * z
 
@@ -37,8 +37,8 @@ public sealed class RegionLayout {
         }
 
         /**
-         * What suits [spheres] and [threads]: some regions a thread, so that one which has less to do is no loss, but
-         * none too small.
+         * A layout that suits [spheres] and [threads]: several regions per thread, so that a region with less work is
+         * no loss, but none too small.
          */
         public fun of(spheres: Int, threads: Int): RegionLayout = Stretches(
             minOf(

@@ -7,8 +7,8 @@ import daphnis.core.search.Grid
 import kotlin.math.abs
 
 /**
- * Which region owns which slot, and which regions are neighbours: those of which a sphere of the one can see a sphere
- * of the other at any moment of the step. Written by the coordinator between steps; read by all.
+ * Which region owns which slot, and which regions are neighbours: two regions are neighbours when a sphere of one can
+ * see a sphere of the other at any moment of the step. Written by the coordinator between steps; read by all.
  */
 public class RegionMap(public val layout: RegionLayout) {
     /** Number of regions. */
@@ -41,7 +41,7 @@ public class RegionMap(public val layout: RegionLayout) {
         }
     }
 
-    /** Divides the spheres of [rows], which stand at their places at the start of the step. */
+    /** Divides the spheres of [rows], which are at their places at the start of the step. */
     public fun prepare(rows: StepRows, grid: Grid, boundary: BoundaryConditions) {
         size = rows.size
         if (regionOf.size < size) regionOf = IntArray(size)

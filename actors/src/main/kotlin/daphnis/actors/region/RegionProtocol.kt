@@ -1,11 +1,11 @@
 package daphnis.actors.region
 
-/** What a region does on command. */
+/** What a region does for a command. */
 public enum class Phase {
     /** Find the potential collisions of the step that its own spheres can have. */
     SEARCH,
 
-    /** Make seeds of those of the window; those that cross a border are left for the coordinator. */
+    /** Make seeds of those in the window; those that cross a border are left to the coordinator. */
     PROPOSE,
 
     /** Process the islands that lie wholly inside. */
@@ -25,11 +25,11 @@ public enum class Phase {
 }
 
 /**
- * From the coordinator to region [region]. A region gets a command only after it has answered the last one, so that a
- * mailbox for one suffices.
+ * From the coordinator to region [region]. A region gets a command only after it has answered the last one, so a
+ * mailbox for one command suffices.
  *
  * @property islands roots of the islands of a [Phase.GRANT], the batch; not changed after sending
- * @property locked by region, whose spheres may be touched in a [Phase.GRANT]; not changed after sending
+ * @property locked by region: whether its spheres may be touched in a [Phase.GRANT]; not changed after sending
  */
 public class RegionCommand(
     public val region: Int,
@@ -44,10 +44,10 @@ public class RegionCommand(
 }
 
 /**
- * From region [region] to the coordinator, one for each command.
+ * From region [region] to the coordinator, one per command.
  *
- * @property border islands that the region could not process since they need a sphere of a region that is not its own
- *   or locked: root and slot of that sphere in turn
+ * @property border islands that the region could not process since they need a sphere of a region that is neither its
+ *   own nor locked for it: alternately root and slot of that sphere
  * @property failure what the region threw, null when all went well
  */
 public class RegionReply(

@@ -9,17 +9,16 @@ import java.util.concurrent.Semaphore
 import java.util.concurrent.locks.LockSupport
 
 /**
- * What the engines on regions have in common: a step from its beginning to its end, and the end of the engine.
+ * The common part of the engines on regions: a step from its beginning to its end, and the end of the engine.
  *
  * **How a step ends.** Regions grow islands on paths that are guesses until they have been checked, so an exception out
- * of a region (a collapse, a step that is refused, a law that throws) may come from something that never happens. It is
- * put before the serial engine, which is the specification: what that makes of the step, from the population that
- * nobody has written, is the outcome. An [Error] is thrown on at once. After either, all regions are replaced by new
- * ones, since the one that failed may have left what they share half done.
+ * of a region (a collapse, a step that is refused, a law that throws) may come from something that never happens. The
+ * step is then left to the serial engine, which is the specification: its result, from the population that no thread
+ * has written, is the outcome. An [Error] is passed on at once. After either, all regions are replaced by new ones,
+ * since the one that failed may have left shared data incomplete.
  *
- * **How the engine ends.** [close] marks and cancels, and waits for nobody, so that it may be called from anywhere,
- * also from a function that a region is calling. Whoever comes last, the step under way or [close], ends the regions
- * and calls [release].
+ * **How the engine ends.** [close] marks and cancels, and never waits, so it may be called from anywhere, even from a
+ * function that a region is calling. The last of the step under way and [close] ends the regions and calls [release].
  *
  * @param threads number of workers to plan for
  * @param inner the loop on the engine's threads
@@ -33,7 +32,7 @@ internal class RegionSteps(
     private val open: (List<Region>, Answers) -> RegionHost,
     private val release: () -> Unit,
 ) : AutoCloseable {
-    /** Held while a step is under way, or the engine is being taken down. */
+    /** Held while a step is under way or the engine is being shut down. */
     private val stepping = Semaphore(1)
     private var exchange: StepExchange? = null
 
@@ -61,7 +60,7 @@ internal class RegionSteps(
         var isInterrupted = false
         try {
             take(step, { LockSupport.unpark(thread) }, { true }) { exchange ->
-                // A wake-up that was used up while a loop waited is not needed: then there is news.
+                // A wake-up that was consumed while a loop waited is not needed, since then there is news.
                 if (!exchange.hasNews) LockSupport.parkNanos(this, StepExchange.SLICE)
                 if (Thread.interrupted()) isInterrupted = true
             }
@@ -74,7 +73,7 @@ internal class RegionSteps(
      * Takes [step].
      *
      * @param waker ends [await]
-     * @param isWanted asked at every turn; false cancels the step
+     * @param isWanted called at every turn; false cancels the step
      * @param await waits until there is news, but no longer than a slice
      */
     inline fun take(step: CollisionStep, waker: Waker, isWanted: () -> Boolean, await: (StepExchange) -> Unit) {
@@ -97,7 +96,7 @@ internal class RegionSteps(
             val exchange = exchange ?: newExchange(step.population.size).also { exchange = it }
             exchange.begin(step, waker)
             current = exchange.coordinator
-            // Who closes before it sees the coordinator has set the mark before this line.
+            // A [close] which does not see the coordinator yet has set the mark before this line.
             if (gate.isClosed) exchange.coordinator.cancel()
             return exchange
         } catch (e: Throwable) {
@@ -143,8 +142,8 @@ internal class RegionSteps(
     }
 
     /**
-     * Once the engine is closed, by whoever leaves last. Throws nothing, since the step that has just been done stays
-     * done.
+     * Called once the engine is closed, by the last of the step and [close]. Throws nothing, since the step that has
+     * just been done stays done.
      */
     private fun takeDown() {
         if (!stepping.tryAcquire()) return
@@ -153,7 +152,7 @@ internal class RegionSteps(
             exchange = null
             release()
         } catch (e: Throwable) {
-            // Out of memory, say. Closing again tries again.
+            // Out of memory, for example. Closing again tries again.
         } finally {
             stepping.release()
         }

@@ -8,9 +8,9 @@ import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
 
 /**
- * The coordinator of a step as a state machine, without any framework: tells what to send and is told what comes back.
- * Physics and proof are those of [IslandField]; regions are its workers, with the difference that a region touches its
- * own spheres only, unless it has been granted others.
+ * The coordinator of a step as a state machine, without any framework: it returns what to send and is given what comes
+ * back. Physics and proof are those of [IslandField]. Regions are its workers, with the difference that a region
+ * touches only its own spheres unless it has been granted others.
  *
  * ```
  *   SEARCH ─▶ for each window: PROPOSE ─▶ join seeds across borders ─▶ WORK ─▶ GRANT … ─▶ CHECK ─▶ COMMIT ─▶ LOOK_AHEAD
@@ -18,18 +18,18 @@ import daphnis.core.step.PreparedStep
  *                                                                             └─ islands that touch, merged
  * ```
  *
- * A new phase begins when all regions have answered the last one, except within GRANT, where batches go out as locks
+ * A new phase begins when all regions have answered the last one. GRANT is an exception: batches are sent as locks
  * become free ([BorderIslands]).
  *
  * **Nothing deadlocks with full mailboxes**: a region gets a command only when it has answered the one before, so its
- * mailbox never holds more than one; it answers each once, so the coordinator's never holds more than one a region.
- * With these capacities no send ever waits. The coordinator waits only for answers to commands that have been sent, and
- * a region answers without waiting for anybody.
+ * mailbox never holds more than one; it answers each once, so the coordinator's mailbox never holds more than one per
+ * region. With these capacities no send ever waits. The coordinator waits only for answers to commands that have been
+ * sent, and a region answers without waiting for anything.
  *
- * Single-threaded: calls come one after the other, each happening after the one before.
+ * Single-threaded: calls come one after the other, and each happens after the one before.
  */
 public class StepCoordinator(public val map: RegionMap, private val loop: RangeLoop = InlineLoop) {
-    /** The step at hand; for the serial engine too, once no region is at work. */
+    /** The present step; for the serial engine too, once no region is at work. */
     internal val prepared: PreparedStep = PreparedStep()
     private val field = IslandField(map.count, prepared)
     private val crew = IslandCrew(field, map.count)
@@ -39,19 +39,19 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     private var phase = Phase.SEARCH
     private var outstanding = 0
 
-    /** How often the step at hand was redone because a sphere outran its bound. */
+    /** How often the present step was redone because a sphere went beyond its bound. */
     private var redone = 0L
 
-    /** The regions, for whoever runs them. */
+    /** The regions, for the code that runs them. */
     public val regions: List<Region> = List(map.count) { Region(it, map, crew) }
 
-    /** Whether the step has come to an end, well or not. */
+    /** Whether the step has ended, successfully or not. */
     public var isFinished: Boolean = true
         private set
 
     /**
-     * What a region threw, or the coordinator's own work: an [Error] if there was any, else the first exception; null
-     * when all went well.
+     * What a region threw, or the coordinator's own work: an [Error] if there was any, otherwise the first exception;
+     * null after success.
      */
     public var failure: Throwable? = null
         private set
@@ -60,7 +60,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     private var cancelled = false
     private var isStored = false
 
-    /** Whether [cancel] keeps the step from succeeding, or did. */
+    /** Whether [cancel] keeps or kept the step from succeeding. */
     public val isCancelled: Boolean get() = cancelled && !isStored
 
     /** Begins [step]; may be called again for the same step after a failure. */
@@ -91,15 +91,15 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
     public fun poll(): RegionCommand? = outbox.removeFirstOrNull()
 
     /**
-     * Makes the step end as soon as the regions have answered what they were asked, with the population as before. From
-     * any thread. Once the population is being written the step has succeeded, and this does nothing.
+     * Makes the step end as soon as the regions have answered their present commands, with the population as before.
+     * From any thread. Once the population is being written the step has succeeded, and this does nothing.
      */
     public fun cancel() {
         cancelled = true
         field.stop()
     }
 
-    /** Makes the regions stop what they are at; for a step that has failed. From any thread. */
+    /** Makes the regions stop their present work; for a step that has failed. From any thread. */
     internal fun stopWork() {
         field.stop()
     }
@@ -125,7 +125,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
         if (outstanding == 0) goOn()
     }
 
-    /** What the coordinator's own work throws ends the step as what a region throws does: when all have answered. */
+    /** An exception from the coordinator's own work ends the step as one from a region does: when all have answered. */
     private inline fun guarded(work: () -> Unit) {
         try {
             work()
@@ -140,14 +140,14 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
         field.stop()
     }
 
-    /** Sends nothing more; the step has ended when all have answered. */
+    /** Sends no more commands; the step has ended when all regions have answered. */
     private fun giveUp() {
         outstanding -= outbox.size
         outbox.clear()
         if (outstanding == 0) isFinished = true
     }
 
-    /** All have answered. */
+    /** Called when all regions have answered. */
     private fun goOn() {
         if (field.isOutrun) {
             field.enlarge()
@@ -195,7 +195,7 @@ public class StepCoordinator(public val map: RegionMap, private val loop: RangeL
         finish(step!!)
     }
 
-    /** The population is written last. Nothing after it can fail, and nothing after it looks at [cancel]. */
+    /** The population is written last. Nothing after that can fail, and nothing after that checks [cancel]. */
     private fun finish(step: CollisionStep) {
         crew.writeTo(step.record)
         if (!cancelled) {

@@ -3,12 +3,12 @@ package daphnis.actors.region
 import daphnis.core.step.CollisionStep
 
 /**
- * The coordinator's loop, a [turn] at a time, on the thread or coroutine that takes the step: commands out to the
- * regions, answers in. Between two turns it waits until an answer has come, but no longer than a slice of time, since
- * **no wait may rest on an answer alone**: whoever should give it may be dead.
+ * The coordinator's loop, one [turn] at a time, on the thread or coroutine that takes the step: it sends commands to
+ * the regions and takes answers. Between two turns it waits until an answer has come, but no longer than a slice of
+ * time, since **no wait may depend on an answer alone**: the region that should give it may be dead.
  *
- * A region answers whatever it throws ([Region.serve]). What no answer can tell is seen from outside: the region's
- * actor has ended, its host has ended, or commands are out, no region is at work and none has begun for [patience].
+ * A region answers whatever it throws ([Region.serve]). What no answer can tell is observed from outside: the region's
+ * actor has ended, or its host has ended, or commands are out, no region is at work and none has begun for [patience].
  * Then the step ends as [lost].
  *
  * @param patience in nanoseconds of waiting; time in which the process itself was stopped does not count
@@ -34,7 +34,7 @@ internal class StepExchange(
     /** Whether something has come since the last turn. */
     val hasNews: Boolean get() = answers.count != seen
 
-    /** Begins [step]; [waker] wakes who waits between two turns. */
+    /** Begins [step]; [waker] wakes the thread or coroutine that waits between two turns. */
     fun begin(step: CollisionStep, waker: Waker) {
         answers.waker = waker
         idle = 0
@@ -43,7 +43,7 @@ internal class StepExchange(
     }
 
     /**
-     * Takes the answers that have come and sends what follows from them.
+     * Takes the answers that have come and sends the commands that follow from them.
      *
      * @return whether the step has come to an end
      */
@@ -62,7 +62,7 @@ internal class StepExchange(
     }
 
     private fun takeAnswers() {
-        // Read before the answers are: what comes in between makes another turn.
+        // Read before the answers are, so that an answer that comes in between causes another turn.
         seen = answers.count
         for (region in out.indices) {
             val command = out[region] ?: continue
@@ -80,7 +80,7 @@ internal class StepExchange(
         }
     }
 
-    /** Nothing has come: looks whether anything still can. */
+    /** Called when nothing has come: checks whether anything still can. */
     private fun watch() {
         val now = System.nanoTime()
         idle += minOf(now - lastLook, SLICE)
@@ -90,7 +90,8 @@ internal class StepExchange(
         val hasEnded = host.hasEnded
         for (region in out.indices) {
             if (out[region] == null) continue
-            // In this order: who has left begins nothing more; who then is not at work has answered, or never will.
+            // In this order: a region that has left begins nothing more; if it is then not at work, it has answered or
+            // never will.
             val hasLeft = hasEnded || answers.hasLeft(region)
             if (coordinator.regions[region].isAtWork) {
                 isAtWork = true
@@ -121,7 +122,7 @@ internal class StepExchange(
         /** Nanoseconds to wait at most between two turns. */
         const val SLICE = 100_000_000L
 
-        /** Nanoseconds after which a step is lost in which nothing begins. */
+        /** Nanoseconds after which a step in which nothing begins counts as lost. */
         const val PATIENCE = 30_000_000_000L
 
         private const val NANOS_A_SECOND = 1e9

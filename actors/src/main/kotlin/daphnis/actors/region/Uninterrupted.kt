@@ -3,7 +3,7 @@ package daphnis.actors.region
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.FutureTask
 
-/** Does [work], again whenever an interrupt broke it off, and leaves the interrupt set. */
+/** Runs [work], and runs it again whenever an interrupt ended it; leaves the interrupt set. */
 internal inline fun uninterrupted(work: () -> Unit) {
     var isInterrupted = Thread.interrupted()
     try {
@@ -20,7 +20,7 @@ internal inline fun uninterrupted(work: () -> Unit) {
     }
 }
 
-/** What [work] gives on a thread of its own, which no interrupt of this one reaches. */
+/** The result of [work] on its own thread, which no interrupt of this thread reaches. */
 internal fun <T : Any> onFreshThread(work: () -> T): T {
     val task = FutureTask(work)
     Thread(task, "daphnis-start").apply { isDaemon = true }.start()

@@ -27,7 +27,7 @@ class StepCoordinatorTest {
         }
 
     @Test
-    fun `any order of deliveries gives the bits of the serial engine, with at most one message in each mailbox and disjoint locks`() {
+    fun `any order of deliveries gives the serial engine's bits, with one message per mailbox and disjoint locks`() {
         var grants = 0
         var together = 0
         for (seed in 1L..60L) {

@@ -92,13 +92,9 @@ public class Averages(
         private val n = samples.size
         private val all = DoubleArray(samples[0].size).also { for (s in samples) for (k in s.indices) it[k] += s[k] }
         private val whole = measure.finish(all, n)
-        private val without = List(
-            if (n > 1) {
-                n
-            } else {
-                0
-            },
-        ) { i -> measure.finish(DoubleArray(all.size) { all[it] - samples[i][it] }, n - 1) }
+        private val without = List(if (n > 1) n else 0) { i ->
+            measure.finish(DoubleArray(all.size) { all[it] - samples[i][it] }, n - 1)
+        }
 
         fun average(k: Int): BlockAverage {
             if (n == 1 || whole[k].isNaN()) return BlockAverage(whole[k], Double.NaN, n)

@@ -154,11 +154,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
     }
 
     private fun barText(length: Double) = UnitNames.amount(
-        if (length == Math.rint(length) && length < 1e6) {
-            length.toLong().toString()
-        } else {
-            length.toString()
-        },
+        if (length == Math.rint(length) && length < 1e6) length.toLong().toString() else length.toString(),
         lengthName,
     )
 
@@ -167,31 +163,22 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         val scale = PIXELS / (window.right - window.left)
         val height = (window.top - window.bottom) * scale
         fun f(v: Double) = String.format(Locale.ROOT, "%.2f", v)
-        val head = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"$PIXELS\" height=\"${f(
-            height,
-        )}\" viewBox=\"0 0 $PIXELS ${f(height)}\">"
+        val size = "width=\"$PIXELS\" height=\"${f(height)}\""
+        val head = "<svg xmlns=\"http://www.w3.org/2000/svg\" $size viewBox=\"0 0 $PIXELS ${f(height)}\">"
         if (discs.size > MOST_CIRCLES) {
-            return "$head<image width=\"$PIXELS\" height=\"${f(
-                height,
-            )}\" href=\"data:image/png;base64,${Base64.getEncoder().encodeToString(png)}\"/></svg>\n"
+            val data = Base64.getEncoder().encodeToString(png)
+            return "$head<image $size href=\"data:image/png;base64,$data\"/></svg>\n"
         }
         val low = discs.minOfOrNull { it.depth } ?: 0.0
         val high = discs.maxOfOrNull { it.depth } ?: 1.0
         val circles = discs.joinToString("\n") { d ->
             val c = shade(if (high > low) (d.depth - low) / (high - low) else 0.5)
             val fill = String.format("#%02x%02x%02x", c.red, c.green, c.blue)
-            "<circle cx=\"${f((d.x - window.left) * scale)}\" cy=\"${f((window.top - d.y) * scale)}\" r=\"${f(
-                maxOf(
-                    d.r * scale,
-                    LEAST_PIXELS,
-                ),
-            )}\" fill=\"$fill\"/>"
+            val centre = "cx=\"${f((d.x - window.left) * scale)}\" cy=\"${f((window.top - d.y) * scale)}\""
+            "<circle $centre r=\"${f(maxOf(d.r * scale, LEAST_PIXELS))}\" fill=\"$fill\"/>"
         }
-        return "$head<rect width=\"100%\" height=\"100%\" fill=\"#10141c\"/>\n$circles\n${svgBar(
-            window,
-            scale,
-            height,
-        )}</svg>\n"
+        val ground = "<rect width=\"100%\" height=\"100%\" fill=\"#10141c\"/>"
+        return "$head$ground\n$circles\n${svgBar(window, scale, height)}</svg>\n"
     }
 
     private fun svgBar(window: Window, scale: Double, height: Double): String {

@@ -7,7 +7,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The plot at the end of a run: granular temperature, and collisions of a particle in a unit of time, over time. Drawn
+ * The plot at the end of a run: granular temperature, and collisions per particle and unit of time, over time. Drawn
  * without the plotting library, whose first picture takes longer than a short run (ADR 25). Needs no display.
  */
 public object RunPlot {

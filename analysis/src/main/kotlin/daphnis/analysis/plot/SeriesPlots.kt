@@ -92,7 +92,7 @@ internal class SeriesPlots(
 
     companion object {
         const val TEMPERATURE = "granular temperature ⟨c²⟩/3"
-        const val RATE = "collisions of a particle"
+        const val RATE = "collisions per particle"
         private const val MOST_POINTS = 2000
         private const val MOST_BINS = 150
     }

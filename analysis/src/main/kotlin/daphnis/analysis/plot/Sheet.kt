@@ -30,7 +30,8 @@ internal interface Sheet {
 /** A sheet that becomes an SVG document. */
 internal class SvgSheet(width: Int, height: Int) : Sheet {
     private val out = StringBuilder(
-        """<svg xmlns="http://www.w3.org/2000/svg" width="$width" height="$height" viewBox="0 0 $width $height" font-family="Helvetica, Arial, sans-serif">""",
+        """<svg xmlns="http://www.w3.org/2000/svg" width="$width" height="$height" viewBox="0 0 $width $height" """ +
+            """font-family="Helvetica, Arial, sans-serif">""",
     ).append("\n<rect width=\"$width\" height=\"$height\" fill=\"#ffffff\"/>\n")
 
     override fun line(x1: Double, y1: Double, x2: Double, y2: Double, colour: String, width: Double) {
@@ -38,17 +39,11 @@ internal class SvgSheet(width: Int, height: Int) : Sheet {
     }
 
     override fun path(x: DoubleArray, y: DoubleArray, colour: String, width: Double) {
-        out.append(
-            "<path fill=\"none\" stroke=\"",
-        ).append(colour).append("\" stroke-width=\"").append(width).append("\" stroke-linejoin=\"round\" d=\"")
+        out.append("<path fill=\"none\" stroke=\"").append(colour)
+        out.append("\" stroke-width=\"").append(width).append("\" stroke-linejoin=\"round\" d=\"")
         for (k in x.indices) {
-            out.append(
-                if (k == 0) {
-                    'M'
-                } else {
-                    'L'
-                },
-            ).append(hundredths(x[k])).append(' ').append(hundredths(y[k]))
+            val command = if (k == 0) 'M' else 'L'
+            out.append(command).append(hundredths(x[k])).append(' ').append(hundredths(y[k]))
         }
         out.append("\"/>\n")
     }
@@ -57,7 +52,8 @@ internal class SvgSheet(width: Int, height: Int) : Sheet {
         val place = "${hundredths(x)} ${hundredths(y)}"
         val turn = if (upright) " rotate(-90)" else ""
         out.append(
-            "<text transform=\"translate($place)$turn\" font-size=\"$size\" text-anchor=\"${anchor.svg}\" fill=\"${Figures.TEXT}\">",
+            "<text transform=\"translate($place)$turn\" font-size=\"$size\" " +
+                "text-anchor=\"${anchor.svg}\" fill=\"${Figures.TEXT}\">",
         )
         for (c in text) {
             when (c) {

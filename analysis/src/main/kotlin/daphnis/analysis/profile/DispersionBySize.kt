@@ -30,12 +30,9 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
     public val classes: Int = edges.size - 1
 
     init {
-        require(
-            classes >= 1 &&
-                (0 until classes).all {
-                    edges[it] < edges[it + 1]
-                },
-        ) { "edges are ${edges.asList()}; they must ascend" }
+        require(classes >= 1 && (0 until classes).all { edges[it] < edges[it + 1] }) {
+            "edges are ${edges.asList()}; they must ascend"
+        }
     }
 
     override fun of(state: State): DoubleArray {
@@ -125,9 +122,7 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
             val ratio = radii.last() / radii.first()
             val edges = if (distinct.size <= most) {
                 DoubleArray(distinct.size + 1) {
-                    sqrt(
-                        distinct[maxOf(0, it - 1)] * distinct[minOf(it, distinct.size - 1)],
-                    )
+                    sqrt(distinct[maxOf(0, it - 1)] * distinct[minOf(it, distinct.size - 1)])
                 }
             } else {
                 DoubleArray(most + 1) {

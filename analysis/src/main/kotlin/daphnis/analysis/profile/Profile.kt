@@ -14,9 +14,9 @@ import kotlin.math.abs
  * | count | particles whose centre is in the bin, in one state |
  * | surface_density | Σ m over the bin's area in the x-y plane; along z: Σ m over its volume |
  * | optical_depth | Σ π r² over that area (geometric); along z: over the area of the patch, so that bins add up to τ |
- * | filling_factor | volume of the spheres, cut at the bin's faces, over that of the bin; along x and y the height of the box is taken |
+ * | filling_factor | volume of the spheres cut at the bin's faces, over the bin's volume (along x, y: full height) |
  * | mean_vx … | mean velocity relative to the flow that the boundary drives |
- * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number: sums of products over the number of particles minus one |
+ * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number: sums of products over the number minus one |
  *
  * Means and ⟨c_a c_b⟩ are over the particles of all states together, so the weight of a state is its number of
  * particles in the bin. Means of a bin without a particle in any state are NaN, and so are ⟨c_a c_b⟩ of fewer than two

@@ -26,10 +26,11 @@ internal class DiffusionSection(private val study: Study) : Section {
     private val displacement by lazy { trajectories?.let { MeanSquareDisplacement(it) } }
 
     override val heading = "Diffusion"
-    override val over = "Mean square displacements over all origins, without images and against the centre of mass. " +
+    override val over = "Mean square displacements over all origins, without images " +
+        "and relative to the centre of mass. " +
         "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on."
     override val leftOut get() = when {
-        coordinates.isEmpty() -> "no axis repeats that nothing flows along"
+        coordinates.isEmpty() -> "no periodic axis is without a mean flow"
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
             "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +
                 "${study.time(study.from)} on; it takes ${MeanSquareDisplacement.FEWEST_TIMES} (output.snapshotEvery)"
@@ -64,13 +65,8 @@ internal class DiffusionSection(private val study: Study) : Section {
         val along = all.map {
             row("self-diffusion D_${coordinates[it].name}", d.diffusion(it, from = mean.from), units.viscosity, 1.0)
         }
-        return (
-            if (all.size == 1) {
-                along
-            } else {
-                listOf(row("self-diffusion D", mean, units.viscosity, 1.0)) + along
-            }
-            ).filterNotNull()
+        val whole = if (all.size == 1) null else row("self-diffusion D", mean, units.viscosity, 1.0)
+        return (listOf(whole) + along).filterNotNull()
     }
 
     private fun row(what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {

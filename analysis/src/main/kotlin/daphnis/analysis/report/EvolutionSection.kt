@@ -23,11 +23,9 @@ internal class EvolutionSection(private val study: Study) : Section {
     private val mark = study.from.takeIf { it > input.times.first() }
 
     override val heading = "Evolution"
-    override val over: String = "The whole run" +
-        (
-            mark?.let { "; the dashed line is where averages begin, time ${study.time(it)}." }
-                ?: "; averages are over all of it."
-            )
+    private val averaged = mark?.let { "the dashed line is where averages begin, time ${study.time(it)}." }
+        ?: "averages are over all of it."
+    override val over: String = "The whole run; $averaged"
     override val leftOut: String? = when {
         series != null || transport != null -> null
         input.directory == null -> "a file of states has no time series"
@@ -58,8 +56,8 @@ internal class EvolutionSection(private val study: Study) : Section {
                 page,
                 plots.ratePlot(rate),
                 "collision-rate",
-                "collisions of a particle over time",
-                "Collisions of a particle.",
+                "collisions per particle over time",
+                "Collisions per particle.",
                 HEIGHT,
             )
         }

@@ -47,12 +47,12 @@ internal object RunHistory {
         return listOf(History("granular temperature", s[SeriesColumns.TIME], s[GRANULAR_TEMPERATURE]), rates)
     }
 
-    /** Collisions of a particle between rows, at the time of the later one. */
+    /** Collisions per particle and time between rows, at the time of the later one. */
     private fun rate(time: DoubleArray, collisions: DoubleArray, particles: DoubleArray): History {
         val rates = DoubleArray(time.size - 1) {
             2 * (collisions[it + 1] - collisions[it]) / particles[it] /
                 (time[it + 1] - time[it])
         }
-        return History("collisions of a particle", time.copyOfRange(1, time.size), rates)
+        return History("collisions per particle", time.copyOfRange(1, time.size), rates)
     }
 }

@@ -33,8 +33,8 @@ internal class SteadinessText(private val from: Double, private val unit: String
         }
         if (steady.isNotEmpty()) lines += "No drift is seen over the time averaged: ${steady.joinToString()}."
         if (short.isNotEmpty()) {
-            lines +=
-                "Whether it is steady cannot be told from fewer than ${Steadiness.FEWEST} rows in the time averaged: ${short.joinToString()}."
+            lines += "Whether it is steady cannot be told from fewer than ${Steadiness.FEWEST} rows " +
+                "in the time averaged: ${short.joinToString()}."
         }
         return lines
     }
@@ -48,10 +48,8 @@ internal class SteadinessText(private val from: Double, private val unit: String
         } else {
             "a longer run is needed"
         }
-        return "Not steady: ${history.name} $what by ${percent(
-            abs(part),
-        )} of its average over the time averaged ($each per $unit), more than its fluctuations " +
-            "explain; ± leaves this out; $advice."
+        return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged " +
+            "($each per $unit), more than its fluctuations explain; ± does not include this; $advice."
     }
 
     private fun percent(part: Double) =

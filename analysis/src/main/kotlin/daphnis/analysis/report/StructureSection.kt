@@ -2,12 +2,12 @@ package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
 
-/** How particles stand to each other: pairs, waves, the surface density and its wakes. */
+/** Correlations of particle positions: pairs, waves, the surface density and its wakes. */
 internal class StructureSection(study: Study) : Section {
     private val parts = listOf(PairPart(study), StructureFactorPart(study), SurfacePart(study))
 
     override val heading = "Structure"
-    override val over = "How particles stand to each other. ${study.overAverages}"
+    override val over = "Correlations of particle positions. ${study.overAverages}"
     override val leftOut =
         if (study.isCompact) study.tooFew() else "the patch is more than twenty times as long as wide"
 

@@ -72,8 +72,8 @@ internal class SurfacePart(private val study: Study) : Part {
         table(pattern)
         if (pattern == null) {
             page.paragraph(
-                "No pitch angle and no spacing of wakes: no single wave of the surface density stands out yet of " +
-                    "those of its length in other directions.",
+                "No pitch angle and no spacing of wakes: no single wave of the surface density is stronger than " +
+                    "waves of the same length in other directions.",
             )
             return
         }

@@ -52,7 +52,7 @@ public class Encounter(
      * the mass: the force along the undisturbed paths,
      *
      * ```
-     *   ∫ (2 f_y + i f_x) exp(−iΩt) dt / Ω,     ring − moon = (Δa + e cos φ, −(3/2) Δa Ωt − 2e sin φ),     φ = phase + Ωt
+     *   ∫ (2 f_y + i f_x) exp(−iΩt) dt / Ω,   ring − moon = (Δa + e cos φ, −(3/2) Δa Ωt − 2e sin φ),   φ = phase + Ωt
      * ```
      *
      * which is [amplitude] for e = 0, to 3 parts in 10⁴. NaN if the epicycle reaches the ring, because the impulse is

@@ -8,7 +8,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The distribution of impact speeds of a run, `impacts.csv`: a row a bin, ascending, in the run's units.
+ * The distribution of impact speeds of a run, `impacts.csv`: one row per bin, ascending, in the run's units.
  *
  * @property from lower edge of each bin, > 0
  * @property to upper edge of each bin

@@ -22,7 +22,7 @@ import kotlin.math.PI
 
 class PairCorrelationTest {
     @Test
-    fun `an elastic gas has the contact value of Carnahan and Starling, and no bin holds pairs from both sides of contact`() {
+    fun `an elastic gas has the contact value of Carnahan and Starling, and no bin spans both sides of contact`() {
         // 1000 spheres of diameter 1 at φ = 0.3, from a lattice.
         val edge = Math.cbrt(1000 * PI / 6 / 0.3)
         val random = SeededRandom(4)

@@ -41,7 +41,7 @@ class SurfaceMapTest {
     }
 
     @Test
-    fun `the autocorrelation of a wave goes on through faces that have slid by no whole number of cells, along either axis`() {
+    fun `the autocorrelation of a wave continues through faces that slid by a part of a cell, along either axis`() {
         for ((boundary, time) in sheared) {
             val offset = boundary.shear!!.offset(time)
             // A wave that its images carry on: k·(L across, offset along) is a whole number of waves.

@@ -62,21 +62,10 @@ class RadialOrderTest {
         val n = p.size
         fun turned(a: DoubleArray) = DoubleArray(n) { a[n - 1 - it] }
         val moved = DoubleArray(n) { p.x[n - 1 - it] + if (it % 7 == 0) 0.005 else 0.0 }
-        val next =
-            Population(
-                moved,
-                turned(
-                    p.y,
-                ),
-                turned(p.z), turned(p.vx), turned(p.vy), turned(p.vz), turned(p.radius), turned(p.mass),
-                IntArray(n) {
-                    p.id[
-                        n -
-                            1 -
-                            it,
-                    ]
-                },
-            )
+        val next = Population(
+            moved, turned(p.y), turned(p.z), turned(p.vx), turned(p.vy), turned(p.vz), turned(p.radius),
+            turned(p.mass), IntArray(n) { p.id[n - 1 - it] },
+        )
         val nextState = State(next, sheet, 0.1)
         order.sort(nextState, RadialKey.X)
         assertTrue(order.wasNearlySorted)

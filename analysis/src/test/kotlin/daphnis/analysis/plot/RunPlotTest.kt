@@ -42,7 +42,7 @@ class RunPlotTest {
         val colours = HashSet<Int>()
         for (x in 0 until 1600 step 4) for (y in 0 until 1280) colours += picture.getRGB(x, y)
         assertTrue(colours.size > 10) { "the picture has ${colours.size} colours" }
-        for (label in listOf("my run", "granular temperature", "collisions of a particle")) {
+        for (label in listOf("my run", "granular temperature", "collisions per particle")) {
             assertTrue(label in svg) {
                 label
             }
@@ -53,9 +53,7 @@ class RunPlotTest {
     fun `axes have units, in Hill's frame orbits and r times Omega`() {
         val ofGas = svg(series(50) { 1.0 }, gas)
         for (label in listOf("time [units of time]", "[units of length²/time²]", "[1/(unit of time)]")) {
-            assertTrue(
-                label in ofGas,
-            ) { label }
+            assertTrue(label in ofGas) { label }
         }
         val ofRing = svg(series(50) { 1.0 }, ring)
         for (label in listOf("time [orbits]", "[(r Ω)²]", "[1/orbit]")) assertTrue(label in ofRing) { label }

@@ -100,7 +100,7 @@ class DispersionBySizeTest {
     }
 
     @Test
-    fun `one size has no classes, bodies are left out, an empty class and a sphere that is half of all are no number`() {
+    fun `one size has no classes, bodies are left out, an empty class and one with half of all have no number`() {
         assertNull(DispersionBySize.of(state(listOf(1.0), listOf(10), listOf(1.0), 1)))
         assertNull(DispersionBySize.of(state(listOf(1.0, 9.0), listOf(10, 1), listOf(1.0, 1.0), 1, bodies = 1)))
         val by = DispersionBySize.of(state(listOf(1.0, 2.0, 3.0), listOf(40, 5, 2), listOf(1.0, 1.0, 1.0), 1))!!

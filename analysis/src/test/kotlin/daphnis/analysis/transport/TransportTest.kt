@@ -18,8 +18,9 @@ class TransportTest {
     lateinit var directory: Path
 
     private val header =
-        "step,time,particles,mass,c_xx,c_yy,c_zz,c_xy,c_xz,c_yz,mean_vx,mean_vy,mean_vz,centre_z,scale_height,guiding_x," +
-            "collisions,sum_impact_speed,dissipated,virial_xx,virial_yy,virial_zz,virial_xy,virial_xz,virial_yz,gravity_xy"
+        "step,time,particles,mass,c_xx,c_yy,c_zz,c_xy,c_xz,c_yz,mean_vx,mean_vy,mean_vz," +
+            "centre_z,scale_height,guiding_x,collisions,sum_impact_speed,dissipated," +
+            "virial_xx,virial_yy,virial_zz,virial_xy,virial_xz,virial_yz,gravity_xy"
 
     private fun file(vararg rows: String): Path = directory.resolve("transport.csv").also {
         Files.write(
@@ -33,7 +34,8 @@ class TransportTest {
         // Ω = 2, γ = −3: 10 spheres of mass 1, 5 collisions a unit of time with impact speed 0.5, virial_xy 6 and
         // dissipation 4.05 a unit of time.
         val rows = (0..9).map { t ->
-            "$t,$t,10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
+            "$t,$t,10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t}," +
+                "${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
         }
         val transport = Transport(TransportTable.read(file(*rows.toTypedArray())).from(2.0), -3.0)
         assertEquals(7.0, transport.duration)
@@ -70,9 +72,8 @@ class TransportTest {
             val f = 1 + 0.1 * wobble
             val gains = doubleArrayOf(50.0, 25.0, 48.0, 80.0, 80.0, 80.0, -60.0)
             for (k in sums.indices) sums[k] += gains[k] * dt * (f + 0.02 * random.nextGaussian())
-            "$row,$t,10,10,${0.5 * f},${0.3 * f},${0.2 * f},${-1.2 * f},0,0,0,0,0,0,${1.5 * f},0,${sums.joinToString(
-                ",",
-            )},0,0,${-20 * f}"
+            "$row,$t,10,10,${0.5 * f},${0.3 * f},${0.2 * f},${-1.2 * f},0,0,0,0,0,0,${1.5 * f},0," +
+                "${sums.joinToString(",")},0,0,${-20 * f}"
         }
         return TransportTable.read(file(*lines.toTypedArray()))
     }
@@ -113,9 +114,8 @@ class TransportTest {
     @Test
     fun `a gas that cools has no error, and neither has one of a few rows`() {
         val rows = (0..99).map { t ->
-            "$t,$t,10,10,${Math.exp(
-                -t / 30.0,
-            )},0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t},${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
+            "$t,$t,10,10,${Math.exp(-t / 30.0)},0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${40.5 * t}," +
+                "${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
         }
         val cooling = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0)
         assertFalse(cooling.temperature.isLevelled || cooling.pressure.isLevelled || cooling.compressibility.isLevelled)

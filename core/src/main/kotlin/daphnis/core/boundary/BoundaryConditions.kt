@@ -8,10 +8,11 @@ import daphnis.core.population.Population
  *
  * Two moments matter. **Within a step** spheres move on straight paths and may stick out of the box; [contactFaces] and
  * [shear] tell the contact search which images a sphere can hit, and walls reflect. **After the step** [endStep] brings
- * every sphere back. A boundary of your own needs [box] and [endStep] alone: contacts are then searched inside only.
- * One that repeats or has walls is a [PerSphereBoundary] and needs [box] and [contactFaces] alone.
+ * every sphere back. A boundary of your own needs only [box] and [endStep]; contacts are then searched only inside the
+ * box. A boundary which repeats or has walls is a [PerSphereBoundary] and needs only [box] and [contactFaces].
  *
- * Whoever wants to know how a boundary behaves asks these members and never its type: a new boundary is one new file.
+ * Code which needs to know how a boundary behaves uses these members and never its type, so a new boundary is one new
+ * file.
  */
 public interface BoundaryConditions {
     /** The box; infinite bounds on open axes. */
@@ -29,11 +30,11 @@ public interface BoundaryConditions {
      */
     public fun repeats(axis: Int): Boolean = hasImages(axis) || contactFaces(axis) == ContactFaces.WRAPPING
 
-    /** How images slide against one another, or null when they stand still. Both of its axes have images. */
+    /** How images slide relative to one another, or null when they are at rest. Both of its axes have images. */
     public val shear: ImageShear? get() = null
 
     /**
-     * The mean flow that the boundary drives, which a granular temperature has to leave out; null when there is none.
+     * The mean flow that the boundary drives, or null when there is none. A granular temperature has to exclude it.
      */
     public val meanFlow: MeanFlow? get() = null
 
@@ -42,15 +43,15 @@ public interface BoundaryConditions {
 
     /**
      * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and
-     * velocities and may remove spheres. Must depend on each sphere's own state and [time] alone, so that the array
-     * order cannot matter. A step that fails may be done again, with the same [time]. A boundary that wraps says so
-     * with [Population.addCrossing], so that files can hold where a sphere has been.
+     * velocities and may remove spheres. The result for each sphere must depend only on its own state and [time], so
+     * that the array order cannot matter. A step that fails may be done again, with the same [time]. A boundary that
+     * wraps reports it with [Population.addCrossing], so that files can hold where a sphere has been.
      */
     public fun endStep(population: Population, time: Double)
 }
 
 /**
- * A boundary that brings spheres back one by one and removes none, so that engines with threads can do parts of a
+ * A boundary that brings spheres back one by one and removes none, so that engines with threads can process parts of a
  * population at the same time.
  */
 public interface PerSphereBoundary : BoundaryConditions {

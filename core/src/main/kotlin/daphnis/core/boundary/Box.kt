@@ -60,7 +60,7 @@ public class Box(
 
     public fun length(axis: Int): Double = upper(axis) - lower(axis)
 
-    /** Whether it ends somewhere along every axis. */
+    /** Whether its bounds are finite along every axis. */
     public val isFinite: Boolean get() = length(0).isFinite() && length(1).isFinite() && length(2).isFinite()
 
     public val volume: Double get() = length(0) * length(1) * length(2)
@@ -77,7 +77,7 @@ public class Box(
             lengthZ / 2,
         )
 
-        /** All of space. */
+        /** The whole of space. */
         public val UNBOUNDED: Box = Double.POSITIVE_INFINITY.let { Box(-it, -it, -it, it, it, it) }
     }
 }

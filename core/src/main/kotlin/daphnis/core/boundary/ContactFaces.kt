@@ -1,6 +1,6 @@
 package daphnis.core.boundary
 
-/** What a sphere that moves through a face can hit within the step, and where it is after the step. */
+/** What a sphere which moves through a face can hit within the step, and where it is after the step. */
 public enum class ContactFaces {
     /** Nothing: there are no images beyond the face, and the sphere stays there. */
     OPEN,

@@ -1,26 +1,27 @@
 package daphnis.core.boundary
 
 /**
- * Periodic images as small integers. A code packs how many boxes away an image is along x, y and z, a signed byte each,
- * so 0 is the sphere itself. For a step that starts at time `t₀` the image of a sphere is displaced by `shift(code) +
- * s·slide(code)`, s the time since the start of the step, and moves with `slide(code)` against its original.
+ * Periodic images as small integers. A code packs how many boxes away an image is along x, y and z, one signed byte
+ * each, so 0 is the sphere itself. In a step that starts at time `t₀`, the image of a sphere is displaced by
+ * `shift(code) + s·slide(code)`, where s is the time since the start of the step. It moves with `slide(code)` relative
+ * to its original.
  *
  * Negating a code negates every one of these numbers exactly, so a pair has the same contact time from either side.
  */
 public class Images {
     private val length = DoubleArray(3)
 
-    /** Axis across which images slide; −1 when they stand still. */
+    /** Axis across which images slide; −1 when they are at rest. */
     public var normalAxis: Int = -1
         private set
 
-    /** Axis along which they slide; −1 when they stand still. */
+    /** Axis along which they slide; −1 when they are at rest. */
     public var slideAxis: Int = -1
         private set
     private var velocity = 0.0
     private var offset = 0.0
 
-    /** Takes over [boundary] as it stands at [time], the start of a step. */
+    /** Takes over the images of [boundary] at [time], the start of a step. */
     public fun prepare(boundary: BoundaryConditions, time: Double) {
         for (axis in 0..2) {
             length[axis] = if (boundary.hasImages(axis)) boundary.box.length(axis) else 0.0
@@ -32,7 +33,7 @@ public class Images {
         offset = shear?.offset(time) ?: 0.0
     }
 
-    /** Length after which images follow one another along [axis]; 0 when there are none. */
+    /** Distance of consecutive images along [axis]; 0 when there are none. */
     public fun period(axis: Int): Double = length[axis]
 
     /** Displacement along [axis] at the start of the step. */
@@ -42,7 +43,7 @@ public class Images {
         return if (axis == slideAxis) own + component(code, normalAxis) * offset else own
     }
 
-    /** Velocity along [axis] against the original. */
+    /** Velocity along [axis] relative to the original. */
     public fun slide(code: Int, axis: Int): Double = if (code != 0 && axis == slideAxis) {
         component(code, normalAxis) * velocity
     } else {
@@ -50,8 +51,8 @@ public class Images {
     }
 
     /**
-     * Replaces the displacement [d] between two spheres, by x, y, z, by that to the nearest image at the start of the
-     * step: nearest along each axis by itself, across sliding faces first.
+     * Replaces the displacement [d] = (x, y, z) between two spheres by that to the nearest image at the start of the
+     * step. Nearest means nearest along each axis separately, with sliding faces first.
      */
     public fun toNearest(d: DoubleArray) {
         if (normalAxis >= 0) {

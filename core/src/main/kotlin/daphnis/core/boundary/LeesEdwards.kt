@@ -3,7 +3,7 @@ package daphnis.core.boundary
 import daphnis.core.population.MeanFlow
 
 /**
- * Lees–Edwards boundaries (Lees & Edwards 1972, J. Phys. C 5, 1921), the consistent form of a sheared periodic box: the
+ * Lees–Edwards boundaries (Lees & Edwards 1972, J. Phys. C 5, 1921), the consistent form of a sheared periodic box. The
  * image above the upper y face slides with `shearRate · L_y` along x, its offset is `shearRate · L_y · t` (mod L_x),
  * and contacts are found through all faces. x and z are periodic.
  */

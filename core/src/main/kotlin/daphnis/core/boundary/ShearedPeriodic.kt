@@ -5,9 +5,9 @@ import daphnis.core.population.Population
 
 /**
  * The sheared periodic box of Lewis & Massingill: at the end of a step a sphere beyond a face is put on the other side,
- * and one that passed a y face has its x velocity changed by [velocityJump]. There is no offset of position and no
- * collision search through the faces, so such a box is not a consistent replica of itself and a wrap can land one
- * sphere on another; the pair then collides if it approaches and separates if it recedes. Use it for the paper's
+ * and the x velocity of a sphere that passed a y face changes by [velocityJump]. There is no offset of position and no
+ * collision search through the faces. Such a box is therefore not a consistent replica of itself, and a wrap can put
+ * one sphere onto another. The pair then collides if it approaches and separates if it recedes. Use it for the paper's
  * figures, [LeesEdwards] for physics.
  */
 public class ShearedPeriodic(override val box: Box, public val velocityJump: Double) : PerSphereBoundary {
@@ -22,7 +22,7 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val vx = population.vx
-        // v_x = γ y with γ L_y = jump: what leaves above enters below, where the flow is slower by the jump.
+        // v_x = γ y with γ L_y = jump: a sphere that leaves above enters below, where the flow is slower by the jump.
         wrap(population, 1, box, from, to) { k, boxes -> vx[k] -= boxes * velocityJump }
         wrap(population, 0, box, from, to)
         wrap(population, 2, box, from, to)

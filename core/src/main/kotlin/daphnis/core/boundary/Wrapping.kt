@@ -6,7 +6,7 @@ import kotlin.math.floor
 internal const val AXES = 3
 internal const val AXIS_NAMES = "xyz"
 
-/** A box that repeats or has walls must end somewhere along the axes that [which] accepts. */
+/** Requires finite bounds along the axes that [which] accepts: a box cannot repeat or have walls without them. */
 internal inline fun requireFinite(box: Box, which: (Int) -> Boolean) {
     for (axis in 0 until AXES) {
         require(!which(axis) || box.length(axis).isFinite()) {
@@ -17,7 +17,7 @@ internal inline fun requireFinite(box: Box, which: (Int) -> Boolean) {
 
 /**
  * Puts the spheres [from] until [to] back into [box] along [axis], and counts the boxes they crossed. Calls [crossed]
- * with the index of each that was outside, and with how many boxes it is put back by.
+ * with the index of each that was outside, and with the number of boxes by which it is put back.
  */
 internal inline fun wrap(
     population: Population,
@@ -42,7 +42,7 @@ internal inline fun wrap(
 }
 
 /**
- * −tiny + length rounds to the upper face itself, which is outside; the nearest double inside is the same point to half
+ * −tiny + length rounds to the upper face itself, which is outside. The nearest double inside is the same point to half
  * an ulp.
  */
 internal fun inside(v: Double, lower: Double, upper: Double): Double = if (v < lower) {

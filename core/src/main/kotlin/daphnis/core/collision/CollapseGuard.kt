@@ -1,11 +1,11 @@
 package daphnis.core.collision
 
 /**
- * Ends inelastic collapse, the infinitely many collisions in finite time that a constant ε < 1 can lead to, by making
- * some collisions elastic. Each collision it makes elastic is counted.
+ * Ends inelastic collapse by making some collisions elastic. Collapse means infinitely many collisions in finite time,
+ * which a constant ε < 1 can lead to. Each collision which the guard makes elastic is counted.
  */
 public interface CollapseGuard {
-    /** Whether [makesElastic] looks at the times since the last collisions; then the engine keeps them. */
+    /** Whether [makesElastic] uses the times since the last collisions, so that the engine has to keep them. */
     public val needsLastCollision: Boolean
 
     /**

@@ -1,8 +1,8 @@
 package daphnis.core.collision
 
 /**
- * What an engine counted since the start of the run. The first three belong to the trajectory and are the same for
- * every engine; the others tell how the engine got there.
+ * What an engine has counted since the start of the run. The first three numbers belong to the trajectory and are the
+ * same for every engine. The rest tell how the engine worked.
  */
 public class CollisionCounters {
     /** Collisions between two spheres. */
@@ -14,14 +14,14 @@ public class CollisionCounters {
     /** Collisions that the collapse guard made elastic. */
     public var guardActivations: Long = 0
 
-    /** Steps restored and redone because a sphere outran the bound on its reach. */
+    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
     public var redoneSteps: Long = 0
 
     /**
-     * Steps decided by the serial engine, because a parallel one could not finish its own attempt: it noticed a
-     * violation of the order of time, or what it guessed led to a collapse, to a step that would be refused, to too
-     * much work or memory, or to something the laws of the collision threw. A step that the serial engine does not
-     * finish either throws and is not counted.
+     * Steps decided by the serial engine, because a parallel one could not finish its own attempt. Either it noticed a
+     * violation of the time order, or its guess led to a collapse, to a step that would be refused, to too much work or
+     * memory, or to an exception from the laws of the collision. A step that the serial engine cannot finish either
+     * throws, and is not counted.
      */
     public var causalityReplays: Long = 0
 

@@ -8,18 +8,18 @@ import kotlin.math.sqrt
 
 /**
  * What a collision does: brings both spheres to the moment of contact and exchanges momentum along the line of centres,
- * with coefficient ε of [restitution] unless [guard] makes the collision elastic. Spheres are smooth: tangential
- * velocities stand.
+ * with coefficient ε of [restitution] unless [guard] makes the collision elastic. Spheres are smooth, so tangential
+ * velocities do not change.
  *
- * Immutable, and the outcome is a pure function of the two states, so any number of workers share one law.
+ * A law is immutable, and the outcome is a pure function of the two states, so any number of workers can share one law.
  */
 public class CollisionLaw(public val restitution: Restitution, public val guard: CollapseGuard = NoGuard) {
     /**
-     * Processes the collision of slots [first] and [second] at [time] (from the start of the step) and says in
-     * [outcome] what it was like.
+     * Processes the collision of slots [first] and [second] at [time] (from the start of the step) and describes it in
+     * [outcome].
      *
-     * @return false when round-off at a grazing contact left them receding, so that nothing but their local times
-     *   changed and [outcome] is as it was
+     * @return false when the spheres recede because of round-off at a grazing contact; then only their local times have
+     *   changed, and [outcome] is as it was
      */
     public fun collide(
         rows: StepRows,
@@ -57,7 +57,7 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
         return true
     }
 
-    /** Finds the coefficient of restitution from the impact speed, and by the guard. */
+    /** Finds the coefficient of restitution from the impact speed and the guard. */
     private fun judge(rows: StepRows, first: Int, second: Int, time: Double, outcome: CollisionOutcome) {
         val speed = outcome.impactSpeed
         if (guard.needsLastCollision) {
@@ -85,8 +85,8 @@ public class CollisionLaw(public val restitution: Restitution, public val guard:
         val m2 = rows.mass[second]
         val f1 = factor * (m2 / (m1 + m2))
         val f2 = factor * (m1 / (m1 + m2))
-        // Adding 0.0 makes −0.0 to +0.0. Else the sign of a component that no impulse changes would tell which of the
-        // two was named first.
+        // Adding 0.0 turns −0.0 into +0.0. Otherwise the sign of a component that no impulse changes would depend on
+        // which of the two was named first.
         state[p] = (state[p] + f1 * dx) + 0.0
         state[p + 1] = (state[p + 1] + f1 * dy) + 0.0
         state[p + 2] = (state[p + 2] + f1 * dz) + 0.0

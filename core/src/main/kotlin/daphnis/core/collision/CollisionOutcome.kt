@@ -3,8 +3,8 @@ package daphnis.core.collision
 import daphnis.core.api.EngineApi
 
 /**
- * What the last collision of two spheres was like: filled by [CollisionLaw.collide], which itself keeps nothing. One
- * object per worker, used again and again.
+ * Describes the last collision of two spheres. Filled by [CollisionLaw.collide], which itself keeps nothing. One object
+ * per worker, reused for every collision.
  */
 @EngineApi
 public class CollisionOutcome {
@@ -16,7 +16,7 @@ public class CollisionOutcome {
     public var coefficient: Double = 1.0
         internal set
 
-    /** Momentum that the second sphere was given along the normal, ≥ 0; the first was given the opposite. */
+    /** Momentum that the second sphere received along the normal, ≥ 0. The first received the opposite. */
     public var impulse: Double = 0.0
         internal set
 

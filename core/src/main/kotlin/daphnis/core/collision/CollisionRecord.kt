@@ -2,9 +2,9 @@ package daphnis.core.collision
 
 /**
  * The collisions of one step in the order (time, rank, lower id, higher id), as a structure of arrays of [size]
- * entries. Filled by the engine when it is asked for; valid until the next step. Of collisions at one time each stands
- * behind those that led to it: its [rank] is one more than that of any which one of its spheres had before at that
- * time. The order belongs to the trajectory, so it is the same from every engine.
+ * entries. Filled by the engine when it is asked for; valid until the next step. Among collisions at one time, each
+ * comes after those that led to it: its [rank] is one more than that of any collision which one of its spheres had
+ * before at that time. The order belongs to the trajectory, so it is the same for every engine.
  *
  * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher
  * id.
@@ -30,7 +30,7 @@ public class CollisionRecord {
     public var higher: IntArray = IntArray(INITIAL)
         private set
 
-    /** Impact speed, coefficient, impulse, separation x y z: six numbers a collision. */
+    /** Impact speed, coefficient, impulse, separation x y z: six numbers per collision. */
     public var data: DoubleArray = DoubleArray(INITIAL * WIDTH)
         private set
 
@@ -48,7 +48,7 @@ public class CollisionRecord {
         size = 0
     }
 
-    /** Appends a collision between the spheres with ids [first] and [second] that went as [outcome] says. */
+    /** Appends a collision between the spheres with ids [first] and [second], as described by [outcome]. */
     public fun add(time: Double, first: Int, second: Int, outcome: CollisionOutcome) {
         if (size == this.time.size) grow()
         val k = size++
@@ -80,8 +80,8 @@ public class CollisionRecord {
     }
 
     /**
-     * Puts the entries in order. Engines call it at the end of the step, since in the order in which they process
-     * collisions, simultaneous ones may stand otherwise.
+     * Puts the entries in order. Engines call it at the end of the step, since they may process simultaneous collisions
+     * in a different order.
      */
     public fun sort() {
         var k = 1

@@ -11,15 +11,15 @@ import kotlin.math.sqrt
 public const val NEVER: Double = Double.POSITIVE_INFINITY
 
 /**
- * When do the surfaces of two spheres, approaching, touch? Times count from the start of the step.
+ * The time at which the surfaces of two approaching spheres touch, from the start of the step.
  *
  * With relative position **d**, relative velocity **u** and s = r₁ + r₂, the surfaces touch at the smaller root of
  * a t² + 2 b t + c = 0, a = u², b = **d**·**u**, c = d² − s², taken in the form c / (−b + √(b² − ac)), which does
  * not cancel.
- * - b ≥ 0: they recede, [NEVER], also when they overlap: they part by themselves.
- * - c ≤ 0 and b < 0: they touch or overlap by round-off and approach: at once
+ * - b ≥ 0: they recede. [NEVER], even when they overlap, since they separate by themselves.
+ * - c ≤ 0 and b < 0: they touch or overlap by round-off, and approach. They collide at once
  *   (Bannerman, Strobl, Formella & Pöschel 2014, Comput. Part. Mech. 1, 191; arXiv 1211.6718).
- * - b² < ac: they miss each other, [NEVER].
+ * - b² < ac: they miss each other. [NEVER].
  *
  * A pure function of the two states, and the same to the last bit from either side of the pair: exchanging the spheres
  * negates **d** and **u** exactly. Every search in daphnis computes exactly this expression.
@@ -29,7 +29,8 @@ public fun contactTime(rows: StepRows, first: Int, second: Int, image: Int, imag
 
 /** The same for rows that begin at entry [p] of [a] and entry [q] of [b]. */
 public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: Int, images: Images): Double {
-    // Both at the later of the two local times: the earlier one is carried there along its path, without being changed.
+    // Both at the later of the two local times. The sphere with the earlier one is moved there along its path, without
+    // being changed.
     val t = maxOf(a[p + TIME], b[q + TIME])
     val dtP = t - a[p + TIME]
     val dtQ = t - b[q + TIME]
@@ -46,7 +47,7 @@ public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: In
 
 /**
  * Calls [use] with the vector from the centre of [first] to the centre of [second], both at their places at [time], and
- * returns what it does.
+ * returns its result.
  */
 internal inline fun <R> separation(
     rows: StepRows,
@@ -88,11 +89,11 @@ public fun timeToContact(
 /**
  * The kernel of every search: calls [found] with a = u², b = **d**·**u** and c = d² − s² of [contactTime] for a pair
  * that approaches and is near enough to touch in time. Nine of ten candidates end here, without a square root and with
- * one well-predicted branch.
+ * one well predicted branch.
  *
- * For c > 0 the contact comes c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time τ
- * has c ≤ −2bτ. In the same floating-point numbers this holds with τ larger by a few units of rounding; see
- * [closingWithin]. A pair with anything unknown, NaN, is never dismissed: b and c are NaN then.
+ * For c > 0 the contact comes c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time
+ * τ has c ≤ −2bτ. In floating-point numbers this holds when τ is larger by a few units of rounding; see
+ * [closingWithin]. A pair with an unknown number, NaN, is never dismissed, since b and c are NaN then.
  *
  * @param closing −2τ, from [closingWithin]; −∞ for no limit of time
  */

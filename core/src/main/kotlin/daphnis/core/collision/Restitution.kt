@@ -41,7 +41,7 @@ public class BridgesRestitution @JvmOverloads constructor(
         require(cmPerSecond > 0 && cmPerSecond.isFinite()) { "one unit of speed is $cmPerSecond cm/s; it must be > 0" }
     }
 
-    /** At and below this speed ε = 1; saves the power and keeps ε(0) = 1. */
+    /** At and below this speed ε = 1; this saves the power and keeps ε(0) = 1. */
     private val elasticBelow = if (exponent == 0.0) 0.0 else StrictMath.pow(1 / prefactor, 1 / exponent)
 
     override fun coefficient(impactSpeed: Double): Double {

@@ -7,16 +7,16 @@ import daphnis.core.population.Columns
 import daphnis.core.population.Population
 
 /**
- * The population during one step: a packed copy in cell order, eight doubles a sphere, so that the sphere a collision
- * touches is one or two cache lines and a cell is a run of memory. **Slot** s is the place of a sphere in this order
- * and does not change within the step; entry `s·8 + k` of [state] is
+ * The population during one step: a packed copy in cell order with eight doubles per sphere. A sphere in a collision is
+ * one or two cache lines, and a cell is one contiguous stretch of memory. **Slot** s is the place of a sphere in this
+ * order and does not change within the step. Entry `s·8 + k` of [state] is
  *
  * | k | 0 1 2 | 3 4 5 | 6 | 7 |
  * |---|---|---|---|---|
  * | | x y z | vx vy vz | local time, from the start of the step | radius |
  *
  * A sphere's position and velocity are those at its **local time**; both change only at its own collisions. The arrays
- * of the population are not written, so they are the copy from which a step is redone; [store] writes to a second set.
+ * of the population are not written, so a step can be redone from them. [store] writes to a second set.
  */
 @EngineApi
 public class StepRows {
@@ -43,7 +43,7 @@ public class StepRows {
     public var lastCollision: DoubleArray = DoubleArray(0)
         private set
 
-    /** Two numbers a slot, side by side since a collision changes both: [rank] and [streak]. */
+    /** Two numbers per slot, [rank] and [streak], which lie side by side since a collision changes both. */
     internal var marks: IntArray = IntArray(0)
         private set
 
@@ -53,25 +53,25 @@ public class StepRows {
 
     private var tracksLastCollision = false
 
-    /** Collisions of one sphere no farther apart in time than this follow one another at once; see [streak]. */
+    /** Consecutive collisions of one sphere which are no farther apart in time than this belong to one [streak]. */
     private var resolution = 0.0
 
     /**
-     * Place of the sphere's last collision among those at its local time that led to one another: 1 for one that no
-     * other at that time led to, one more than the higher of its two spheres' otherwise; 0 when the sphere has not
-     * collided at its local time.
+     * Place of the sphere's last collision among those at its local time that led to one another. It is 1 when no other
+     * collision at that time led to this one; otherwise it is one more than the higher rank of its two spheres. It is 0
+     * when the sphere has not collided at its local time.
      */
     public fun rank(slot: Int): Int = marks[slot * MARKS]
 
     /**
-     * How many collisions, with spheres and walls, the sphere in [slot] has had in a row without time going on: each at
-     * most 1e-13 of the step after the one before. It follows from the sphere's own path, so it is the same for every
-     * engine.
+     * How many collisions, with spheres and walls, the sphere in [slot] has had in a row while time stood still: each
+     * at most 1e-13 of the step after the one before. It follows from the sphere's own path, so it is the same for
+     * every engine.
      */
     public fun streak(slot: Int): Int = marks[slot * MARKS + 1]
 
     /**
-     * Takes [population] over in the given [order] (index by slot) for a step of [duration], every local time 0.
+     * Takes over [population] in the given [order] (index by slot) for a step of [duration]; every local time is 0.
      * Allocates only when the population grew.
      */
     public fun load(
@@ -126,8 +126,8 @@ public class StepRows {
     }
 
     /**
-     * Brings every sphere to the end of a step of [duration] and writes all to new arrays of [population]: index k is
-     * slot k from now on. When this throws, the population is as it was. Allocates at the first store, and when the
+     * Moves every sphere to the end of a step of [duration] and writes all to new arrays of [population], where index k
+     * is slot k from now on. When this throws, the population is as it was. Allocates at the first store, and when the
      * population has lost spheres.
      */
     public fun store(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
@@ -168,13 +168,14 @@ public class StepRows {
         }
     }
 
-    /** Forgets all rows, for a set that is filled by [take]. */
+    /** Removes all rows, for a set that is filled by [take]. */
     public fun clear() {
         size = 0
     }
 
     /**
-     * Appends a copy of row [slot] of [rows] with everything that belongs to it; its place here. Allocates when full.
+     * Appends a copy of row [slot] of [rows] with everything that belongs to it, and returns its place here. Allocates
+     * when full.
      */
     public fun take(rows: StepRows, slot: Int): Int {
         val k = size++
@@ -197,7 +198,7 @@ public class StepRows {
         if (tracksLastCollision) lastCollision[slot] = rows.lastCollision[k]
     }
 
-    /** Brings [slot] along its path to [time], from the start of the step, where it has a collision. */
+    /** Moves [slot] along its path to its collision at [time], from the start of the step. */
     internal fun advance(slot: Int, time: Double) {
         val p = slot * STRIDE
         val elapsed = time - state[p + TIME]
@@ -216,7 +217,8 @@ public class StepRows {
         origin = origin.copyOf(n)
         marks = marks.copyOf(n * MARKS)
         lastCollision = lastCollision.copyOf(n)
-        // Last, as its length says how much there is room for: memory may have come to its end before.
+        // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
+        // failed.
         state = state.copyOf(n * STRIDE)
     }
 
@@ -227,20 +229,21 @@ public class StepRows {
         origin = IntArray(n)
         marks = IntArray(n * MARKS)
         lastCollision = DoubleArray(n)
-        // Last, as its length says how much there is room for: memory may have come to its end before.
+        // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
+        // failed.
         state = DoubleArray(n * STRIDE)
     }
 
     public companion object {
         private const val INITIAL = 64
 
-        /** Numbers a sphere in [marks]. */
+        /** Numbers per sphere in [marks]. */
         internal const val MARKS: Int = 2
 
-        /** Of a step; some hundred times the rounding of times at its end. */
+        /** As a fraction of a step: some hundred times the rounding of times at its end. */
         private const val RESOLUTION = 1e-13
 
-        /** Doubles a sphere in [state]. */
+        /** Doubles per sphere in [state]. */
         public const val STRIDE: Int = 8
 
         /** Offset of the velocity in a row. */

@@ -36,8 +36,8 @@ public class WallContact {
     }
 
     /**
-     * When sphere [slot] reaches the wall [face], from the start of the step, or [NEVER]. One that stands in the wall
-     * and moves outward touches at once.
+     * The time at which sphere [slot] reaches the wall [face], from the start of the step, or [NEVER]. A sphere that
+     * overlaps the wall and moves outward touches at once.
      */
     public fun time(rows: StepRows, slot: Int, face: Int): Double {
         val axis = face shr 1
@@ -56,7 +56,7 @@ public class WallContact {
     public fun reflect(rows: StepRows, slot: Int, face: Int, time: Double) {
         rows.advance(slot, time)
         val v = slot * STRIDE + VX + (face shr 1)
-        // +0.0 from a wall that takes all, whichever way the sphere came.
+        // +0.0 from a wall that absorbs all of the speed, whichever way the sphere came.
         rows.state[v] = rows.state[v] * -restitution + 0.0
     }
 

@@ -14,7 +14,7 @@ import daphnis.core.step.CollisionStep
 /**
  * The collisional forcing: moves the population through a step with every collision in time order.
  *
- * @param search how neighbours are found; changes nothing but the time it takes
+ * @param search how neighbours are found; affects only the time it takes
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
  */
 public class CollisionForcing @JvmOverloads constructor(
@@ -30,11 +30,11 @@ public class CollisionForcing @JvmOverloads constructor(
     /** What has been counted since the start of the run. */
     public val counters: CollisionCounters = CollisionCounters()
 
-    /** The collisions of the last step, in order, none after one that failed; null when they are not kept. */
+    /** The collisions of the last step, in order; empty after a step that failed; null when they are not kept. */
     public val record: CollisionRecord? = if (recordCollisions) CollisionRecord() else null
 
     /**
-     * Moves [population] from [start] over [duration]; boundaries at the end are the caller's. See
+     * Moves [population] from [start] over [duration]; applying boundaries at the end is the caller's task. See
      * [CollisionEngine.advance].
      */
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {

@@ -6,7 +6,7 @@ public interface EngineFactory {
     public val names: List<String>
 
     /**
-     * @param threads 0 for as many as the machine has
+     * @param threads 0 for as many threads as the machine has
      * @return null when the name is not known here
      */
     public fun create(name: String, threads: Int): CollisionEngine?

@@ -13,25 +13,25 @@ import daphnis.core.step.StepLimits
 /**
  * The specification: section 2 of Lewis & Massingill on one thread.
  *
- * 1. Bound how far anybody can go in the step, build a grid for that bound, copy the spheres in cell order.
+ * 1. Bound how far any sphere can go in the step, build a grid for that bound, and copy the spheres in cell order.
  * 2. Queue every potential collision of the step.
- * 3. Take the earliest. Bring its two spheres, and nobody else, to the moment of contact and change their velocities.
- *    Drop what the two had queued; find and queue what they can now hit. Repeat until the queue is empty.
- * 4. Bring every sphere to the end of the step.
+ * 3. Take the earliest. Move its two spheres, and no other sphere, to the moment of contact and change their
+ *    velocities. Drop what the two had queued; find and queue what they can now hit. Repeat until the queue is empty.
+ * 4. Move every sphere to the end of the step.
  *
- * **No contact is missed.** The grid finds every pair that can touch as long as nobody goes farther from where it
+ * **No contact is missed.** The grid finds every pair that can touch as long as no sphere goes farther from where it
  * started than the bound. Paths between collisions are straight, so it is enough to look, after each collision, at
- * where the sphere would be at the end of the step. When that is beyond the bound, the step is abandoned, the bound
- * enlarged and the step redone from the population, which has not been written yet.
+ * where the sphere would be at the end of the step. When that is beyond the bound, the step is abandoned, the bound is
+ * enlarged, and the step is redone from the population, which has not been written yet.
  *
- * **When a step fails** is part of the specification too: a collapse, too many collisions ([StepLimits]) and images too
- * far away ([Reach]) are noticed at the first collision, in order of time, at which they hold, by what belongs to the
- * trajectory alone. Engines that guess put what fails them before this one.
+ * **When a step fails** is part of the specification too. A collapse, too many collisions ([StepLimits]) and images too
+ * far away ([Reach]) are noticed at the first collision, in time order, at which they hold, and from the trajectory
+ * alone. Engines that guess pass a step in which their guess failed to this engine.
  *
  * **Time order.** Events leave the queue in order, and a collision at t queues events at t or later, so every sphere
- * sees its collisions in order of time. An event whose spheres have changed since it was queued was dropped with them.
+ * has its collisions in time order. An event is dropped as soon as one of its spheres changes.
  *
- * @param prepared what the step is prepared in; an engine for which this one is the fallback shares its own
+ * @param prepared the structures in which the step is prepared; an engine which falls back to this one shares its own
  */
 public class SerialEngine(
     private val queue: EventQueue = BucketEventQueue(),
@@ -50,12 +50,12 @@ public class SerialEngine(
         while (!attempt(step)) redone++
         step.record?.sort()
         prepared.store()
-        // Counted within the step, and added only now that it has succeeded.
+        // Counted within the step, and added only now that the step has succeeded.
         step.counters.add(impact.counted)
         step.counters.redoneSteps += redone
     }
 
-    /** @return false when somebody outran the bound, which is now larger */
+    /** @return false when a sphere went beyond the bound, which is now larger */
     private fun attempt(step: CollisionStep): Boolean {
         prepared.prepare()
         val rows = prepared.rows

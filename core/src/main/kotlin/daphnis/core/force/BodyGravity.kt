@@ -10,12 +10,12 @@ import daphnis.core.population.SphereSum
 import kotlin.math.sqrt
 
 /**
- * Gravity between a few heavy spheres and everybody, pair by pair: moonlets embedded in a ring. The others do not
- * attract one another. Along periodic axes the nearest image counts; images that slide are where they are at the time.
- * A light sphere pulls a body as much as the body pulls it, so Σ m v is conserved to round-off. What a body feels is
- * summed exactly, so it does not depend on the order of the arrays.
+ * Gravity between a few heavy spheres and every sphere, pair by pair: moonlets embedded in a ring. Light spheres do not
+ * attract one another. Along periodic axes the nearest image counts; images that slide are taken where they are at the
+ * time. A light sphere pulls a body as much as the body pulls it, so Σ m v is conserved to round-off. The force on a
+ * body is summed exactly, so it does not depend on the order of the arrays.
  *
- * @param bodies ids of the heavy spheres; who was removed is passed over
+ * @param bodies ids of the heavy spheres; those that were removed are skipped
  * @param constant G, in length³/(mass · time²)
  * @param softening ε in 1/(r² + ε²), length
  */
@@ -30,7 +30,7 @@ public class BodyGravity(
     private val sum = SphereSum()
     private val reaction = ExactSum()
 
-    // Pull of the sphere at each index on the body at hand, by component.
+    // Pull of the sphere at each index on the present body, by component.
     private var pull = Array(3) { DoubleArray(0) }
 
     init {
@@ -53,7 +53,10 @@ public class BodyGravity(
         }
     }
 
-    /** Kicks all but the body and the bodies before it, with which it has exchanged kicks; notes what they give it. */
+    /**
+     * Kicks all spheres but the body and the bodies before it, with which it has exchanged kicks; notes the kicks that
+     * they give it.
+     */
     private fun kickOthers(p: Population, body: Int, n: Int, duration: Double, from: Int, to: Int) {
         val d = DoubleArray(3)
         for (k in from until to) {
@@ -94,7 +97,7 @@ public class BodyGravity(
         return reaction.value()
     }
 
-    /** −G Σ m_b m/√(d² + ε²) over pairs with a body b, each once, d the distance of the nearest images. */
+    /** −G Σ m_b m/√(d² + ε²) over pairs with a body b, each once, where d is the distance of the nearest images. */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         images.prepare(this.boundary, time)
         val p = population

@@ -3,10 +3,10 @@ package daphnis.core.force
 import kotlin.math.sqrt
 
 /**
- * The potential of the force that fades as [GravityCut] weighs it: 0 where gravity ends, and its slope along the
- * periodic axes is the weighed force there. With q = ρ² + ε² and w a cubic in q, the work ½ ∫ w q^(−3/2) dq is
- * elementary. The height z between two particles is left out where it fades, which is wrong by about (z/ρ)² of what is
- * small there already.
+ * The potential of the force that fades with the weights of [GravityCut]. It is 0 where gravity ends, and its slope
+ * along the periodic axes is the weighted force there. With q = ρ² + ε² and w a cubic in q, the work ½ ∫ w q^(−3/2) dq
+ * is elementary. Where gravity fades, the height z between two particles is neglected. The relative error of this is
+ * about (z/ρ)², where gravity is small already.
  *
  * @param range2 square of the distance at which gravity ends; infinite where nothing is cut
  * @param inner2 square of that at which it begins to fade
@@ -22,11 +22,11 @@ internal class FadingPotential(range2: Double, inner2: Double, private val softe
     private val atEnd = primitive(end)
 
     /**
-     * How much less deep than 1/√(r² + ε²) the potential is where nothing fades, in 1/length; 0 without a cut.
+     * By how much the potential is shallower than 1/√(r² + ε²) where nothing fades, in 1/length; 0 without a cut.
      */
     val lift: Double = if (range2.isInfinite()) 0.0 else 1 / sqrt(inner2 + softening2) - depth(inner2)
 
-    /** Minus the potential of a unit of mass at ρ² = [rho2] where it fades, over G. */
+    /** Minus the potential of a unit of mass at ρ² = [rho2] where it fades, divided by G. */
     fun depth(rho2: Double): Double = atEnd - primitive(rho2 + softening2)
 
     /** ½ ∫ w q^(−3/2) dq. */

@@ -6,12 +6,13 @@ import daphnis.core.population.Population
 
 /**
  * Something that changes velocities. Within a step spheres drift on straight lines, on which contacts are found
- * exactly; forces act before and after the drift, so paths that they bend are met with an error of the order of the
+ * exactly. Forces act before and after the drift, so curved paths are approximated with an error of the order of the
  * step squared (docs/physics.md; kick–drift–kick, Quinn, Perrine, Richardson & Barnes 2010, AJ 139, 803).
  *
  * Most forces are a [Kick]; a rotating frame, which maps the state as a whole, is a [Drift]. Must not change positions,
  * and must be a pure function of the population and the time: the same bits for the same state, whatever the order of
- * the arrays. A step that fails may be done again, so what a force adds up for itself must bear being told twice.
+ * the arrays. A step that fails may be done again, so a force which keeps sums of its own must allow for being called
+ * twice.
  */
 public interface Force {
     /** Called before the drift of a step that begins at [start] and lasts [duration]. */
@@ -27,16 +28,16 @@ public interface Force {
     public fun useLoop(loop: RangeLoop): Unit = Unit
 
     /**
-     * Potential energy of [population] in this force at [time], mass · (length/time)². It may not depend on the order
-     * of the arrays. NaN where there is none: by default, and for a force that does work on a sphere each time it goes
-     * round through a periodic face.
+     * Potential energy of [population] in this force at [time], mass · (length/time)². It must not depend on the order
+     * of the arrays. NaN where there is none: by default, and for a force that does work on a sphere each time it
+     * passes through a periodic face.
      */
     public fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double = Double.NaN
 }
 
 /** A force given by the change of velocity it makes: applied for half the step before the drift and for half after. */
 public fun interface Kick : Force {
-    /** Adds acceleration × [duration] to the velocities, as the force is at [time]. */
+    /** Adds acceleration × [duration] to the velocities, for the force at [time]. */
     public fun kick(population: Population, time: Double, duration: Double)
 
     override fun beforeDrift(population: Population, start: Double, duration: Double) {
@@ -49,7 +50,7 @@ public fun interface Kick : Force {
 }
 
 /**
- * What stands for a curved path by a straight one: replaces velocities by those of the drift, and the drift's by true
+ * Represents a curved path by a straight one: replaces velocities by those of the drift, and those of the drift by true
  * ones. A simulation has at most one, and it acts last before the drift and first after it, whatever its place in the
  * list of forces. Its potential energy is that of the frame.
  */

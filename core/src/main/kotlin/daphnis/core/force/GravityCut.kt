@@ -15,8 +15,8 @@ import daphnis.core.boundary.Images
  *                         0  inner  range
  * ```
  *
- * The weight is the same from either side of a pair, so momentum is conserved; it fades, so that a tree's node near the
- * cut, weighed by where its centre of mass is, is not in or out as a whole.
+ * The weight is the same from either side of a pair, so momentum is conserved. It fades, so that a node of the tree
+ * near the cut, weighted by the place of its centre of mass, is not in or out as a whole.
  *
  * @param images the range is ([images] + ½) of the shortest periodic edge: the circle that fits into 2·[images] + 1
  *   boxes
@@ -42,24 +42,27 @@ internal class GravityCut(private val boundary: BoundaryConditions, images: Int)
     private val center = IntArray(3)
 
     /**
-     * Codes of the images that may hold something in range of something; those across sliding faces as they stand after
-     * [choose].
+     * Codes of the images that may hold a sphere in range of another one; those across sliding faces are as [choose]
+     * found them.
      */
     val codes = IntArray(boxes.fold(1) { n, most -> n * (2 * most + 1) })
 
-    /** 1 for an axis that counts for the distance, else 0. */
+    /** 1 for an axis that contributes to the distance, else 0. */
     fun counts(axis: Int): Double = if (periodic[axis]) 1.0 else 0.0
 
     /**
-     * Boxes away along [axis] that two particles in range of one another can be; images that slide are up to half an
-     * edge off.
+     * How many boxes apart along [axis] two particles in range of one another can be; images that slide are displaced
+     * by up to half an edge.
      */
     private fun farthest(axis: Int): Int {
         val off = if (boundary.shear?.slideAxis == axis) 1.5 else 1.0
         return Math.ceil(range / boundary.box.length(axis) + off).toInt() - 1
     }
 
-    /** Takes the images where they are, each row across sliding faces from the one nearest along the slide. */
+    /**
+     * Takes over the present places of the images; each row across sliding faces starts from the image nearest along
+     * the slide.
+     */
     fun choose(images: Images) {
         var n = 0
         for (x in -boxes[0]..boxes[0]) {

@@ -5,7 +5,7 @@ import daphnis.core.population.Population
 /**
  * An octree over a population for sums of gravity (Barnes & Hut 1986, Nature 324, 446). Spheres are sorted along a
  * Morton curve, spheres with one key by id, so the tree and every sum in it are the same whatever order the arrays are
- * in. Nodes stand in depth-first order: the first child of node n is n + 1, what comes after its subtree is [skip].
+ * in. Nodes are in depth-first order: the first child of node n is n + 1, and the node after its subtree is [skip].
  *
  * ```
  *   0 root        skip 9
@@ -41,7 +41,9 @@ internal class GravityTree {
     var to = IntArray(INITIAL)
         private set
 
-    /** Centre of mass x y z, mass, and least x y z, greatest x y z of its spheres' centres: [WIDTH] numbers a node. */
+    /**
+     * Centre of mass x y z, mass, and least x y z, greatest x y z of its spheres' centres: [WIDTH] numbers per node.
+     */
     var node = DoubleArray(INITIAL * WIDTH)
         private set
 
@@ -147,7 +149,7 @@ internal class GravityTree {
 
     private fun divide(first: Int, end: Int, topShift: Int): Int {
         var shift = topShift
-        // Levels on which all are in one octant make no node of their own.
+        // Levels on which all spheres are in one octant have no node of their own.
         while (shift >= 0 && octant(keys[first], shift) == octant(keys[end - 1], shift)) shift -= 3
         val n = newNode(first, end)
         if (end - first <= LEAF || shift < 0) {
@@ -231,7 +233,7 @@ internal class GravityTree {
         const val LEAST = 4
         const val MOST = 7
 
-        /** Spheres in a leaf at most; those of one leaf share a walk. */
+        /** The most spheres in a leaf; those of one leaf share a walk. */
         const val LEAF = 16
         private const val INITIAL = 256
         private const val DIGIT = 16

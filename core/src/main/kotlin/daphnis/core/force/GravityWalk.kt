@@ -8,9 +8,9 @@ import kotlin.math.sqrt
 
 /**
  * One walk through a [tree] for all spheres of a leaf (Barnes 1990, J. Comput. Phys. 87, 161): [begin], [collect] for
- * each image, [sum]. Collects what attracts the leaf, spheres and nodes taken as one, in two lists: what is so near to
- * all of the leaf that nothing is cut, and what the [cut] weighs pair by pair. Then sums the lists for each sphere.
- * Each thread has its own.
+ * each image, [sum]. Collects what attracts the leaf, single spheres and nodes taken as one mass, in two lists: what is
+ * so near to the whole leaf that nothing is cut, and what the [cut] weights pair by pair. Then sums the lists for each
+ * sphere. Each thread has its own walk.
  */
 internal class GravityWalk(
     private val tree: GravityTree,
@@ -32,7 +32,7 @@ internal class GravityWalk(
     private val countsZ = cut.counts(2)
     private var leaf = 0
 
-    // Of the sphere being summed: acceleration, Σ a_y Δx and minus the potential, over G.
+    // For the sphere being summed: acceleration, Σ a_y Δx and minus the potential, divided by G.
     private var fx = 0.0
     private var fy = 0.0
     private var fz = 0.0
@@ -50,13 +50,13 @@ internal class GravityWalk(
      * the original.
      */
     fun collect(dx: Double, dy: Double, dz: Double) {
-        // A node that holds the leaf itself is never taken as one mass: that of a single sphere would stand beside it
-        // by a rounding.
+        // A node that holds the leaf itself is never taken as one mass: the mass of a single sphere would lie beside
+        // that sphere by round-off.
         val isOriginal = dx == 0.0 && dy == 0.0 && dz == 0.0
         val first = tree.from[leaf]
         val node = tree.node
         val skip = tree.skip
-        // Nodes before this one lie so near that nothing of them is cut.
+        // Nodes before this one are so near that no part of them is cut.
         var wholeUntil = if (cut.isPresent) 0 else tree.nodes
         var n = 0
         while (n < tree.nodes) {
@@ -133,7 +133,7 @@ internal class GravityWalk(
         return if (apart > 0.0) apart * apart else 0.0
     }
 
-    /** Likewise the greatest distance. */
+    /** The same for the greatest distance. */
     private fun farthest2(n: Int, dx: Double, dy: Double, dz: Double): Double =
         countsX * far2(n, 0, dx) + countsY * far2(n, 1, dy) + countsZ * far2(n, 2, dz)
 

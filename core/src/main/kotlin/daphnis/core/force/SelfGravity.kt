@@ -9,17 +9,17 @@ import daphnis.core.population.SphereSum
 
 /**
  * Gravity of all spheres on one another, by a tree (Barnes & Hut 1986, Nature 324, 446): a node whose size is below
- * [openingAngle] times its distance counts as one mass at its centre of mass, others are opened. Spheres of one leaf
- * share a walk, so the distance is that from the leaf's box, and a sphere's error is smaller than that of a walk of its
- * own.
+ * [openingAngle] times its distance counts as one mass at its centre of mass; other nodes are opened. Spheres of one
+ * leaf share a walk, so the distance is that from the leaf's box, and a sphere's error is smaller than with a walk of
+ * its own.
  *
- * Along periodic axes images attract too, where they are at the time if they slide. What attracts a particle ends at
- * one distance around itself ([range]), fading from half of it on, so that a uniform sheet pulls nothing along itself
- * and there is no centre that a patch prefers. Without periodic axes everything attracts.
+ * Along periodic axes images attract too; those that slide are taken where they are at the time. Gravity on a particle
+ * ends at one distance around itself ([range]) and fades from half of it on. So a uniform sheet exerts no force along
+ * itself, and a patch has no preferred centre. Without periodic axes everything attracts.
  *
- * The sums are taken in the order of the tree, which depends on positions and ids alone: the same bits on any number of
- * threads. The force at the end of a step is kept for the beginning of the next. Momentum is conserved as well as the
- * opening angle allows, not to round-off.
+ * The sums are taken in the order of the tree, which depends on positions and ids alone, so the bits are the same on
+ * any number of threads. The force at the end of a step is kept for the beginning of the next. Momentum is conserved as
+ * well as the opening angle allows, not to round-off.
  *
  * @param constant G, length³/(mass · time²)
  * @param openingAngle θ in [0, 1]; 0 opens everything
@@ -38,7 +38,7 @@ public class SelfGravity @JvmOverloads constructor(
     private val periodicImages = Images()
     private var walks = arrayOf<GravityWalk>()
 
-    // Of the last evaluation, by index in the population: accelerations, and what they were computed for.
+    // From the last evaluation, by index in the population: accelerations, and the positions they were computed for.
     private var ax = DoubleArray(0)
     private var ay = DoubleArray(0)
     private var az = DoubleArray(0)
@@ -74,7 +74,7 @@ public class SelfGravity @JvmOverloads constructor(
         }
     }
 
-    /** Accelerations x y z by index in [population], as it stands at [time]; valid until the next call. */
+    /** Accelerations x y z by index in [population], with its state at [time]; valid until the next call. */
     public fun accelerations(population: Population, time: Double): Array<DoubleArray> {
         evaluate(population, time)
         return arrayOf(ax, ay, az)
@@ -82,7 +82,8 @@ public class SelfGravity @JvmOverloads constructor(
 
     /**
      * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i),
-     * F_ij the force of j on i, over images too. A uniform sheet carries none. Of [population] as it stands at [time].
+     * where F_ij is the force of j on i, over images too. A uniform sheet has none. For the state of [population] at
+     * [time].
      */
     public fun stressXY(population: Population, time: Double): Double {
         evaluate(population, time)
@@ -90,9 +91,9 @@ public class SelfGravity @JvmOverloads constructor(
     }
 
     /**
-     * ½ Σ m Φ over all spheres and images that attract, Φ = −G Σ m_j/√(r² + ε²), raised so that it is 0 where gravity
-     * ends (see [FadingPotential]): exact up to the opening angle. The potential is summed in the walk of the force, so
-     * where the last kick was at this [time] nothing is walked again.
+     * ½ Σ m Φ over all spheres and images that attract, with Φ = −G Σ m_j/√(r² + ε²), raised so that it is 0 where
+     * gravity ends (see [FadingPotential]). Exact up to the opening angle. The potential is summed in the walk of the
+     * force, so there is no second walk when the last kick was at this [time].
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
@@ -101,14 +102,15 @@ public class SelfGravity @JvmOverloads constructor(
 
     private fun evaluate(population: Population, time: Double) {
         if (seen.isSame(population, time)) return
-        // What fails from here on leaves something of both.
+        // A failure from here on leaves parts of both.
         seen.forget()
         if (potential.size < population.size) {
             ax = DoubleArray(population.size)
             ay = DoubleArray(population.size)
             az = DoubleArray(population.size)
             stress = DoubleArray(population.size)
-            // Last, as its length says how much there is room for: memory may have come to its end before.
+            // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
+            // failed.
             potential = DoubleArray(population.size)
         }
         tree.build(population)
@@ -139,7 +141,7 @@ public class SelfGravity @JvmOverloads constructor(
     }
 }
 
-/** What a force was last computed for: it need not be computed again when nobody has moved. */
+/** The positions for which a force was last computed: it need not be computed again when no sphere has moved. */
 private class SeenPositions {
     private var x = DoubleArray(0)
     private var y = DoubleArray(0)

@@ -12,13 +12,13 @@ import java.nio.file.Path
 
 /**
  * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius.
- * Spheres in the order of their ids; ids and masses are not kept.
+ * Spheres are in the order of their ids; ids and masses are not kept.
  */
 public object CartAndRad : ReadableFormat, WritableFormat {
     override val title: String = "CartAndRad"
     override val extensions: List<String> = listOf("bin", "cartandrad")
 
-    /** SwiftVis numbers its files behind the word. */
+    /** SwiftVis puts the number of a file after the word. */
     override val mark: String = "cartandrad"
     override val keeps: Kept = Kept(masses = NEVER, velocities = ALWAYS, ids = NEVER, severalStates = false)
     override val word: String = "cartandrad"
@@ -27,8 +27,8 @@ public object CartAndRad : ReadableFormat, WritableFormat {
     /** Writes `CartAndRad.STEP.bin` for each state. */
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         for (snapshot in snapshots) write(snapshot.population(), directory.resolve("CartAndRad.${snapshot.step}.bin"))
-        val left = "CartAndRad has no place for masses and ids: they are left out, " +
-            "spheres stand in the order of their ids"
+        val left = "CartAndRad cannot store masses and ids; they are left out, " +
+            "and spheres are in the order of their ids"
         return Exported(directory, remark = left)
     }
 
@@ -64,7 +64,7 @@ public object CartAndRad : ReadableFormat, WritableFormat {
      * Reads [path]; ids are 0, 1, 2, …
      *
      * @param density mass per volume, since the file has no masses
-     * @throws FormatException when the length is not what N says, or a number is not finite, or a radius is not
+     * @throws FormatException when the length does not agree with N, a number is not finite, or a radius is not
      *   positive
      */
     public fun population(path: Path, density: Double = 1.0): Population {
@@ -73,7 +73,8 @@ public object CartAndRad : ReadableFormat, WritableFormat {
         val head = Files.newInputStream(path).use { it.readNBytes(4) }
         val n = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN).getInt()
         if (n < 0 || size != 4L + (ROW + 8L) * n) {
-            throw FormatException("$path: says $n spheres, which would be ${4L + (ROW + 8L) * n} bytes; it has $size")
+            val needed = 4L + (ROW + 8L) * n
+            throw FormatException("$path: declares $n spheres, which would be $needed bytes; it has $size")
         }
         val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN).position(4)
         val columns = Array(6) { DoubleArray(n) }

@@ -14,7 +14,7 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     override val programs: String = "OVITO, ASE"
     override val takesScale: Boolean = true
 
-    /** Writes `trajectory.xyz`. The scale that suits is that of the first state, [suitableScale]. */
+    /** Writes `trajectory.xyz`. The default scale is the [suitableScale] of the first state. */
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         val file = directory.resolve("trajectory.xyz")
         var scale = options.scale
@@ -25,8 +25,8 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     }
 
     /**
-     * Appends one [snapshot] to [out]. Lengths (and velocities) are multiplied by [scale]: OVITO takes coordinates that
-     * all lie in about [−½, ½] for reduced ones and stretches them to the cell, so small boxes are better given in
+     * Appends one [snapshot] to [out]. Lengths (and velocities) are multiplied by [scale]: OVITO interprets coordinates
+     * that all lie in about [−½, ½] as reduced ones and stretches them to the cell, so small boxes are better given in
      * particle radii.
      */
     public fun write(snapshot: Snapshot, out: Writer, scale: Double = 1.0) {
@@ -51,8 +51,8 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     }
 
     /**
-     * A scale that keeps OVITO from taking lengths for reduced coordinates: 1 for boxes longer than 4, else 1 / mean
-     * radius.
+     * A scale with which OVITO does not interpret lengths as reduced coordinates: 1 for boxes longer than 4, else 1 /
+     * mean radius.
      */
     public fun suitableScale(snapshot: Snapshot): Double {
         val longest =
@@ -62,12 +62,13 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     }
 
     /**
-     * Reads every snapshot of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius`, `mass` and `id` where they
-     * are there, else 0, 1/2, 1 and the line number. A `Lattice` of edges along the axes gives the lengths; one that leans,
-     * along x or y as sliding images do, the offset; another is refused. Lengths and velocities are divided by the
-     * `Scale` in the comment line, the factor that [write] multiplied them by.
+     * Reads every snapshot of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius`, `mass` and `id` are read
+     * where they are there, and are otherwise 0, 1/2, 1 and the line number. A `Lattice` with edges along the axes
+     * gives the lengths. One that leans along x or y, as sliding images do, also gives the offset. Any other is
+     * refused. Lengths and velocities are divided by the `Scale` in the comment line, which is the factor by which
+     * [write] multiplied them.
      *
-     * @throws FormatException that names the line of what is wrong
+     * @throws FormatException that names the line of the error
      */
     override fun read(path: Path): List<Snapshot> {
         val snapshots = ArrayList<Snapshot>()

@@ -15,16 +15,16 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * An HDF5 file that may be anything, as far as states are read from it: numbers of a known shape. The library follows
- * links wherever they lead and takes the memory that a file asks for; here links end after a few and never leave the
- * file, and what a dataset declares is held against the file's length and the heap before it is read. Whatever its
- * type of numbers, it comes as doubles or longs.
+ * An HDF5 file with any content, as far as states are read from it: numbers of a known shape. The library follows links
+ * wherever they lead and takes the memory that a file asks for. Here links are followed only a few times and never
+ * leave the file. What a dataset declares is compared with the file's length and the heap before it is read. Whatever
+ * its type of numbers, it is returned as doubles or longs.
  */
 internal class H5Source(private val path: Path) : AutoCloseable {
     private val file = HdfFile(path)
     private val bytes = Files.size(path).toDouble()
 
-    /** Whether there is something of the path [name], from the root, `/` between. */
+    /** Whether there is an object with the path [name], from the root, with `/` between. */
     fun has(name: String): Boolean = find(name) != null
 
     /**
@@ -43,7 +43,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         else -> wrongType(name)
     }
 
-    /** As [doubles], of whole numbers of at most 64 bits. */
+    /** As [doubles], for whole numbers of at most 64 bits. */
     fun longs(name: String, shape: List<Long>): LongArray = when (val data = numbers(name, shape)) {
         is LongArray -> data
         is IntArray -> LongArray(data.size) { data[it].toLong() }
@@ -68,14 +68,14 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         }
     }
 
-    /** The texts of attribute [attribute] of the group [name]. */
+    /** The strings of attribute [attribute] of the group [name]. */
     fun texts(name: String, attribute: String): List<String> {
         val data = (find(name) ?: fail(name, "is missing")).getAttribute(attribute)?.data
-        return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be texts") }
+        return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be strings") }
             ?: fail(name, "has no list of texts $attribute")
     }
 
-    /** The number that is attribute [attribute] of the group [name]; null when it has none of that name. */
+    /** The numeric attribute [attribute] of the group [name]; null when it has none of that name. */
     fun number(name: String, attribute: String): Long? {
         val held = find(name)?.getAttribute(attribute) ?: return null
         return held.data as? Long ?: fail(name, "attribute $attribute must be a 64-bit integer")
@@ -93,7 +93,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         return dataset.dataFlat
     }
 
-    /** Before anything is read. */
+    /** Called before anything is read. */
     private fun checkSize(name: String, dataset: Dataset) {
         val wide = dataset.dataType.size.toDouble()
         val declared = product(dataset.dimensionsAsLong) * wide
@@ -119,7 +119,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         return node as? Dataset ?: fail(name, "is a group; it must be a dataset, the same particles in every frame")
     }
 
-    /** What [name] means, links followed; null when there is nothing. */
+    /** The object at [name], with links followed; null when there is none. */
     private fun find(name: String): Node? {
         var left = name.split('/').filter { it.isNotEmpty() }
         var node: Node = file
@@ -141,8 +141,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         return node
     }
 
-    private fun wrongType(name: String): Nothing =
-        fail(name, "is not of numbers of at most 64 bits of the kind that belongs there")
+    private fun wrongType(name: String): Nothing = fail(name, "has the wrong numeric type (at most 64 bits)")
 
     private fun fail(name: String, problem: String): Nothing = throw FormatException("$path: $name $problem")
 
@@ -154,12 +153,12 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         const val MOST_LINKS = 16
 
         /**
-         * Bytes out of one byte of a compressed file, at most: the bound of deflate, and some for what a file has
-         * besides.
+         * The most bytes from one byte of a compressed file: the bound of deflate, with a margin for the rest of the
+         * file.
          */
         const val DENSEST = 1100.0
 
-        /** Times a dataset is in memory while it is read: its bytes, its numbers, and these by column. */
+        /** How many times a dataset is in memory while it is read: its bytes, its numbers, and these by column. */
         const val COPIES = 3.0
         const val MEBI = 20
     }

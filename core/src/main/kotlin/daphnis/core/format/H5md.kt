@@ -11,9 +11,9 @@ import java.nio.file.Path
 /**
  * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView
  * read. One particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius
- * as plain datasets, radius being an addition of ours; `box/edges` of a box centred on the origin. Units are the
- * scenario's and have no names, or SI by H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a
- * checksum over all that is read ([H5mdChecksum]).
+ * as plain datasets, where radius is our addition; `box/edges` of a box centred on the origin. Units are the scenario's
+ * and have no names, or are SI with H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a
+ * checksum over everything that is read ([H5mdChecksum]).
  */
 public object H5md : ReadableFormat, WritableFormat {
     override val title: String = "H5MD"
@@ -37,8 +37,8 @@ public object H5md : ReadableFormat, WritableFormat {
      * Writes [snapshots], all of the same spheres, to [path]. Holds all of them in memory.
      *
      * @param version the version of daphnis to name as creator
-     * @param units what the units are in SI units; then the numbers are written in these, and every dataset says its
-     *   `unit`
+     * @param units the scenario's units in SI units; then the numbers are written in SI units, and every dataset has
+     *   its `unit`
      */
     public fun write(snapshots: List<Snapshot>, path: Path, version: String, units: SiUnits? = null) {
         require(snapshots.isNotEmpty()) { "no frame to write" }
@@ -71,7 +71,7 @@ public object H5md : ReadableFormat, WritableFormat {
         box.putAttribute("dimension", 3)
         box.putAttribute("boundary", Array(3) { if (first.periodic[it]) "periodic" else "none" })
         if (first.lengths.none { it.isNaN() }) edges(box, snapshots, names)
-        // HDF5 as it is written here has no datasets of size 0: a state without particles says its step and time.
+        // HDF5 as it is written here has no datasets of size 0, so a state without particles has only step and time.
         if (first.size == 0) {
             steps(all.putGroup("position"), snapshots, names?.time)
         } else {
@@ -94,7 +94,7 @@ public object H5md : ReadableFormat, WritableFormat {
         all.putDataset("radius", first.radius).unit(names?.length)
     }
 
-    /** Lengths, or rows of edge vectors when images slide; by time either way, as MDAnalysis wants it. */
+    /** Lengths, or rows of edge vectors when images slide; by time in both cases, as MDAnalysis requires. */
     private fun edges(box: WritableGroup, snapshots: List<Snapshot>, names: UnitNames?) {
         val edges = box.putGroup("edges")
         steps(edges, snapshots, names?.time)
@@ -104,7 +104,7 @@ public object H5md : ReadableFormat, WritableFormat {
         edges.putDataset("value", value).unit(names?.length)
     }
 
-    /** What the module `units` calls the unit: symbols with powers, a text of fixed length. */
+    /** The unit as the module `units` writes it: symbols with powers, a string of fixed length. */
     private fun WritableDataset.unit(name: String?) {
         if (name != null) putAttribute("unit", name)
     }
@@ -149,10 +149,10 @@ public object H5md : ReadableFormat, WritableFormat {
             .shuffle().deflate(DEFLATE).build()
 
     /**
-     * Reads every snapshot of a file that [write] wrote, or that has the same datasets of numbers of any width. One
-     * without a checksum, of an older version or another program, is taken as it is.
+     * Reads every snapshot of a file that [write] wrote, or that has the same datasets with numbers of any width. A
+     * file without a checksum, from an older version or another program, is accepted as it is.
      *
-     * @throws FormatException when it is no such file, or is damaged
+     * @throws FormatException when it is not such a file, or is damaged
      */
     override fun read(path: Path): List<Snapshot> = H5mdReader.read(path)
 

@@ -4,14 +4,17 @@ import java.nio.ByteBuffer
 import java.util.zip.CRC32C
 
 /**
- * CRC-32C over all that [H5md.read] takes from a file, in the order of [of]: numbers big-endian, doubles by their bits.
- * HDF5 has checksums of its own for parts of a file only.
+ * CRC-32C over everything that [H5md.read] reads from a file, in the order of [of]: numbers big-endian, doubles by
+ * their bits. HDF5's own checksums cover only parts of a file.
  */
 internal object H5mdChecksum {
     /** Name of the attribute of the group `parameters` that holds it, as a 64-bit integer. */
     const val ATTRIBUTE = "crc32c"
 
-    /** Of [snapshots] of the same spheres. What a file holds once, such as radii and faces, is the first snapshot's. */
+    /**
+     * The checksum of [snapshots] of the same spheres. What a file holds once, such as radii and faces, is taken from
+     * the first snapshot.
+     */
     fun of(snapshots: List<Snapshot>): Long {
         val sum = Sum()
         val first = snapshots.first()

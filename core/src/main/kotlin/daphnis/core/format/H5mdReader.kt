@@ -2,7 +2,7 @@ package daphnis.core.format
 
 import java.nio.file.Path
 
-/** Reads the states of an H5MD file of the layout that [H5md] writes, whoever wrote it. */
+/** Reads the states of an H5MD file with the layout that [H5md] writes, whichever program wrote it. */
 internal class H5mdReader(private val source: H5Source, private val path: Path) {
     private fun snapshots(): List<Snapshot> {
         val steps = source.longs("$ALL/position/step", one("$ALL/position/step"))
@@ -14,7 +14,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         val axes = if (source.has(shear)) source.ints(shear, listOf(2L), 0..2) else intArrayOf(1, 0)
         if (axes[0] == axes[1]) fail("parameters/shear_axes are both ${axes[0]}")
         val lengths = lengths(steps.size)
-        // HDF5 as it is written here has no datasets of size 0: a state without particles has no values at all.
+        // HDF5 as it is written here has no datasets of size 0, so a state without particles has no values at all.
         val particles = if (source.has("$ALL/id") || source.has("$ALL/velocity")) Particles(count) else null
         val snapshots = steps.indices.map { t ->
             Snapshot(
@@ -71,7 +71,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         return List(count) { t -> DoubleArray(3) { if (isMatrix) data[9 * t + 4 * it] else data[3 * t + it] } }
     }
 
-    /** What the file holds of the particles, of all frames. */
+    /** The data of the particles in the file, for all frames. */
     private inner class Particles(frames: Long) {
         private val count: Long = source.shape("$ALL/position/value").let { shape ->
             if (shape.size != 3 || shape[0] != frames || shape[2] != 3L) {
@@ -97,7 +97,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         /**
          * Every snapshot of [path].
          *
-         * @throws FormatException for whatever the library makes of a file that is none or damaged, in one line
+         * @throws FormatException for every error of the library with a file that is damaged or not HDF5, in one line
          */
         fun read(path: Path): List<Snapshot> = try {
             H5Source(path).use { H5mdReader(it, path).snapshots() }
@@ -113,7 +113,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
                     "raise it with -Xmx if the file is sound",
             )
         } catch (e: LinkageError) {
-            // Of a filter that is not installed.
+            // From a filter that is not installed.
             throw none(path, e)
         }
 
@@ -126,7 +126,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
             return FormatException("$path: is not an H5MD file of daphnis: $problem")
         }
 
-        /** The class that some messages begin with, which says nothing to a user. */
+        /** The class with which some messages begin, which tells a user nothing. */
         private val CLASS = Regex("""[\w.$]*(Exception|Error)(: )?""")
         private const val MOST_SHOWN = 120
         private const val MOST_CAUSES = 3

@@ -7,7 +7,7 @@ import java.nio.file.Path
 
 /**
  * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, id` in any order, then
- * a line per sphere. Lines that are empty or begin with `#` are skipped.
+ * one line per sphere. Lines that are empty or begin with `#` are skipped.
  */
 public object ParticleCsv : ReadableFormat {
     override val title: String = "table with a header"
@@ -16,14 +16,14 @@ public object ParticleCsv : ReadableFormat {
 
     private val KNOWN = listOf("x", "y", "z", "vx", "vy", "vz", "radius", "mass", "id")
 
-    /** What others put between cells. */
+    /** What other programs put between cells. */
     private val SEPARATORS = listOf(';' to "semicolons", '\t' to "tabs", '|' to "bars", ' ' to "spaces")
 
     /**
      * Reads [path].
      *
      * @param density mass per volume where the table has no masses
-     * @throws FormatException that names the line and column of what is wrong
+     * @throws FormatException that names the line and column of the error
      */
     public fun population(path: Path, density: Double = 1.0): Population = snapshot(path, density).population()
 
@@ -73,7 +73,7 @@ public object ParticleCsv : ReadableFormat {
         return names
     }
 
-    /** What is between the names of columns when it is no comma, in words; null when the [first] cell is one name. */
+    /** What separates the names of columns when it is not a comma, in words; null when the [first] cell is one name. */
     private fun separator(first: String): String? = SEPARATORS.find { (sign, _) ->
         val parts = first.split(sign).map { it.trim() }.filter { it.isNotEmpty() }
         parts.size > 1 && parts.all { it in KNOWN }

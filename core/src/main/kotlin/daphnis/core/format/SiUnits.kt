@@ -1,7 +1,7 @@
 package daphnis.core.format
 
 /**
- * What one unit of a scenario is in SI units.
+ * The units of a scenario in SI units.
  *
  * @property metres in one unit of length
  * @property seconds in one unit of time

@@ -8,10 +8,10 @@ import daphnis.core.population.Population
  *
  * @property lengths edges of the box along x, y, z; NaN on open axes
  * @property periodic whether the box repeats along x, y, z
- * @property image boxes crossed since the start of the run, `image[axis][k]`, or null when it is not known: with it a
- *   sphere stands at position + Σ image · [edges] where it would be without images
- * @property hasMass whether [mass] is what the file says; false when it had none and the reader put a stand-in
- * @property hasRadius the same of [radius]
+ * @property image boxes crossed since the start of the run, `image[axis][k]`, or null when it is not known; without
+ *   images a sphere would be at position + Σ image · [edges]
+ * @property hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
+ *   @property hasRadius the same for [radius]
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  */
 public class Snapshot(
@@ -47,7 +47,7 @@ public class Snapshot(
         }
     }
 
-    /** The snapshot as a population, ids kept. */
+    /** The snapshot as a population, with the same ids. */
     public fun population(): Population = Population(
         position[0].copyOf(), position[1].copyOf(), position[2].copyOf(),
         velocity[0].copyOf(), velocity[1].copyOf(), velocity[2].copyOf(),
@@ -55,7 +55,7 @@ public class Snapshot(
     )
 
     public companion object {
-        /** Copies [population] as it is at [step] and [time]. */
+        /** Copies the state of [population] at [step] and [time]. */
         public fun of(
             population: Population,
             boundary: BoundaryConditions,
@@ -84,7 +84,7 @@ public class Snapshot(
             )
         }
 
-        /** The edges lean by the reduced offset, so that boxes along the slide count from there. */
+        /** The edges lean by the reduced offset, so boxes along the slide are counted from there. */
         private fun image(
             population: Population,
             boundary: BoundaryConditions,

@@ -3,8 +3,8 @@ package daphnis.core.format
 import kotlin.math.abs
 
 /**
- * Whether the numbers of a [snapshot] can be a state: what every format promises, asked in one place. Sizes and places
- * are kept so far from the ends of what a double holds that volumes and squared distances neither vanish nor overflow.
+ * Checks in one place what every format promises: that the numbers of a [snapshot] can be a state. Sizes and places are
+ * kept so far from the limits of a double that volumes and squared distances neither underflow nor overflow.
  *
  * @param where file, and line or frame, for messages
  */
@@ -75,14 +75,14 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         }
     }
 
-    /** Beside the largest coordinate the smallest sphere must have an extent. */
+    /** Compared with the largest coordinate, the smallest sphere must have a size. */
     private fun resolution() {
         var far = 0.0
         for (length in snapshot.lengths) if (!length.isNaN()) far = maxOf(far, length)
         for (column in snapshot.position) for (p in column) far = maxOf(far, abs(p))
         val least = snapshot.radius.min()
         must(far + least * VISIBLE > far) {
-            "coordinates and edges are up to $far, beside which a radius of $least is lost in rounding"
+            "coordinates and edges are up to $far, compared with which a radius of $least is lost in rounding"
         }
     }
 
@@ -101,7 +101,7 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         /** Bound on how far outside a periodic box a particle can be: a search goes through all images between. */
         private const val MOST_BOXES = 1000
 
-        /** Share of a radius that can be told. */
+        /** The part of a radius that must be resolved. */
         private const val VISIBLE = 0.01
 
         /** @throws FormatException for the first number that is wrong */

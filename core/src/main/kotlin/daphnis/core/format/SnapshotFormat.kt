@@ -2,19 +2,22 @@ package daphnis.core.format
 
 import java.nio.file.Path
 
-/** A format of files that hold states of particles: an object in a file of its own, named in [SnapshotFormats]. */
+/**
+ * A format of files that hold states of particles. Each format is an object in its own file and is listed in
+ * [SnapshotFormats].
+ */
 public interface SnapshotFormat {
-    /** What it is called, such as `extended XYZ`. */
+    /** The name of the format, such as `extended XYZ`. */
     public val title: String
 
-    /** What a file of it keeps of a state beside places and radii. */
+    /** What a file of this format keeps of a state besides positions and radii. */
     public val keeps: Kept
 }
 
 /**
  * What files of a format keep of a state.
  *
- * @property masses whether always, if the one who wrote the file put them there, or never
+ * @property masses whether always, only if the writer of the file put them there, or never
  * @property velocities likewise
  * @property ids likewise; without them particles are numbered in the order of the file
  * @property severalStates whether a file can hold more than one state
@@ -30,17 +33,19 @@ public class Kept(
     public enum class Presence { ALWAYS, IF_THERE, NEVER }
 }
 
-/** A format that states are read from, whether to start a scenario or to be analysed. */
+/** A format from which states are read, to start a scenario or to be analysed. */
 public interface ReadableFormat : SnapshotFormat {
-    /** Endings of file names, without the dot, lower case; the first is the one we would give. */
+    /** Endings of file names, without the dot, lower case; the first is the preferred one. */
     public val extensions: List<String>
 
-    /** A word, lower case, that tells the format anywhere in the name of a file; null when only its ending does. */
+    /**
+     * A word, lower case, that identifies the format anywhere in the name of a file; null when only the ending does.
+     */
     public val mark: String? get() = null
 
     /**
-     * Reads every state of [path], in the order of the file. Where it has no masses ([Snapshot.hasMass]) they stand in
-     * for density 1, or are 1 each in extended XYZ.
+     * Reads every state of [path], in the order of the file. Where it has no masses ([Snapshot.hasMass]), they are
+     * those of density 1, or 1 each in extended XYZ.
      *
      * @throws FormatException for what is wrong, in one line
      * @throws java.io.IOException when the file cannot be read
@@ -48,9 +53,9 @@ public interface ReadableFormat : SnapshotFormat {
     public fun read(path: Path): List<Snapshot>
 }
 
-/** A format that the snapshots of a run are exported to. */
+/** A format to which the snapshots of a run are exported. */
 public interface WritableFormat : SnapshotFormat {
-    /** What it is asked for by, such as `xyz`. */
+    /** The word by which it is chosen, such as `xyz`. */
     public val word: String
 
     /** Programs that read it. */
@@ -74,8 +79,8 @@ public interface WritableFormat : SnapshotFormat {
  * How snapshots are to be written.
  *
  * @property version the version of daphnis to name as creator
- * @property scale factor on lengths and velocities; null for the one that suits the format
- * @property units what the scenario's units are in SI units; then numbers are in these
+ * @property scale factor on lengths and velocities; null for the default of the format @property units the scenario's
+ *   units in SI units; then numbers are written in SI units
  */
 public class ExportOptions(
     public val version: String,
@@ -87,7 +92,7 @@ public class ExportOptions(
  * What was written.
  *
  * @property path the file to open, or the directory with the files
- * @property scale factor that lengths and velocities were multiplied by
- * @property remark what a user should know of the files, a line; null when there is nothing
+ * @property scale factor by which lengths and velocities were multiplied @property remark one line on what a user
+ *   should know about the files; null when there is nothing
  */
 public class Exported(public val path: Path, public val scale: Double = 1.0, public val remark: String? = null)

@@ -4,7 +4,7 @@ import java.io.IOException
 import java.nio.file.Path
 import kotlin.io.path.name
 
-/** The list of formats: what a scenario starts from, what is analysed, what snapshots are exported to. */
+/** The list of formats from which a scenario starts, which are analysed, and to which snapshots are exported. */
 public object SnapshotFormats {
     public val all: List<SnapshotFormat> = listOf(
         ExtendedXyz,
@@ -24,10 +24,10 @@ public object SnapshotFormats {
     }
 
     /**
-     * The format of [path] by its name: its ending, or a [ReadableFormat.mark] anywhere in it, unless the ending is the
-     * first of a format's.
+     * The format of [path] by its name: by its ending, or by a [ReadableFormat.mark] anywhere in it unless the ending
+     * is the preferred one of a format.
      *
-     * @throws FormatException when no format has such names
+     * @throws FormatException when no format has such a name
      */
     public fun of(path: Path): ReadableFormat {
         val name = path.name.lowercase()

@@ -7,8 +7,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The lines of a text file that may be anything: a line longer than [longest] characters is refused before it is held
- * in memory, and bytes that are no UTF-8 text are too. Lines end as those of [java.io.BufferedReader] do.
+ * The lines of a text file with any content. A line longer than [longest] characters is refused before it is held in
+ * memory, and so are bytes that are not UTF-8 text. Lines end as those of [java.io.BufferedReader] do.
  */
 internal class TextLines(private val path: Path, private val longest: Int = LONGEST) : AutoCloseable {
     private val input: Reader = Files.newBufferedReader(path)
@@ -17,7 +17,7 @@ internal class TextLines(private val path: Path, private val longest: Int = LONG
     /** Size of the file in bytes. */
     val bytes: Long = Files.size(path)
 
-    /** Number of the line that [next] gave last, from 1. */
+    /** Number of the line that [next] returned last, from 1. */
     var number = 0
         private set
 
@@ -26,7 +26,7 @@ internal class TextLines(private val path: Path, private val longest: Int = LONG
     /**
      * The next line without its end, null at the end of the file.
      *
-     * @throws FormatException for a line that is too long or no text
+     * @throws FormatException for a line that is too long or not text
      */
     fun next(): String? {
         text.setLength(0)
@@ -58,7 +58,7 @@ internal class TextLines(private val path: Path, private val longest: Int = LONG
     companion object {
         const val LONGEST = 1 shl 20
 
-        /** [word] as a message can hold it. */
+        /** [word], shortened for a message. */
         fun shown(word: String): String = word.take(MOST_SHOWN)
 
         private const val MOST_SHOWN = 40

@@ -30,8 +30,8 @@ public object Vtp : WritableFormat {
     }
 
     /**
-     * Writes one [snapshot]: points, one vertex a sphere, point data radius, velocity, mass, id, and the time as field
-     * data.
+     * Writes one [snapshot]: points, one vertex per sphere, point data radius, velocity, mass, id, and the time as
+     * field data.
      */
     public fun write(snapshot: Snapshot, path: Path) {
         val n = snapshot.size
@@ -56,6 +56,10 @@ public object Vtp : WritableFormat {
         val id = block(4 * n) { b -> for (i in snapshot.id) b.putInt(i) }
         val connectivity = block(4 * n) { b -> for (k in 0 until n) b.putInt(k) }
         val offsets = block(4 * n) { b -> for (k in 0 until n) b.putInt(k + 1) }
+        val timeArray =
+            """<DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="appended" offset="$time"/>"""
+        val pointArray =
+            """<DataArray type="Float64" Name="Points" NumberOfComponents="3" format="appended" offset="$points"/>"""
         Files.newOutputStream(path).buffered(1 shl 16).use { out ->
             text(
                 out,
@@ -63,7 +67,7 @@ public object Vtp : WritableFormat {
                 <?xml version="1.0"?>
                 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
                 <PolyData>
-                <FieldData><DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="appended" offset="$time"/></FieldData>
+                <FieldData>$timeArray</FieldData>
                 <Piece NumberOfPoints="$n" NumberOfVerts="$n" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
                 <PointData Scalars="radius" Vectors="velocity">
                 <DataArray type="Float64" Name="velocity" NumberOfComponents="3" format="appended" offset="$velocity"/>
@@ -71,7 +75,7 @@ public object Vtp : WritableFormat {
                 <DataArray type="Float64" Name="mass" format="appended" offset="$mass"/>
                 <DataArray type="Int32" Name="id" format="appended" offset="$id"/>
                 </PointData>
-                <Points><DataArray type="Float64" Name="Points" NumberOfComponents="3" format="appended" offset="$points"/></Points>
+                <Points>$pointArray</Points>
                 <Verts>
                 <DataArray type="Int32" Name="connectivity" format="appended" offset="$connectivity"/>
                 <DataArray type="Int32" Name="offsets" format="appended" offset="$offsets"/>
@@ -95,7 +99,9 @@ public object Vtp : WritableFormat {
         }
         Files.writeString(
             path,
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n$entries</Collection>\n</VTKFile>\n",
+            "<?xml version=\"1.0\"?>\n" +
+                "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n" +
+                "<Collection>\n$entries</Collection>\n</VTKFile>\n",
         )
     }
 

@@ -1,8 +1,8 @@
 package daphnis.core.format
 
 /**
- * Where in a line of extended XYZ what stands, by its [properties], `name:type:count` again and again. Columns that
- * are not there are −1.
+ * The places of the columns in a line of extended XYZ, from its [properties], a repeated `name:type:count`. Columns
+ * that are not there are −1.
  *
  * @param fail refuses the file
  */
@@ -23,7 +23,7 @@ internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
     init {
         val parts = properties.split(':')
         if (parts.size % 3 != 0) {
-            fail("Properties '${TextLines.shown(properties)}' must be name:type:count, again and again")
+            fail("Properties '${TextLines.shown(properties)}' must be repeated name:type:count")
         }
         for (k in parts.indices step 3) {
             val count = parts[k + 2].toIntOrNull()?.takeIf { it in 1..MOST_WIDE }

@@ -14,7 +14,7 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         val columns = XyzColumns(keys["properties"] ?: "species:S:1:pos:R:3", ::fail)
         val rows = Rows(n)
         for (k in 0 until n) {
-            val line = lines.next() ?: fail("the file is cut short: $n particles are announced, $k are there")
+            val line = lines.next() ?: fail("the file is cut short: $n particles are declared, $k are there")
             val cells = line.trim().split(SPACES)
             if (cells.size < columns.width) fail("${cells.size} values, Properties has ${columns.width}")
             rows.set(k, cells, columns)
@@ -25,17 +25,17 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
         return made(number, keys, columns, rows, scale).also { SnapshotCheck.check(it, "$path:${lines.number}") }
     }
 
-    /** What the file says of the number of particles, as far as it is long enough for so many. */
+    /** The number of particles that the file declares, if the file is long enough for so many. */
     private fun count(head: String): Int {
         val n = head.trim().toIntOrNull()?.takeIf { it >= 0 }
             ?: fail("'${TextLines.shown(head)}' must be the number of particles")
         if (n > lines.bytes / LEAST_BYTES) {
-            fail("$n particles are announced; a file of ${lines.bytes} bytes cannot hold so many")
+            fail("$n particles are declared; a file of ${lines.bytes} bytes cannot hold so many")
         }
         return n
     }
 
-    /** The columns of a frame of [n] particles, with what stands for those that the file does not have. */
+    /** The columns of a frame of [n] particles, with substitutes for those that the file does not have. */
     private inner class Rows(n: Int) {
         val position = Array(3) { DoubleArray(n) }
         val velocity = Array(3) { DoubleArray(n) }
@@ -128,8 +128,8 @@ internal class XyzReader(private val lines: TextLines, private val path: Path) {
     private companion object {
         val SPACES = Regex("\\s+")
 
-        // From the beginning of a word only, so that a long one without '=' is looked at once, not once from each of
-        // its letters.
+        // From the beginning of a word only, so that a long word without '=' is scanned once, not once from each of its
+        // letters.
         val ENTRY = Regex("""\b(\w++)=("[^"]*"|\S+)""")
         const val CELL = 9
 

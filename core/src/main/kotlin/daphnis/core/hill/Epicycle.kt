@@ -3,8 +3,8 @@ package daphnis.core.hill
 import kotlin.math.sqrt
 
 /**
- * The epicyclic elements of a particle in Hill's frame (x radially outward, y along the orbit, z vertical), and the way
- * between them and position and velocity:
+ * The epicyclic elements of a particle in Hill's frame (x radially outward, y along the orbit, z vertical), and the
+ * conversion between them and position and velocity:
  *
  * ```
  *   x = X − e cos φ      y = Y + 2 e sin φ      z = i cos ζ
@@ -12,12 +12,12 @@ import kotlin.math.sqrt
  * ```
  *
  * [e] and [i] are amplitudes, in units of length: eccentricity and inclination times the semi-major axis. (Hénon &
- * Petit 1986, Celest. Mech. 38, 67; Hill 1878.) Functions are StrictMath's, so that the same elements give the same
- * state everywhere.
+ * Petit 1986, Celest. Mech. 38, 67; Hill 1878.) Functions are those of StrictMath, so that the same elements give the
+ * same state on every machine.
  *
  * @property guidingX radial position of the guiding centre, X
  * @property guidingY azimuthal position of the guiding centre, Y
- * @property phase φ, radians; 0 when e is
+ * @property phase φ, radians; 0 when e is 0
  * @property verticalPhase ζ, radians
  */
 public class Epicycle(

@@ -9,19 +9,20 @@ import daphnis.core.population.SphereSum
 import kotlin.math.abs
 
 /**
- * Hill's frame: coordinates that go round a planet with angular speed [omega], x radially outward, y along the orbit, z
- * vertical,
+ * Hill's frame: coordinates that rotate around a planet with angular speed [omega], x radially outward, y along the
+ * orbit, z vertical,
  *
  * ẍ = 2Ω ẏ + 3Ω² x, ÿ = −2Ω ẋ, z̈ = −(ν Ω)² z, with ν the vertical factor.
  *
  * **Free paths are exact although the drift is straight.** The solution over a time h is linear in the state, r₁ = r₀ +
  * h (A r₀ + B v₀). Before the drift every velocity is replaced by that of the chord, w = A r₀ + B v₀; a sphere that
- * meets nobody then ends the step where its epicycle does. After the drift the chord's velocity is mapped to the true
- * one at its end: the same map backwards in time, in which y and v_x change sign. So a free particle keeps its epicycle
- * to round-off.
+ * does not collide then ends the step where its epicycle does. After the drift the chord's velocity is mapped to the
+ * true one at its end, by the same map backwards in time, in which y and v_x change sign. So a free particle keeps its
+ * epicycle to round-off.
  *
  * **What collisions conserve.** Both maps are the same for all spheres. A collision conserves Σ m w, hence Σ m r₁ and Σ
- * m v₁ come out as if nobody had collided: Σ m X and Σ m Y are those of free motion, to round-off, whatever the step.
+ * m v₁ are the same as without any collision. Σ m X and Σ m Y are those of free motion, to round-off, for any length of
+ * the step.
  *
  * Images of the shearing sheet stay images: the chord of a path displaced by L_x in x and −(3/2)Ω L_x t in y is
  * displaced likewise. (Free motion: Hill 1878; kick–drift–kick in this frame: Quinn, Perrine, Richardson & Barnes 2010,
@@ -36,7 +37,7 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     private var loop: RangeLoop = InlineLoop
     private val sum = SphereSum()
 
-    // For the duration at hand: chord = (ax x + bxx vx + q vy, ay x − q vx + byy vy, az z + bz vz).
+    // For the present duration: chord = (ax x + bxx vx + q vy, ay x − q vx + byy vy, az z + bz vz).
     private var duration = Double.NaN
     private var ax = 0.0
     private var ay = 0.0
@@ -124,7 +125,7 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
             "a step of $duration is $orbits; it must be at most a quarter"
         }
         this.duration = Double.NaN
-        // With Ω t for time the solution is Δx = x·3(1 − c) + v_x s + v_y 2(1 − c), Δy = x·6(s − h) − v_x 2(1 − c) +
+        // With Ω t as time, the solution is Δx = x·3(1 − c) + v_x s + v_y 2(1 − c), Δy = x·6(s − h) − v_x 2(1 − c) +
         // v_y (4s − 3h).
         val versine = versine(h)
         val lag = sineMinusArgument(h)

@@ -9,10 +9,10 @@ import daphnis.core.population.MeanFlow
 
 /**
  * The shearing sheet for Hill's frame of angular speed [omega] (Wisdom & Tremaine 1988, AJ 95, 925): a patch of a ring
- * that goes on as its own images, radially with the Keplerian shear, along the orbit without, and is open vertically.
- * The image at +L_x slides with −(3/2) Ω L_x along y. A sphere that leaves outward comes back at the inner face
- * displaced by +(3/2) Ω L_x t along y (mod L_y) and faster by (3/2) Ω L_x; e, φ, i and ζ of its epicycle stay what they
- * were.
+ * that is continued by its own images, radially with the Keplerian shear and along the orbit without it, and is open
+ * vertically. The image at +L_x slides with −(3/2) Ω L_x along y. A sphere that leaves outward comes back at the inner
+ * face displaced by +(3/2) Ω L_x t along y (mod L_y) and faster by (3/2) Ω L_x; e, φ, i and ζ of its epicycle do not
+ * change.
  *
  * ```
  *   x ▲ (outward)    image: ◀── ○ ○  −(3/2) Ω L_x
@@ -23,8 +23,10 @@ import daphnis.core.population.MeanFlow
  *          image: ○ ○ ──▶  +(3/2) Ω L_x
  * ```
  *
- * @param box finite along x and y; its extent along z is nominal: spheres are put there at the start and may leave it
- * @param radiallyOpen whether the patch ends at its radial faces (a ringlet, a ring edge) instead of going on as images
+ * @param box finite along x and y; its extent along z is nominal: spheres are placed within it at the start and may
+ *   leave it
+ * @param radiallyOpen whether the patch ends at its radial faces (a ringlet, a ring edge) instead of being continued by
+ *   images
  */
 public class HillSheet @JvmOverloads constructor(
     override val box: Box,

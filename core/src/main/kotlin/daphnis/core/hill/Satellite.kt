@@ -9,10 +9,10 @@ import daphnis.core.population.SphereSum
 import kotlin.math.sqrt
 
 /**
- * The pull of a moon on a given orbit, in Hill's frame: −GM (r − r_s)/(|r − r_s|² + ε²)^{3/2}. The moon itself feels
- * nothing and need not be near the patch: one beside a ring drifts past it with −(3/2) Ω X. The acceleration that the
- * moon gives the planet is left out, as in Hill's limit. One moon, without images: a patch that is periodic along the
- * orbit is followed past it once.
+ * The pull of a moon on a given orbit, in Hill's frame: −GM (r − r_s)/(|r − r_s|² + ε²)^{3/2}. The moon itself feels no
+ * force and need not be near the patch: a moon beside a ring drifts past it with −(3/2) Ω X. The acceleration of the
+ * planet by the moon is neglected, as in Hill's limit. There is one moon, without images, so a patch that is periodic
+ * along the orbit is followed past it once.
  *
  * @param gravitationalParameter G times the mass, in length³/time²
  * @param orbit the moon's epicycle at time 0
@@ -52,7 +52,7 @@ public class Satellite(
                 val dy = at[1] - population.y[k]
                 val dz = at[2] - population.z[k]
                 val d2 = dx * dx + dy * dy + dz * dz + softening2
-                // Somebody in the very centre feels no pull.
+                // A particle in the very centre feels no pull.
                 if (d2 == 0.0) continue
                 val f = strength / (d2 * sqrt(d2))
                 population.vx[k] += f * dx
@@ -63,8 +63,8 @@ public class Satellite(
     }
 
     /**
-     * −GM Σ m/√(d² + ε²), d the distance from the moon where it is at [time], no image of it; 0 for a point moon's very
-     * centre.
+     * −GM Σ m/√(d² + ε²), where d is the distance from the moon at [time], without images; 0 in the very centre of a
+     * point moon.
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         val at = state(time)

@@ -4,10 +4,10 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.population.Population
 
 /**
- * A moon with a surface: a sphere which stands inside or touches it at the end of a step has fallen onto it and is removed. The
- * step has to be so short that no sphere passes through the moon within one.
+ * A moon with a surface: a sphere which is inside it or touches it at the end of a step has fallen onto it and is
+ * removed. The step has to be so short that no sphere passes through the moon within one step.
  *
- * @param inner the boundary conditions otherwise; act first
+ * @param inner the other boundary conditions, which act first
  * @param radius of the moon, > 0
  */
 public class SatelliteSurface(
@@ -20,8 +20,8 @@ public class SatelliteSurface(
     }
 
     /**
-     * Spheres removed by this object so far. Those of a step that failed afterwards count once it is done again, and
-     * once.
+     * Spheres removed by this object so far. Those of a step that fails afterwards are counted when the step is done
+     * again, and only once.
      */
     public var removed: Long = 0
         private set

@@ -47,7 +47,8 @@ internal object Crowding {
     }
 
     private fun refuse(filling: Double, limit: String): Nothing = throw PlacementException(
-        "the filling factor would be $filling; $limit, and random placement reaches about 0.35; use a lattice above that",
+        "the filling factor would be $filling; $limit, and random placement reaches about 0.35; " +
+            "use a lattice above that",
     )
 
     private const val CLOSEST_PACKING = 0.7405

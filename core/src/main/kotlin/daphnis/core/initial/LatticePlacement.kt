@@ -15,10 +15,8 @@ public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRE
         val largest = radii.max()
         val cells = bestCells(n, largest, box, walled)
             ?: throw PlacementException(
-                "$n spheres of radius up to $largest do not fit into the box as a lattice (filling factor ${fillingFactor(
-                    radii,
-                    box,
-                )}); " +
+                "$n spheres of radius up to $largest do not fit into the box as a lattice " +
+                    "(filling factor ${fillingFactor(radii, box)}); " +
                     "take fewer, smaller, or a box whose edges have simple ratios",
             )
         val basis = lattice.basis

@@ -6,11 +6,11 @@ import daphnis.core.population.FlowFit.Companion.SECOND
 import daphnis.core.population.FlowFit.Companion.SLAB_WIDTH
 
 /**
- * Second moments of the particles of a population around means that are given, as exact sums: parts of a population
- * may be taken by different threads or machines, in any order, and merged. Velocities w are without the straight flow
- * of the boundary's rate and without the mean of what remains. Allocates nothing once made.
+ * Second moments of the particles of a population around given means, as exact sums: different threads or machines may
+ * take parts of a population, in any order, and merge them. Velocities w are without the straight flow at the
+ * boundary's rate and without the mean of the remainder. Allocates nothing once made.
  *
- * @param firstBody spheres with ids from this on are left out; [Int.MAX_VALUE] for none
+ * @param firstBody spheres with this id or a higher one are left out; [Int.MAX_VALUE] for none
  */
 internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
     private val normalAxis = flow?.normalAxis ?: 0
@@ -18,7 +18,7 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
     private val slabs = Array(if (flow == null) 0 else MOST_SLABS * SLAB_WIDTH) { ExactSum() }
     private var means = Means()
 
-    // Of one block, the particles of a slab next to one another.
+    // For one block, with the particles of each slab next to one another.
     private val block = ParticleBlock(firstBody)
     private val order = SlabOrder()
     private val m = column()
@@ -28,27 +28,27 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
     private val height = column()
     private val terms = column()
 
-    /** Σ m w_a w_b, [e] in xx, yy, zz, xy, xz, yz. */
+    /** Σ m w_a w_b, with [e] counting xx, yy, zz, xy, xz, yz. */
     fun square(e: Int): Double = sums[SQUARES + e].value()
 
-    /** Σ m z², z the height less its mean. */
+    /** Σ m z², where z is the height minus its mean. */
     val squareOfHeight: Double get() = sums[HEIGHT].value()
 
-    /** Fills what [fit] works on, of a flow. */
+    /** Fills the sums over the flow that [fit] uses. */
     fun fill(fit: FlowFit) {
         fit.across = sums[ACROSS].value()
         for (axis in 0..2) fit.slopes[axis] = sums[SLOPES + axis].value()
         for (k in 0 until means.slabCount * SLAB_WIDTH) fit.slabs[k] = slabs[k].value()
     }
 
-    /** Makes these the sums of nobody around [means], which may not change until the next time. */
+    /** Makes these the sums of no particles around [means], which must not change until the next call. */
     fun clear(means: Means) {
         this.means = means
         for (sum in sums) sum.clear()
         for (sum in slabs) sum.clear()
     }
 
-    /** Adds those of [other], which are around the same means. */
+    /** Adds the sums of [other], which are around the same means. */
     fun merge(other: CentralMoments) {
         for (k in sums.indices) sums[k].add(other.sums[k])
         for (k in slabs.indices) slabs[k].add(other.slabs[k])
@@ -97,7 +97,7 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
         addProducts(ACROSS, terms, across)
     }
 
-    /** Σ m, Σ m y, Σ m w of the particles in [slab]; m y are the terms. */
+    /** Σ m, Σ m y, Σ m w of the particles in [slab]; the terms are m y. */
     private fun addSlab(slab: Int) {
         val from = order.start(slab)
         val to = order.start(slab + 1)

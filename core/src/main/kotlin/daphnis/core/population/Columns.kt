@@ -1,8 +1,8 @@
 package daphnis.core.population
 
 /**
- * The arrays of a [Population], all of one length. A population has two sets of them by turns: a step is written to the
- * one and leaves the other as it was, so that it can be taken back by changing a reference.
+ * The arrays of a [Population], all of one length. A population has two sets of them, which take turns: a step is
+ * written to one and leaves the other as it was, so that the step can be taken back by changing a reference.
  */
 internal class Columns(
     val x: DoubleArray,
@@ -16,7 +16,7 @@ internal class Columns(
     val id: IntArray,
     lastCollision: DoubleArray,
 ) {
-    /** Of an empty set for [size] spheres, which has the [lastCollision] of another. */
+    /** An empty set for [size] spheres, with the [lastCollision] of another set. */
     constructor(size: Int, lastCollision: DoubleArray) : this(
         DoubleArray(size), DoubleArray(size), DoubleArray(size),
         DoubleArray(size), DoubleArray(size), DoubleArray(size),
@@ -36,7 +36,7 @@ internal class Columns(
         lastCollision = other.lastCollision
     }
 
-    /** Makes sure of an array that is not that of [other], for a step that writes it. */
+    /** Ensures an array that is not that of [other], for a step that writes it. */
     fun separateLastCollision(other: Columns) {
         if (lastCollision === other.lastCollision) lastCollision = DoubleArray(size)
     }

@@ -17,7 +17,7 @@ public class Conserved private constructor(
     public val momentumZ: Double,
 ) {
     public companion object {
-        /** The sums of [population] as it stands. */
+        /** The sums of the present state of [population]. */
         @JvmStatic
         public fun of(population: Population): Conserved {
             val s = PopulationSums(null)

@@ -1,15 +1,15 @@
 package daphnis.core.population
 
 /**
- * How many boxes each sphere of a population has gone through along each axis, by [IdPlaces]. Counts are made by the
- * first sphere that crosses a face at all. Within a step the first crossing keeps what was counted before; so a step
- * without one pays nothing, and taking a step back is an exchange of references.
+ * How many boxes each sphere of a population has gone through along each axis, by [IdPlaces]. The counts are allocated
+ * when the first sphere crosses a face. Within a step the first crossing keeps the counts of before. So a step without
+ * a crossing costs nothing, and taking a step back is an exchange of references.
  */
 internal class Crossings(val places: IdPlaces) {
     @Volatile
     private var counts: Array<IntArray>? = null
 
-    /** What [counts] were before the step, once it has changed them; else a table to be used again, or none. */
+    /** The [counts] before the step, once the step has changed them; else a table to be reused, or none. */
     private var kept: Array<IntArray>? = null
     private var isTransaction = false
 
@@ -20,7 +20,7 @@ internal class Crossings(val places: IdPlaces) {
     /** Whether any sphere has ever crossed. */
     private val isEmpty: Boolean get() = counts == null
 
-    /** Adds what is counted of the spheres with these [ids] to [other]. */
+    /** Adds the counts of the spheres with these [ids] to [other]. */
     fun copyInto(other: Crossings, ids: IntArray) {
         if (isEmpty) return
         for (axis in 0 until AXES) {
@@ -33,13 +33,13 @@ internal class Crossings(val places: IdPlaces) {
 
     fun of(id: Int, axis: Int): Int = counts?.get(axis)?.getOrElse(places.of(id)) { 0 } ?: 0
 
-    /** Threads may do this at the same time for different spheres. */
+    /** Threads may call this at the same time for different spheres. */
     fun add(id: Int, axis: Int, boxes: Int) {
         if (!isChanged && (isTransaction || isEmpty)) prepare()
         counts!![axis][places.of(id)] += boxes
     }
 
-    /** Nobody writes counts before this is done, and nobody after [begin] without it. */
+    /** No thread writes counts before this is done, and none after [begin] without it. */
     @Synchronized
     private fun prepare() {
         if (isChanged) return
@@ -69,7 +69,7 @@ internal class Crossings(val places: IdPlaces) {
         isChanged = false
     }
 
-    /** Makes counts what they were at [begin]. Allocates nothing. */
+    /** Restores the counts of [begin]. Allocates nothing. */
     fun takeBack() {
         if (isChanged) {
             val failed = counts

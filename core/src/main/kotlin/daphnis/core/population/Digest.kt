@@ -7,8 +7,8 @@ import java.util.HexFormat
 /**
  * The state digest: SHA-256 over x y z vx vy vz of all spheres in the order of their ids, as big-endian IEEE doubles.
  *
- * Two runs with the same digest have the same trajectory to the last bit. Independent of the order in which the arrays
- * are kept.
+ * Two runs with the same digest have the same trajectory to the last bit. The digest does not depend on the order in
+ * which the arrays are kept.
  *
  * @return 64 hexadecimal digits
  */

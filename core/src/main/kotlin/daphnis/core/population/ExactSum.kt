@@ -2,7 +2,7 @@ package daphnis.core.population
 
 /**
  * A sum of doubles without round-off: its [value] is the true sum of all terms, rounded once, to nearest and ties to
- * even. So it does not depend on the order of the terms, nor on how they were shared out among threads or machines
+ * even. So it does not depend on the order of the terms, nor on how they were distributed over threads or machines
  * whose sums are merged by [add].
  *
  * The true sum is held as an integer in units of 2^−1074, in chunks of 32 bits with room for carries (the small
@@ -10,22 +10,22 @@ package daphnis.core.population
  * exact in plain doubles, as in the presummation of Rump, Ogita & Oishi 2008, SIAM J. Sci. Comput. 31, 189.
  *
  * Infinities and NaN sum up as in plain addition. A sum that overflows on the way is right at the end if its value is
- * finite; else it is infinite. A sum of zeros is 0.0, whatever their signs. Not thread-safe; allocates nothing but in
+ * finite; otherwise it is infinite. A sum of zeros is 0.0, whatever their signs. Not thread-safe; allocates only in
  * [parts].
  */
 public class ExactSum {
-    // Σ chunk[i] · 2^(32 i), in units of 2^−1074; those outside of least..top are 0.
+    // Σ chunk[i] · 2^(32 i), in units of 2^−1074; those outside least..top are 0.
     private val chunks = LongArray(CHUNKS)
     private var least = CHUNKS
     private var top = -1
 
-    /** How many numbers the chunks have taken since carries were moved on. */
+    /** How many numbers the chunks have taken since carries were propagated. */
     private var pending = 0
 
-    /** The plain sum of what is not finite. */
+    /** The plain sum of the terms that are not finite. */
     private var special = 0.0
 
-    /** Makes this the sum of nothing: 0.0. */
+    /** Makes this the empty sum: 0.0. */
     public fun clear() {
         if (top >= 0) chunks.fill(0, least, top + 1)
         least = CHUNKS
@@ -44,7 +44,7 @@ public class ExactSum {
         }
         val fraction = bits and FRACTION
         if (exponent == 0 && fraction == 0L) return
-        // A subnormal number stands as one of exponent 1 does, but without the bit that is implied.
+        // A subnormal number is placed like one of exponent 1, but without the implied bit.
         val mantissa = if (exponent == 0) fraction else fraction or IMPLIED
         val position = maxOf(exponent, 1) - 1
         val chunk = position shr 5
@@ -59,7 +59,7 @@ public class ExactSum {
         if (++pending == MOST_PENDING) carry()
     }
 
-    /** Adds the entries [from] until [to] of [terms]: a few times faster than one by one. */
+    /** Adds the entries [from] until [to] of [terms], a few times faster than one by one. */
     public fun addAll(terms: DoubleArray, from: Int = 0, to: Int = terms.size) {
         var start = from
         while (start < to) {
@@ -74,7 +74,7 @@ public class ExactSum {
         }
     }
 
-    /** Adds the sum that [other] holds, whose value stays as it is. */
+    /** Adds the sum in [other], which does not change. */
     public fun add(other: ExactSum) {
         special += other.special
         if (other.top < 0) return
@@ -86,7 +86,7 @@ public class ExactSum {
         pending++
     }
 
-    /** The sum of all that was added, correctly rounded. */
+    /** The sum of all terms, correctly rounded. */
     public fun value(): Double {
         if (special != 0.0) return special
         carry()
@@ -99,8 +99,8 @@ public class ExactSum {
     }
 
     /**
-     * Numbers whose sum this is, without round-off: its value, the value of what that leaves, and so on. Few as a rule;
-     * [addAll] of them is this sum again. Empty for 0. Allocates.
+     * Numbers whose sum without round-off is this sum: its value, the value of the remainder, and so on. Usually they
+     * are few. [addAll] of them gives this sum again. Empty for 0. Allocates.
      */
     public fun parts(): List<Double> {
         if (special != 0.0) return listOf(special)
@@ -123,10 +123,10 @@ public class ExactSum {
     }
 
     /**
-     * Adds at most [BLOCK] terms of magnitudes below 2^(e + 1), where [exponent] is e with its bias. The number that
-     * is added and taken away rounds a term to a multiple of 2^(e − 39): 4096 of those add up exactly. What is left
-     * is rounded to multiples of 2^(e − 80) likewise. What is left then, of terms that are small beside the largest,
-     * goes the slow way.
+     * Adds at most [BLOCK] terms of magnitudes below 2^(e + 1), where [exponent] is e with its bias. Adding a number
+     * and subtracting it again rounds a term to a multiple of 2^(e − 39), and 4096 of those add up exactly. The
+     * remainders are rounded to multiples of 2^(e − 80) in the same way. What remains then, of terms that are small
+     * compared with the largest, is added one by one.
      */
     private fun addSplit(terms: DoubleArray, from: Int, to: Int, exponent: Int) {
         val coarse = 1.5 * powerOfTwo(exponent + BLOCK_BITS + 1)
@@ -146,7 +146,9 @@ public class ExactSum {
         add(low)
     }
 
-    /** Makes every chunk but the top one a number in 0 until 2^32; the top one, which has the sign, less than 2^31. */
+    /**
+     * Makes every chunk but the top one a number in 0 until 2^32, and the top one, which has the sign, less than 2^31.
+     */
     private fun carry() {
         if (pending == 0) return
         pending = 0
@@ -173,12 +175,13 @@ public class ExactSum {
         while (i > least && chunks[i] == 0L) i--
         if (chunks[i] == 0L) return 0.0
         val last = 32 * i + 63 - chunks[i].countLeadingZeroBits() - FRACTION_BITS
-        // Bits that all fit: the double of these bits, whether subnormal or not.
+        // All bits fit: the result is the double of these bits, whether subnormal or not.
         if (last <= 0) return Double.fromBits(chunks[0] or (chunks[1] shl 32))
         if (last > MOST_POSITION) return Double.POSITIVE_INFINITY
         var mantissa = bitsFrom(last)
         if (isRoundedUp(last, mantissa)) mantissa++
-        // The implied bit of the mantissa makes up for the 1 that the exponent lacks; one more carries into it.
+        // The implied bit of the mantissa makes up for the 1 that the exponent lacks; a rounding up carries into the
+        // exponent.
         return Double.fromBits((last.toLong() shl FRACTION_BITS) + mantissa)
     }
 
@@ -202,7 +205,7 @@ public class ExactSum {
     private fun powerOfTwo(exponent: Int): Double = Double.fromBits(exponent.toLong() shl FRACTION_BITS)
 
     private companion object {
-        /** 65 for the largest double, and room for the sum of 2^63 of those. */
+        /** 65 for the largest double, with room for the sum of 2^63 of those. */
         const val CHUNKS = 68
         const val LOW = 0xFFFFFFFFL
         const val FRACTION_BITS = 52
@@ -210,10 +213,10 @@ public class ExactSum {
         const val IMPLIED = 1L shl FRACTION_BITS
         const val NOT_FINITE = 0x7FF
 
-        /** The last bit of the largest double, in bits from that of the least. */
+        /** The last bit of the largest double, in bits from the last bit of the least. */
         const val MOST_POSITION = 2045
 
-        /** A chunk takes up to 2^52 with each term. */
+        /** Each term adds up to 2^52 to a chunk. */
         const val MOST_PENDING = 1024
 
         /** Fewer terms than this are added one by one. */

@@ -1,12 +1,12 @@
 package daphnis.core.population
 
 /**
- * Mass, momentum, energy and first moments of the positions of some spheres of a population, as exact sums: parts of a
- * population may be taken by different threads or machines, in any order, and merged. Allocates nothing once made.
+ * Mass, momentum, energy and first moments of the positions of some spheres of a population, as exact sums: different
+ * threads or machines may take parts of a population, in any order, and merge them. Allocates nothing once made.
  *
  * @param axis along which the extent is measured
- * @param firstBody spheres with ids from this on are bodies: they have mass, momentum and energy, and an extent, but
- *   are no particles; [Int.MAX_VALUE] for none
+ * @param firstBody spheres with this id or a higher one are bodies: they have mass, momentum, energy and an extent, but
+ *   are not particles; [Int.MAX_VALUE] for none
  */
 internal class FirstMoments(private val axis: Int, firstBody: Int) {
     private val particles = Array(SUMS) { ExactSum() }
@@ -19,7 +19,7 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
     var count = 0
         private set
 
-    /** Least and greatest position along the axis, of particles and bodies; infinite for nobody. */
+    /** Least and greatest position along the axis, of particles and bodies; infinite when there are none. */
     var least = Double.POSITIVE_INFINITY
         private set
     var greatest = Double.NEGATIVE_INFINITY
@@ -52,7 +52,7 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
         return both.value()
     }
 
-    /** Makes these the sums of nobody. */
+    /** Makes these the sums of no spheres. */
     fun clear() {
         for (sum in particles) sum.clear()
         for (sum in bodies) sum.clear()
@@ -61,7 +61,7 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
         greatest = Double.NEGATIVE_INFINITY
     }
 
-    /** Adds those of [other]. */
+    /** Adds the sums of [other]. */
     fun merge(other: FirstMoments) {
         for (e in particles.indices) particles[e].add(other.particles[e])
         for (e in bodies.indices) bodies[e].add(other.bodies[e])

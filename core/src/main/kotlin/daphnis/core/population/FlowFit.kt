@@ -1,21 +1,21 @@
 package daphnis.core.population
 
 /**
- * The measured mean flow of a population, and the second moments of what is left of its velocities without it: of the
+ * The measured mean flow of a population, and the second moments of the velocities minus this flow, which are the
  * *peculiar velocities* c.
  *
- * The mean flow along the flow's axis is the straight line across the flow that fits best, plus the mean of what
- * remains in slabs of equal width across it (one for [SPHERES_A_SLAB] spheres, at most [MOST_SLABS]), since a driven
- * flow need not be straight; along the other axes, and where no flow is driven, it is the mean. A line needs three
- * spheres and a distance between them; below that it is the boundary's.
+ * Along the flow's axis the mean flow is the straight line across the flow that fits best, plus the mean of the
+ * remainder in slabs of equal width across it (one per [SPHERES_A_SLAB] spheres, at most [MOST_SLABS]), since a driven
+ * flow need not be straight. Along the other axes, and where no flow is driven, it is the mean. A line needs three
+ * spheres and a distance between them; with less it is the boundary's line.
  *
- * What is fitted takes degrees of freedom away: 1 of each component, and of the one along the flow 1 + S − R² with S
- * slabs, R² the part of Σ m y² that is between them (the trace of the product of both projections). ⟨c_a c_b⟩ is
- * multiplied by N over what is left, so that it has no bias at any number of spheres; exactly where masses are equal,
- * or energy is shared equally among unequal ones. With nothing left it is 0.
+ * The fit takes degrees of freedom away: 1 from each component, and 1 + S − R² from the one along the flow, with S
+ * slabs, where R² is the part of Σ m y² that is between them (the trace of the product of both projections). ⟨c_a c_b⟩
+ * is multiplied by N over the remaining number, so that it has no bias at any number of spheres. This is exact where
+ * masses are equal, or where energy is shared equally among unequal ones. When no degrees of freedom remain, it is 0.
  *
- * It works on sums, masses as weights: w is the velocity without the boundary's straight flow and without the mean, y
- * the position across less its mean.
+ * The fit uses sums weighted by mass. w is the velocity without the boundary's straight flow and without the mean; y is
+ * the position across the flow minus its mean.
  */
 internal class FlowFit(private val flowAxis: Int) {
     /** Σ m w_a w_b: xx, yy, zz, xy, xz, yz. */
@@ -45,11 +45,12 @@ internal class FlowFit(private val flowAxis: Int) {
         }
     }
 
-    /** @return degrees of freedom that the fit has taken out of the component along the flow */
+    /** @return degrees of freedom that the fit has taken from the component along the flow */
     private fun takeOutFlow(slabCount: Int): Double {
         val slope = slopes[flowAxis] / across
         for (e in 0 until 6) {
-            // Twice in the square of the component itself, but once back: Σ m (w − s y)² = Σ m w² − s Σ m y w.
+            // Twice in the square of the component itself, of which one half comes back: Σ m (w − s y)² = Σ m w² − s Σ
+            // m y w.
             val other = otherThanFlow(e)
             if (other >= 0) moments[e] -= slope * slopes[other]
         }
@@ -71,8 +72,8 @@ internal class FlowFit(private val flowAxis: Int) {
     }
 
     /**
-     * The component that stands beside that of the flow in moment [e], itself in its square; −1 when the flow's is not
-     * in it.
+     * The component that moment [e] has beside that of the flow, which is the flow's own in its square; −1 when the
+     * flow's component is not in it.
      */
     private fun otherThanFlow(e: Int): Int = if (FIRST[e] == flowAxis) {
         SECOND[e]
@@ -91,7 +92,7 @@ internal class FlowFit(private val flowAxis: Int) {
         val FIRST = intArrayOf(0, 1, 2, 0, 0, 1)
         val SECOND = intArrayOf(0, 1, 2, 1, 2, 2)
 
-        /** Degrees of freedom are whole numbers but for the part between slabs; less than this is none. */
+        /** Degrees of freedom are whole numbers except for the part between slabs; less than this counts as none. */
         private const val LEAST_LEFT = 0.5
     }
 }

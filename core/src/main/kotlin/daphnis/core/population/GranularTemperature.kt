@@ -1,14 +1,14 @@
 package daphnis.core.population
 
 /**
- * Granular temperature ⟨c²⟩/3 in (length/time)², weighted by mass, with c the peculiar velocity: what is left of the
- * velocity without the mean flow *as it is measured*. Across a driven [flow] that is the straight line that fits best,
- * plus the mean of the rest in slabs (one a hundred spheres, at most twenty), else the mean. Degrees of freedom that
- * the fit takes are made up for, so that there is no bias at small numbers ([PopulationSums.moments]); one sphere alone
- * has none left and gives 0, as no sphere does. This is the number in `series.csv`, `summary.json` and the report, and
- * a third of c_xx + c_yy + c_zz in `transport.csv`. Exact sums; allocates.
+ * Granular temperature ⟨c²⟩/3 in (length/time)², weighted by mass, where c is the peculiar velocity: the velocity minus
+ * the *measured* mean flow. Across a driven [flow] that is the straight line that fits best, plus the mean of the
+ * remainder in slabs (one per hundred spheres, at most twenty); otherwise it is the mean. The result is corrected for
+ * the degrees of freedom that the fit takes, so that there is no bias at small numbers ([PopulationSums.moments]). A
+ * single sphere has none left and gives 0, and so does an empty population. This is the number in `series.csv`,
+ * `summary.json` and the report, and a third of c_xx + c_yy + c_zz in `transport.csv`. Sums are exact. Allocates.
  *
- * @param firstBody spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none
+ * @param firstBody spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
  */
 public fun granularTemperature(population: Population, flow: MeanFlow?, firstBody: Int = Int.MAX_VALUE): Double =
     PopulationSums(flow, null, firstBody).apply { take(population) }.granularTemperature

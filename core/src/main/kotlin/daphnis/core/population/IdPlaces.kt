@@ -1,9 +1,9 @@
 package daphnis.core.population
 
 /**
- * A place for each id of the spheres that a population began with or took on since, in the order of ids: the id itself
- * where ids are dense, else its rank. So a table by place takes memory by the number of spheres, whatever the largest
- * id is. A place outlives its sphere until others are added.
+ * A place for each id of the spheres with which a population began or which were added since, in the order of ids. It
+ * is the id itself where ids are dense, otherwise its rank. So the memory of a table by place depends on the number of
+ * spheres, not on the largest id. A place stays after its sphere is removed, until spheres are added.
  *
  * @param sorted the ids, ascending
  */
@@ -13,11 +13,11 @@ internal class IdPlaces(sorted: IntArray) {
     /** Number of places; some are empty when ids have gaps. */
     val count: Int = if (ranked != null) sorted.size else (sorted.lastOrNull() ?: -1) + 1
 
-    /** The place of [id]; any number outside of `0 until count` when no sphere had it. */
+    /** The place of [id]; any number outside `0 until count` when no sphere had it. */
     fun of(id: Int): Int = ranked?.binarySearch(id) ?: id
 
     private companion object {
-        /** Places a sphere at most, and how many more may be empty. */
+        /** The most places per sphere, and how many more may be empty. */
         const val DENSE = 2
         const val FEW = 64
 

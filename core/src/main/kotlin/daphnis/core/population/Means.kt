@@ -1,6 +1,6 @@
 package daphnis.core.population
 
-/** What second moments are taken around: means weighted by mass, and slabs across the flow. */
+/** The means around which second moments are taken, weighted by mass, and the slabs across the flow. */
 internal class Means {
     /** Mean position. */
     val position = DoubleArray(3)

@@ -1,10 +1,10 @@
 package daphnis.core.population
 
 /**
- * The indices of the particles, bodies left out, among at most [SPHERES] spheres of a population: so many that columns
- * of terms by place in the block stay in the cache.
+ * The indices of the particles, without bodies, among at most [SPHERES] spheres of a population. The number is such
+ * that columns of terms by place in the block stay in the cache.
  *
- * @param firstBody spheres with ids from this on are bodies; [Int.MAX_VALUE] for none
+ * @param firstBody spheres with this id or a higher one are bodies; [Int.MAX_VALUE] for none
  */
 internal class ParticleBlock(private val firstBody: Int) {
     /** The indices of the first [size] entries. */

@@ -4,17 +4,17 @@ package daphnis.core.population
  * Spheres as a structure of arrays: entry `k` of every array belongs to the sphere with the stable id `id[k]`.
  *
  * The **index** `k` of a sphere changes from step to step, because engines keep neighbours in space next to one another
- * in memory; its **id** never does. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not
+ * in memory. Its **id** never changes. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not
  * copied: an analysis may read them between two calls of `advance()`, and a force may write the velocities. **Read them
- * anew after each `advance()`**: a step is written to a second set of arrays, which then becomes the population's,
- * while those of before are kept for the step to be taken back if it fails. Not thread-safe; during `advance()` the
+ * anew after each `advance()`**: a step is written to a second set of arrays, which then becomes the population's. The
+ * previous set is kept, so that the step can be taken back if it fails. Not thread-safe; during `advance()` the
  * population belongs to the engine.
  *
  * @param x positions, in the scenario's unit of length; likewise [y], [z]
  * @param vx velocities, unit of length per unit of time; likewise [vy], [vz]
  * @param radius radii, > 0
  * @param mass masses, > 0
- * @param id distinct, in 0..[Int.MAX_VALUE], with gaps as they come; 0, 1, 2, … when not given
+ * @param id distinct, in 0..[Int.MAX_VALUE], possibly with gaps; 0, 1, 2, … when not given
  * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not positive,
  *   or an id occurs twice
  */
@@ -74,7 +74,7 @@ public class Population @JvmOverloads constructor(
     private var idPlaces: IdPlaces
     private var crossings: Crossings
 
-    /** Those at the start of the step under way, in which others were added; else the same. */
+    /** The crossings at the start of the step under way, if spheres were added in it; otherwise the same object. */
     private var crossingsBefore: Crossings
     private var indexByPlace = IntArray(0)
     private var indexIsCurrent = false
@@ -103,7 +103,9 @@ public class Population @JvmOverloads constructor(
         crossingsBefore = crossings
     }
 
-    /** The index now of the sphere with the stable id [id], or −1 when there is none. Allocates nothing once warm. */
+    /**
+     * The present index of the sphere with the stable id [id], or −1 when there is none. Allocates nothing once warm.
+     */
     public fun indexOf(id: Int): Int {
         val place = idPlaces.of(id)
         return if (place in 0 until idPlaces.count) indexAt(place) else -1
@@ -126,36 +128,37 @@ public class Population @JvmOverloads constructor(
      */
     internal val places: Int get() = idPlaces.count
 
-    /** The index now of the sphere at [place] in the order of ids, in 0 until [places]; −1 when there is none. */
+    /** The present index of the sphere at [place] in the order of ids, in 0 until [places]; −1 when there is none. */
     internal fun indexAt(place: Int): Int {
         if (!indexIsCurrent) indexIds()
         return indexByPlace[place]
     }
 
-    /** To be called by whoever permuted the arrays. */
+    /** To be called after the arrays were permuted. */
     public fun orderChanged() {
         indexIsCurrent = false
     }
 
     /**
      * Through how many boxes the sphere with the stable id [id] has gone along [axis] (0 = x, 1 = y, 2 = z), counted
-     * positive upward: it stands where it would without images, less this many lengths of the box. Where images slide,
-     * the count along the slide is against images that were in line at time 0 and have slid since by velocity · time,
-     * not reduced to the box.
+     * positive upward. Its position is the one that it would have without images, minus this many lengths of the box.
+     * Where images slide, the count along the slide refers to images that were aligned at time 0 and have slid since by
+     * velocity · time, not reduced to the box.
      */
     public fun boxesCrossed(id: Int, axis: Int): Int = crossings.of(id, axis)
 
     /**
-     * Adds to [boxesCrossed] of the sphere at [index], for boundaries that put it that many boxes back. Threads may do
-     * this at the same time for different spheres. Part of the state of a run, though not of the digest; only spheres
-     * that cross pay.
+     * Adds to [boxesCrossed] of the sphere at [index], for boundaries that put it that many boxes back. Threads may
+     * call this at the same time for different spheres. Part of the state of a run, though not of the digest. It costs
+     * nothing for spheres that do not cross.
      */
     public fun addCrossing(index: Int, axis: Int, boxes: Int) {
         crossings.add(id[index], axis, boxes)
     }
 
     /**
-     * Keeps the spheres whose index [keep] accepts, drops the others, keeps ids. Allocates; for boundaries that remove.
+     * Keeps the spheres whose index [keep] accepts, with their ids, and removes the rest. Allocates. For boundaries
+     * that remove spheres.
      */
     public fun retain(keep: IndexPredicate) {
         val kept = IntArray(size)
@@ -167,11 +170,11 @@ public class Population @JvmOverloads constructor(
     }
 
     /**
-     * Takes on the spheres of [others], with their ids, times of collision and boxes crossed; [others] stays as it is.
-     * They stand behind those that are there. Costs a copy of all arrays, so many are better added at once. Within a
-     * step it is for the boundary, and taken back with the step. Allocates.
+     * Adds the spheres of [others], with their ids, times of collision and boxes crossed, after those that are there;
+     * [others] does not change. It costs a copy of all arrays, so add many spheres at once. Within a step only the
+     * boundary may call it, and it is taken back with the step. Allocates.
      *
-     * @throws IllegalArgumentException when an id is taken, by a sphere that is there; then nothing is changed
+     * @throws IllegalArgumentException when a sphere that is there has one of the ids; then nothing is changed
      */
     public fun add(others: Population) {
         if (others.size == 0) return
@@ -197,8 +200,9 @@ public class Population @JvmOverloads constructor(
     }
 
     /**
-     * Columns to write a whole step to, which [take] makes those of the population. Until then the population is as it
-     * was, whatever happens. Those that came to nothing are dropped, as a thread may be late with them.
+     * Columns to which a whole step is written, and which [take] makes those of the population. Until then the
+     * population is as it was, whatever happens. Columns of a failed step are dropped, since a late thread may still
+     * write to them.
      *
      * @param tracksLastCollision whether the step writes [lastCollision]
      */
@@ -214,14 +218,14 @@ public class Population @JvmOverloads constructor(
         return columns
     }
 
-    /** Makes [columns] those of the population. Cannot fail. */
+    /** Makes [columns] the columns of the population. Cannot fail. */
     internal fun take(columns: Columns) {
         if (now !== before) spare = now
         now = columns
         indexIsCurrent = false
     }
 
-    /** Brings every sphere along its straight path, where nobody collides. */
+    /** Moves every sphere along its straight path, for a step without collisions. */
     internal fun drift(duration: Double) {
         val from = now
         val to = columnsToWrite(tracksLastCollision = false)
@@ -241,7 +245,7 @@ public class Population @JvmOverloads constructor(
         crossings.begin()
     }
 
-    /** The step stands. Cannot fail. */
+    /** Keeps the step. Cannot fail. */
     internal fun commitStep() {
         val old = before
         if (old !== now) spare = old
@@ -251,11 +255,12 @@ public class Population @JvmOverloads constructor(
     }
 
     /**
-     * Makes everything what it was at [beginStep], but for what was written to the arrays of that moment. Cannot fail.
+     * Restores everything as it was at [beginStep], except for what was written to the arrays of that moment. Cannot
+     * fail.
      */
     internal fun takeStepBack() {
         now = before ?: return
-        // Not to be written again, as a thread may be late with them.
+        // Not to be reused, since a late thread may still write to them.
         spare = null
         before = null
         indexIsCurrent = false
@@ -272,7 +277,7 @@ public class Population @JvmOverloads constructor(
     }
 }
 
-/** Says yes or no to an index of a [Population]. */
+/** Accepts or rejects an index of a [Population]. */
 public fun interface IndexPredicate {
     public fun accepts(index: Int): Boolean
 }

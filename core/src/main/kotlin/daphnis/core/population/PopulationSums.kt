@@ -6,17 +6,17 @@ import daphnis.core.parallel.RangeLoop
 import kotlin.math.sqrt
 
 /**
- * What a row of `series.csv` and of `transport.csv` says of a population: mass, momentum, energy, and the moments of
- * its velocities. Made once and filled by [take] for each row; allocates nothing once warm. One thread calls; the loop
- * given to [take] may use more.
+ * The numbers on a population in a row of `series.csv` and of `transport.csv`: mass, momentum, energy, and the moments
+ * of its velocities. Made once and filled by [take] for each row; allocates nothing once warm. One thread calls; the
+ * loop given to [take] may use more.
  *
- * Sums are exact ([ExactSum]), first those of [FirstMoments] and then those of [CentralMoments] around the means that
- * they give: the same to the last bit for every order of the arrays, engine and number of threads.
+ * Sums are exact ([ExactSum]), first those of [FirstMoments] and then those of [CentralMoments] around the means from
+ * the first. So they are the same to the last bit for every order of the arrays, engine and number of threads.
  *
  * @param flow the mean flow that the boundary drives, or null
  * @param omega angular speed of Hill's frame, or null
- * @param firstBody spheres with ids from this on are bodies, such as moonlets: they count for mass, momentum and
- *   energy, and for nothing else; [Int.MAX_VALUE] for none
+ * @param firstBody spheres with this id or a higher one are bodies, such as moonlets: they contribute to mass, momentum
+ *   and energy, and to nothing else; [Int.MAX_VALUE] for none
  */
 public class PopulationSums(
     flow: MeanFlow?,
@@ -29,14 +29,14 @@ public class PopulationSums(
     private val fit = FlowFit(flowAxis)
     private val means = Means()
 
-    // One of each for each worker of the loop; merged into the first.
+    // One of each per worker of the loop, merged into the first.
     private val first = Workers { FirstMoments(normalAxis, firstBody) }
     private val central = Workers { CentralMoments(flow, firstBody) }
     private var population: Population? = null
     private val takeFirst = RangeBody { worker, from, to -> first[worker].add(population!!, from, to) }
     private val takeCentral = RangeBody { worker, from, to -> central[worker].add(population!!, from, to) }
 
-    /** Number of spheres, bodies included. */
+    /** Number of spheres, including bodies. */
     public var count: Int = 0
         private set
 
@@ -53,16 +53,16 @@ public class PopulationSums(
     public val particleMass: Double get() = first[0].particleMass
 
     /**
-     * ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, what is left of the velocity
-     * without the mean flow as it is measured. Weighted by mass, without bias by the number of spheres
-     * ([granularTemperature] has the definition). Valid until the next [take].
+     * ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, which is the velocity minus the
+     * measured mean flow. Weighted by mass, without bias from the number of spheres ([granularTemperature] has the
+     * definition). Valid until the next [take].
      */
     public val moments: DoubleArray get() = fit.moments
 
     /**
-     * ⟨w_a w_b⟩ likewise, w the velocity without the straight flow of the boundary's rate and without the mean: times
-     * mass and over volume the kinetic part of the pressure tensor, which the energy balance of a shear flow needs.
-     * Nothing is made up for. Valid until the next [take].
+     * ⟨w_a w_b⟩ in the same order, where w is the velocity without the straight flow at the boundary's rate and without
+     * the mean. Times mass over volume it is the kinetic part of the pressure tensor, which the energy balance of a
+     * shear flow needs. There is no correction for degrees of freedom. Valid until the next [take].
      */
     public val kinetic: DoubleArray = DoubleArray(6)
 
@@ -80,11 +80,11 @@ public class PopulationSums(
     public var scaleHeight: Double = 0.0
         private set
 
-    /** Σ m X / Σ m, X = 4x + 2 v_y/Ω, in Hill's frame; else the mean of x. */
+    /** Σ m X / Σ m with X = 4x + 2 v_y/Ω in Hill's frame; otherwise the mean of x. */
     public var guidingX: Double = 0.0
         private set
 
-    /** Takes the sums of [population] as it stands, by the threads of [loop]. All are 0 for an empty one. */
+    /** Takes the sums of the present state of [population] on the threads of [loop]. All are 0 for an empty one. */
     public fun take(population: Population, loop: RangeLoop = InlineLoop) {
         count = population.size
         this.population = population
@@ -128,7 +128,7 @@ public class PopulationSums(
     }
 }
 
-/** Something of each worker's own, made by [make] when it is first needed. */
+/** One object per worker, made by [make] when it is first needed. */
 private class Workers<T>(private val make: () -> T) {
     private val all = ArrayList<T>()
 

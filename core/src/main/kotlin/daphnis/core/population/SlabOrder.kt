@@ -6,7 +6,7 @@ internal class SlabOrder {
     private val sorted = IntArray(ParticleBlock.SPHERES)
     private val starts = IntArray(FlowFit.MOST_SLABS + 2)
 
-    /** The place of the first particle in [slab], or behind the last one. */
+    /** The place of the first particle in [slab], or the place after the last one. */
     fun start(slab: Int): Int = starts[slab]
 
     fun sort(block: ParticleBlock, position: DoubleArray, means: Means) {

@@ -5,16 +5,16 @@ import kotlin.math.sqrt
 /**
  * Second moments of the velocities of a population, weighted by mass, around two mean flows.
  *
- * @property moments ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, what is left of
- *   the velocity without the measured mean flow, and degrees of freedom that the fit takes are made up for
+ * @property moments ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, which is the
+ *   velocity minus the measured mean flow, and the result is corrected for the degrees of freedom that the fit takes
  *   ([granularTemperature] is a third of xx + yy + zz)
- * @property kinetic ⟨w_a w_b⟩ likewise; w is what is left without the boundary's [MeanFlow] (with its rate, a straight
- *   line through the origin) and without the mean of the rest. With the mass over the volume it is the kinetic part of
- *   the pressure tensor, for which the energy balance of a shear flow holds
+ * @property kinetic ⟨w_a w_b⟩ in the same order; w is the velocity without the boundary's [MeanFlow] (with its rate, a
+ *   straight line through the origin) and without the mean of the remainder. Times mass over volume it is the kinetic
+ *   part of the pressure tensor, for which the energy balance of a shear flow holds
  * @property mean ⟨velocity − the boundary's flow⟩ along x, y, z
  * @property centreZ mean height
  * @property scaleHeight √⟨(z − centre)²⟩
- * @property guidingX Σ m X / Σ m, X = 4x + 2 v_y/Ω, in Hill's frame; else the mean of x
+ * @property guidingX Σ m X / Σ m with X = 4x + 2 v_y/Ω in Hill's frame; otherwise the mean of x
  */
 public class VelocityMoments private constructor(
     public val moments: DoubleArray,
@@ -38,14 +38,14 @@ public class VelocityMoments private constructor(
         public const val XZ: Int = 4
         public const val YZ: Int = 5
 
-        /** The components of the moments in the order in which they stand. */
+        /** The components of the moments in their order. */
         public val COMPONENTS: List<String> = listOf("xx", "yy", "zz", "xy", "xz", "yz")
 
         /**
          * The moments of [population], where the boundary drives [flow], from exact sums. All zero for no spheres.
          *
          * @param omega angular speed of Hill's frame, or null
-         * @param leastId spheres with ids from this on are left out, such as moonlets; [Int.MAX_VALUE] for none
+         * @param leastId spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
          */
         public fun of(
             population: Population,

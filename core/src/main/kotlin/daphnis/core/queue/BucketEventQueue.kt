@@ -4,8 +4,8 @@ import daphnis.core.queue.EventStore.Companion.NONE
 
 /**
  * The fast [EventQueue]. All events of a step lie in [0, duration], so a calendar needs no overflow list: the step is
- * cut into buckets of equal width, about two events each; a bucket is an unsorted linked list until its time comes,
- * then it is drained into a small heap, which holds the exact order.
+ * cut into buckets of equal width, with about two events each. A bucket is an unsorted linked list until its time
+ * comes. Then it is drained into a small heap, which holds the exact order.
  *
  * ```
  *   time 0 ─────────────────────────────────────────▶ duration
@@ -13,8 +13,8 @@ import daphnis.core.queue.EventStore.Companion.NONE
  *                    ▲ current: in the heap    later ones: linked lists, newest first
  * ```
  *
- * Removal is lazy, see [EventHeap]. When the store is full, the dead are squeezed out before it grows. Adding and
- * popping cost O(1) on average; nothing is allocated once the store has its size.
+ * Removal is lazy, see [EventHeap]. When the store is full, dead events are squeezed out before it grows. Adding and
+ * popping cost O(1) on average. Nothing is allocated once the store has its size.
  */
 public class BucketEventQueue : EventQueue {
     /** The events of the current bucket; its store holds those of all buckets. */
@@ -26,10 +26,10 @@ public class BucketEventQueue : EventQueue {
     override val second: Int get() = heap.second
     override val image: Int get() = heap.image
 
-    /** Events of this step that have been squeezed out of the store. */
+    /** Number of events of this step that have been squeezed out of the store. */
     private var squeezed = 0
 
-    /** Events of the busiest of the last steps; fades by an eighth per step. */
+    /** Number of events of the busiest of the last steps; fades by an eighth per step. */
     private var busiest = 0
 
     private var heads = IntArray(1)

@@ -5,13 +5,13 @@ package daphnis.core.queue
  * in its [store].
  *
  * Removal is lazy. `validFrom[slot]` is the number of the first event that came after the last [removeAllOf] of this
- * slot, so an event is dead when its number is below that of either of its spheres. The dead stay in the store until
+ * slot, so an event is dead when its number is below that of either of its spheres. Dead events stay in the store until
  * [reset] or [squeeze]. Nothing is allocated once the arrays have their size.
  *
  * @param capacity events for which there is room at first, at least 1
  */
 internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
-    /** All events added since the last [reset] or [squeeze], the dead included. */
+    /** All events added since the last [reset] or [squeeze], including dead ones. */
     val store = EventStore(capacity)
 
     override var time = 0.0
@@ -38,7 +38,10 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
         size = 0
     }
 
-    /** Makes [slot] known after the [reset]; its id is `ids[slot]`, those of the slots known before stay the same. */
+    /**
+     * Makes [slot] known after the [reset]. Its id is `ids[slot]`; the ids of the slots known before must stay the
+     * same.
+     */
     fun include(slot: Int, ids: IntArray) {
         this.ids = ids
         if (slot >= validFrom.size) validFrom = validFrom.copyOf(maxOf(slot + 1, validFrom.size * 2))
@@ -77,7 +80,7 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
 
     private fun isDead(e: Int, a: Int, b: Int): Boolean = a < 0 || e < validFrom[a] || (b >= 0 && e < validFrom[b])
 
-    /** Forgets the dead and gives the events that are alive new numbers, in the same order. The heap is empty then. */
+    /** Removes dead events and gives the live ones new numbers, in the same order. The heap is empty then. */
     fun squeeze() {
         var kept = 0
         for (e in 0 until store.size) if (!isDead(e)) store.copy(e, kept++)
@@ -110,7 +113,7 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
         return least
     }
 
-    /** Puts event [e], which is at [time], where it belongs among the first [n] entries, of which the top is free. */
+    /** Puts event [e], which is at [time], at its place among the first [n] entries, of which the top is free. */
     private fun sink(e: Int, time: Double, n: Int) {
         val heap = heap
         val times = times

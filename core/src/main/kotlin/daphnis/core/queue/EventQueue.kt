@@ -9,10 +9,10 @@ public interface EventSink {
 /**
  * Potential collisions of one step, handed out in the order (time, lower id, higher id, image).
  *
- * A step goes: [reset]; any number of [add]; then [pop] until it answers false, each time followed by [removeAllOf] for
- * the spheres that the collision changed and by [add] for what they can now hit. Times lie in `[0, duration]`; an event
- * added while another is processed is not earlier than that one. Spheres are addressed by slot; ids only break ties.
- * Single-threaded.
+ * The calls of a step are [reset]; any number of [add]; then [pop] until it returns false, each time followed by
+ * [removeAllOf] for the spheres that the collision changed and by [add] for what they can now hit. Times lie in `[0,
+ * duration]`; an event added while another is processed is not earlier than that one. Spheres are addressed by slot;
+ * ids only break ties. Single-threaded.
  */
 public interface EventQueue : Schedule {
     /** Time of the event that [pop] handed out, from the start of the step. */

@@ -1,8 +1,8 @@
 package daphnis.core.queue
 
 /**
- * Potential collisions by number, from 0 in the order in which they came. Each has a time, its two spheres, an image
- * and one link to another event, with which its owner makes lists.
+ * Potential collisions by number, from 0 in the order in which they were added. Each has a time, its two spheres, an
+ * image and one link to another event, with which its owner makes lists.
  *
  * Three longs per event, so that one event is one or two cache lines: time as bits | first, second | image, link.
  * Nothing is allocated once the store has its size. Single-threaded, but for [put] and [link] on events that no other

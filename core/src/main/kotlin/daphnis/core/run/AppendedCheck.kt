@@ -7,10 +7,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Holds the files that a run appends to against what a checkpoint knows of them.
+ * Compares the files to which a run appends with what a checkpoint knows of them.
  *
- * @property problems a line for each that does not hold what the run wrote, with its name
- * @property beginnings of those that do, to go on from
+ * @property problems one line for each file that does not hold what the run wrote, with its name @property beginnings
+ *   of the files that do, to continue from
  */
 internal class AppendedCheck(private val directory: RunDirectory, private val meta: CheckpointMeta) {
     val problems = ArrayList<String>()
@@ -24,9 +24,9 @@ internal class AppendedCheck(private val directory: RunDirectory, private val me
     }
 
     /**
-     * Takes the files that have [problems] for what they are, cut back to whole lines.
+     * Accepts the files that have [problems] as they are, cut back to whole lines.
      *
-     * @return a line for each, with its name and what is lost
+     * @return one line for each, with its name and what is lost
      * @throws InputException when one cannot be read
      */
     fun acceptLoss(): List<String> = meta.appended.filterKeys { it !in beginnings }.map { (name, mark) ->
@@ -48,7 +48,7 @@ internal class AppendedCheck(private val directory: RunDirectory, private val me
         }
     }
 
-    /** Where the last line that ends at [length] or before does; 0 when there is none. */
+    /** The end of the last line that ends at [length] or before; 0 when there is none. */
     private fun endOfLine(path: Path, length: Long): Long = RandomAccessFile(path.toFile(), "r").use { file ->
         var end = length
         while (end > 0) {

@@ -6,13 +6,12 @@ import java.util.zip.CRC32C
 import kotlin.io.path.name
 
 /**
- * A table as text that only grows, line by whole line. What has gathered is written at every checkpoint, when it is
- * much, and when it has waited for a second ([flushIfDue]). On resume the file is cut back to the length that the
- * checkpoint knew, so no line is there twice. Its checksum is kept as it grows; nothing is read again.
+ * A text table that only grows, by whole lines. Buffered lines are written at every checkpoint, when there are many,
+ * and when they have waited for a second ([flushIfDue]). On resume the file is cut back to the length in the
+ * checkpoint, so no line is there twice. The checksum is updated as the file grows, so nothing is read again.
  *
  * @param header names of the columns, separated by commas
- * @param kept the beginning to go on from, or null to begin anew
- * @param clock nanoseconds
+ * @param kept the beginning to continue from, or null to start a new file @param clock nanoseconds
  */
 internal class AppendedFile(
     private val path: Path,
@@ -34,21 +33,21 @@ internal class AppendedFile(
 
     fun line(): StringBuilder = pending
 
-    /** Ends the line; writes when much has gathered. */
+    /** Ends the line; writes when much is buffered. */
     fun endLine() {
         pending.append('\n')
         if (pending.length > BLOCK) flush()
     }
 
     /**
-     * Writes what has gathered when the last time is a second ago. To be called between lines, after each step; costs a
-     * look at the clock at most.
+     * Writes what is buffered when the last time is a second ago. To be called between lines, after each step; costs at
+     * most one reading of the clock.
      */
     fun flushIfDue() {
         if (pending.isNotEmpty() && clock() - writtenAt >= SECOND) flush()
     }
 
-    /** Writes what has gathered. */
+    /** Writes what is buffered. */
     fun flush() {
         val bytes = pending.toString().toByteArray(Charsets.UTF_8)
         file.write(bytes)
@@ -57,7 +56,7 @@ internal class AppendedFile(
         writtenAt = clock()
     }
 
-    /** Forces everything to the disk, so that a checkpoint may count on it. @return what the file is now */
+    /** Forces everything to the disk, so that a checkpoint may rely on it. @return the mark of the file as it is now */
     fun force(): FileMark {
         flush()
         files.force(path.name, file.fd)

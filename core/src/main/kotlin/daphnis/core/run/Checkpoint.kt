@@ -9,14 +9,14 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * All that a run needs to go on to the same bits, and to know its other files again.
+ * Everything that a run needs to continue to the same bits, and to recognise its other files.
  *
  * The file: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name,
  * a long with the length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON
  * ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are arrays in the order of ids;
- * `OUTS`, only where there is something to say, is what outputs keep ([SavedOutputs]), but for the sums of
- * `transport.csv`, which stand in `META`; `END.` is empty and last. A file cut short or with flipped bytes does not
- * pass. Format 2 has no `SCEN`, and of other files their lengths only. In the run of a [Program] `SCEN` is `run.json`.
+ * `OUTS`, only where there is any, is what outputs keep ([SavedOutputs]), except for the sums of `transport.csv`, which
+ * are in `META`; `END.` is empty and last. A file that was cut short or has flipped bytes is refused. Format 2 has no
+ * `SCEN`, and only the lengths of other files. In the run of a [Program] `SCEN` is `run.json`.
  *
  * @property scenario null in format 2
  */
@@ -31,7 +31,7 @@ internal class Checkpoint(
     /** What outputs have saved, by name. */
     val outputs: Map<String, OutputState> get() = own + SavedOutputs.ofTransport(meta)
 
-    /** All but the spheres. */
+    /** Everything but the spheres. */
     class Head(val meta: CheckpointMeta, val scenario: String?)
 
     companion object {
@@ -75,7 +75,7 @@ internal class Checkpoint(
             "RADI" to p.radius, "MASS" to p.mass, "LAST" to p.lastCollision,
         )
 
-        /** @throws CheckpointException that says in one line what is wrong with the file */
+        /** @throws CheckpointException with one line that says what is wrong with the file */
         fun read(path: Path): Checkpoint {
             val records = Records.read(path, Records.END)
             return decoded(path) {
@@ -84,7 +84,7 @@ internal class Checkpoint(
             }
         }
 
-        /** Reads what stands before the spheres. @throws CheckpointException as [read] does, as far as it reads */
+        /** Reads what comes before the spheres. @throws CheckpointException as [read] does, as far as it reads */
         fun readHead(path: Path): Head {
             val records = Records.read(path, "IDS ")
             return decoded(path) { head(records) }
@@ -124,5 +124,5 @@ internal class Checkpoint(
     }
 }
 
-/** A checkpoint cannot be used; the message is one line that says why. */
+/** Thrown when a checkpoint cannot be used; the message is one line that says why. */
 internal class CheckpointException(message: String) : RuntimeException(message)

@@ -4,14 +4,13 @@ import daphnis.core.collision.CollisionCounters
 import kotlinx.serialization.Serializable
 
 /**
- * What a checkpoint knows beside the spheres.
+ * What a checkpoint holds besides the spheres.
  *
- * @property appended each file that is only appended to, by name in the run directory, as far as it is the run's: what
- *   lies beyond was written after the checkpoint and is cut off on resume
- * @property whole likewise files that are written anew with each checkpoint; `summary.json` among them in the last of a
- *   run
- * @property losses what was lost of tables, and accepted on a resume, since the start of the run; a line each
- * @property collisionSums of the statistics of collisions, when they are kept; likewise [impactSpeeds]
+ * @property appended each file that is only appended to, by name in the run directory, up to the checkpoint: what lies
+ *   beyond was written later and is cut off on resume @property whole files that are written anew with each checkpoint,
+ *   by name; with `summary.json` in the last checkpoint of a run @property losses what was lost of tables, and accepted
+ *   on a resume, since the start of the run; one line each @property collisionSums of the statistics of collisions,
+ *   when they are kept; likewise [impactSpeeds]
  */
 @Serializable
 internal class CheckpointMeta(
@@ -29,7 +28,7 @@ internal class CheckpointMeta(
     val impactSpeeds: List<Long> = emptyList(),
     val losses: List<String> = emptyList(),
 ) {
-    /** Sets [counters] to what had been counted. */
+    /** Sets [counters] to the stored counts. */
     fun countInto(counters: CollisionCounters) {
         counters.collisions = collisions
         counters.wallCollisions = wallCollisions

@@ -8,10 +8,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * A checkpoint that a run can go on from.
+ * A checkpoint from which a run can continue.
  *
- * @property beginnings of the files that it appends to, by name
- * @property losses what was lost of them and accepted, now or earlier, a line each
+ * @property beginnings of the files to which it appends, by name @property losses what was lost of them and accepted,
+ *   now or earlier, one line each
  */
 internal class GoodCheckpoint(
     val checkpoint: Checkpoint,
@@ -22,9 +22,10 @@ internal class GoodCheckpoint(
 }
 
 /**
- * The two checkpoints of a run directory. A new one is written whole beside them; then the last becomes the previous
- * one, then the new one the last. At every moment one of them is good: killed between the two moves, there is the
- * previous one. One that was found damaged is not kept in place of the previous one.
+ * The two checkpoints of a run directory. A new one is written completely beside them. Then the last one becomes the
+ * previous one, and then the new one becomes the last. At every moment one of them is good: when the program is killed
+ * between the two moves, there is the previous one. A checkpoint that was found damaged does not replace the previous
+ * one.
  */
 internal class Checkpoints(private val directory: RunDirectory) {
     private val files = directory.files
@@ -41,10 +42,10 @@ internal class Checkpoints(private val directory: RunDirectory) {
     }
 
     /**
-     * The last checkpoint that is whole and that the files appended to agree with; null when there never was one.
+     * The last checkpoint that is intact and agrees with the appended files; null when there never was one.
      *
-     * @param acceptLoss when the files agree with none, to go on from the last one that is whole with what they hold
-     * @param notices gets a line for each thing passed over or lost
+     * @param acceptLoss when the files agree with none, to continue from the last intact one with what they hold @param
+     *   notices receives one line for each thing skipped or lost
      * @throws InputException when none can be used
      */
     fun lastGood(acceptLoss: Boolean, notices: MutableList<String>): GoodCheckpoint? {
@@ -53,10 +54,10 @@ internal class Checkpoints(private val directory: RunDirectory) {
             requireUnbegun(acceptLoss, notices)
             return null
         }
-        // Nothing could take its place.
+        // Nothing could replace it.
         found.find {
             !Files.isRegularFile(it)
-        }?.let { throw InputException("$it", null, "is no file; take it away, and resume again") }
+        }?.let { throw InputException("$it", null, "is not a file; remove it and resume again") }
         val problems = ArrayList<String>()
         val whole = ArrayList<Pair<Path, Checkpoint>>()
         for (file in found) {
@@ -73,7 +74,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
             return taken(file, GoodCheckpoint(checkpoint, appended.beginnings), problems, notices)
         }
         if (whole.isEmpty()) {
-            val mend = "no checkpoint is left to go on from, run the scenario again"
+            val mend = "no usable checkpoint is left, run the scenario again"
             throw InputException("", null, "${problems.joinToString("; ")}; $mend")
         }
         if (!acceptLoss) {
@@ -84,15 +85,18 @@ internal class Checkpoints(private val directory: RunDirectory) {
         return taken(file, GoodCheckpoint(checkpoint, appended.beginnings, appended.acceptLoss()), emptyList(), notices)
     }
 
-    /** A run has a checkpoint as soon as its start has been written; one that has gone on and has none has lost it. */
+    /**
+     * A run has a checkpoint as soon as its start has been written. A run that has written more and has none has lost
+     * it.
+     */
     private fun requireUnbegun(acceptLoss: Boolean, notices: MutableList<String>) {
         if (!Files.exists(directory.summary) && directory.snapshotSteps().none { it > 0 }) return
         val other = directory.previousCheckpoint.fileName
-        val missing = "${directory.checkpoint}: is missing, and so is $other, though the run has gone on"
+        val missing = "${directory.checkpoint} and $other are both missing, but the run has already written output"
         if (!acceptLoss) {
             throw InputException("", null, missing, WayOut.BEGIN_ANEW)
         }
-        notices += "$missing; it begins anew"
+        notices += "$missing; it starts again from the beginning"
     }
 
     private fun taken(

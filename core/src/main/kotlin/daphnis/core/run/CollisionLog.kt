@@ -8,7 +8,7 @@ import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.TableColumns
 
-/** `collisions.csv`: a row for every collision, in order of time. */
+/** `collisions.csv`: one row per collision, in time order. */
 internal class CollisionLog(files: RunFiles) : Output {
     private val file = files.table(CollisionColumns.rows)
 
@@ -24,7 +24,7 @@ internal class CollisionLog(files: RunFiles) : Output {
     }
 }
 
-/** Collision [k] of those in [record], of step [step]. */
+/** Collision [k] in [record], the record of step [step]. */
 internal class LoggedCollision(val step: Long, val record: CollisionRecord) {
     var k = 0
 }

@@ -20,7 +20,7 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
 
     private val sums = Array(SUMS) { ExactSum() }
 
-    // Of collisions that are not yet in the sums, by sum.
+    // Terms of collisions that are not yet in the sums, by sum.
     private val terms = Array(SUMS) { DoubleArray(BLOCK) }
     private var waiting = 0
 
@@ -40,16 +40,16 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
     public val virial: DoubleArray get() = DoubleArray(TENSOR) { sums[VIRIAL + it].value() }
 
     /**
-     * Collisions by impact speed, [BINS_A_DECADE] bins a decade from 10^[LEAST_DECADE]; the first and last take what
-     * lies beyond.
+     * Collisions by impact speed, [BINS_A_DECADE] bins per decade from 10^[LEAST_DECADE]; the first and last also hold
+     * what lies beyond.
      */
     public val speeds: LongArray = LongArray(BINS)
 
     private var lastStep = -1L
 
     /**
-     * All sums as numbers, to be given to [restore] by a run that goes on: the number of collisions, the values of the
-     * sums, then what rounding those has left, by pairs of the sum's number and a part.
+     * All sums as numbers, which a run that continues gives to [restore]: the number of collisions, the values of the
+     * sums, and then the remainders of rounding those, as pairs of the sum's number and a part.
      */
     public fun sums(): List<Double> = buildList {
         add(count.toDouble())
@@ -63,9 +63,9 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
     }
 
     /**
-     * Takes over what [sums] and [speeds] of another were.
+     * Takes over the [sums] and [speeds] of another object.
      *
-     * @throws IllegalArgumentException for numbers that cannot be those
+     * @throws IllegalArgumentException for numbers that cannot be sums of collisions
      */
     public fun restore(sums: List<Double>, speeds: LongArray) {
         val pairs = sums.drop(1 + SUMS).chunked(2)
@@ -132,7 +132,7 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
     public companion object {
         private const val TENSOR = 9
 
-        // The sums in the order in which they are written down.
+        // The sums in the order in which they are written.
         private const val SPEED = 0
         private const val SPEED_SQUARED = 1
         private const val DISSIPATED = 2

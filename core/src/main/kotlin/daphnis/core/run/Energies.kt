@@ -7,9 +7,9 @@ import daphnis.core.force.Drift
  * The energies of a state, mass · (length/time)². NaN where a force has no potential energy
  * ([daphnis.core.force.Force.potentialEnergy]).
  *
- * @property potential in all forces but the frame
+ * @property potential in all forces except the frame
  * @property total kinetic and [potential]; NaN in a rotating frame, in which it is not conserved
- * @property hill [kinetic][total] and [potential] and that of the rotating frame; NaN without one
+ * @property hill [kinetic][total] and [potential] energy plus that of the rotating frame; NaN without one
  */
 internal class Energies(simulation: Simulation, kinetic: Double) {
     val potential: Double

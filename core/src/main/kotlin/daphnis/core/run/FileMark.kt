@@ -7,15 +7,16 @@ import java.nio.file.Path
 import java.util.zip.CRC32C
 
 /**
- * What a checkpoint knows of a file, or of its beginning: [length] in bytes, and [checksum], the CRC-32C of these, null
- * in checkpoints of format 2.
+ * What a checkpoint knows of a file or of its beginning: [length] in bytes, and [checksum], the CRC-32C of these bytes,
+ * which is null in checkpoints of format 2.
  */
 @Serializable
 internal class FileMark(val length: Long, val checksum: Long? = null) {
     /**
-     * Why the beginning of [path] is not what is known of it, or null when it is; [whole] when the file ends there.
+     * Why the beginning of [path] does not agree with this mark, or null when it does; [whole] when the file must end
+     * there.
      *
-     * @param taken told of the beginning when it is right
+     * @param taken called with the beginning when it is right
      */
     fun problem(path: Path, whole: Boolean = false, taken: (Beginning) -> Unit = {}): String? = try {
         val size = if (Files.exists(path)) Files.size(path) else -1
@@ -37,12 +38,12 @@ internal class FileMark(val length: Long, val checksum: Long? = null) {
     }
 
     companion object {
-        /** Of a file that consists of [bytes]. */
+        /** The mark of a file that consists of [bytes]. */
         fun of(bytes: ByteArray) = FileMark(bytes.size.toLong(), CRC32C().apply { update(bytes) }.value)
     }
 }
 
-/** The first [length] bytes of a file, and their CRC-32C, to go on from. */
+/** The first [length] bytes of a file, and their CRC-32C, to continue from. */
 internal class Beginning(val length: Long, val checksum: CRC32C) {
     companion object {
         /** Reads [length] bytes of [path], or as many as there are. */

@@ -9,8 +9,8 @@ import java.nio.file.StandardCopyOption
 import java.nio.file.StandardOpenOption
 
 /**
- * The operations on files that starts, checkpoints and snapshots consist of. A process may be killed between any two of
- * them; [begin] is where a test does that.
+ * The operations on files of which starts, checkpoints and snapshots consist. A process may be killed between any two
+ * of them; tests do that in [begin].
  */
 internal open class FileOperations {
     /** Called before each operation. */
@@ -33,7 +33,7 @@ internal open class FileOperations {
         file.sync()
     }
 
-    /** Renames, over [to] when it exists: whoever looks sees the old file or the new one. */
+    /** Renames, and replaces [to] when it exists: a reader sees the old file or the new one. */
     fun move(from: Path, to: Path) {
         begin("move ${from.fileName} to ${to.fileName}")
         Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING)
@@ -50,14 +50,14 @@ internal open class FileOperations {
         try {
             FileChannel.open(directory, StandardOpenOption.READ).use { it.force(true) }
         } catch (e: IOException) {
-            // Not every system opens directories; the rename itself has happened.
+            // Not every system can open directories; the rename itself has happened.
         }
     }
 
     /**
      * Writes a file and forces it to the disk.
      *
-     * @throws IOException when it cannot be written, a full disk for one; nothing is left of it then
+     * @throws IOException when it cannot be written, for example on a full disk; nothing is left of it then
      */
     fun writeWhole(path: Path, write: (Path) -> Unit) {
         try {
@@ -67,15 +67,15 @@ internal open class FileOperations {
             deleteQuietly(path)
             throw e
         } catch (e: RuntimeException) {
-            // Libraries wrap the reason, such as a full disk; give it back its name.
+            // Libraries wrap the reason, such as a full disk; restore it.
             deleteQuietly(path)
             throw generateSequence(e as Throwable) { it.cause }.firstOrNull { it is IOException } ?: e
         }
     }
 
     /**
-     * Writes a file beside its place, forces it to the disk and renames it, so that whoever looks sees the old file or
-     * the new one, whole.
+     * Writes a file under another name, forces it to the disk and renames it, so that a reader sees the complete old
+     * file or the complete new one.
      *
      * @throws IOException when it cannot be written; the old file is untouched then
      */
@@ -90,14 +90,14 @@ internal open class FileOperations {
         }
     }
 
-    /** Where [path] is written before it takes its place. */
+    /** The path at which [path] is written before it is renamed. */
     fun besideOf(path: Path): Path = path.resolveSibling("${path.fileName}.tmp")
 
     fun deleteQuietly(path: Path) {
         try {
             Files.deleteIfExists(path)
         } catch (e: IOException) {
-            // What matters is the error that led here.
+            // Only the error that led here matters.
         }
     }
 }

@@ -16,10 +16,11 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /**
- * Takes a directory for a new run: one that is not there or is empty, or with [force] one that holds a run. First
- * [claim] looks and locks, then [begin] writes; the run that was there goes only when all that the new one needs has
- * been written beside it. A process killed in between leaves the old run, or a start that was cut short:
- * `scenario.json.tmp` without `scenario.json`, which anyone may start over. `run.json` of a [Program] likewise.
+ * Takes a directory for a new run: one that does not exist or is empty, or with [force] one that holds a run. First
+ * [claim] checks and locks, then [begin] writes. The run that was there is removed only when everything that the new
+ * one needs has been written beside it. A process killed in between leaves the old run or an interrupted start. An
+ * interrupted start is `scenario.json.tmp` without `scenario.json`, and may be started over. The same holds for the
+ * `run.json` of a [Program].
  */
 internal class NewRun(private val directory: RunDirectory, private val force: Boolean) {
     private val path = directory.path
@@ -27,12 +28,12 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     private var isMade = false
 
     /**
-     * Locks the directory, which is made when there is none.
+     * Locks the directory, which is created when there is none.
      *
      * @throws InputException when it is in use, holds something else, or cannot be written
      */
     fun claim(): AutoCloseable = try {
-        // Before the lock, which writes into it: a directory that is refused stays as it is.
+        // Before the lock, which writes into it, since a directory that is refused must stay as it is.
         if (path.exists()) checkFree()
         make()
         locked()
@@ -44,7 +45,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         val lock = try {
             RunLock.take(path)
         } catch (e: InputException) {
-            // The lock file is another's; a directory with one is not empty and stays.
+            // The lock file belongs to another process; a directory with one is not empty and stays.
             if (isMade) files.deleteQuietly(path)
             throw e
         }
@@ -59,13 +60,13 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
 
     private fun make() {
         if (path.exists()) return
-        if (Files.isSymbolicLink(path)) throw InputException(path.toString(), null, "is a link that leads nowhere")
+        if (Files.isSymbolicLink(path)) throw InputException(path.toString(), null, "is a link without a target")
         path.toAbsolutePath().parent?.let { Files.createDirectories(it) }
         isMade = try {
             Files.createDirectory(path)
             true
         } catch (e: FileAlreadyExistsException) {
-            // Somebody was quicker; the lock will tell.
+            // Another process was quicker; the lock will tell.
             false
         }
     }
@@ -86,17 +87,14 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         refuse("is not empty", WayOut.ANOTHER_DIRECTORY)
     }
 
-    /** Whether all that [removeRun] takes away can go, asked before anything goes. */
+    /** Checks that everything which [removeRun] removes can be removed, before anything is. */
     private inline fun checkReplaceable(refuse: (String) -> Nothing) {
         for (file in directory.ownFiles() + directory.origins) {
             if (Files.isDirectory(file, NOFOLLOW_LINKS)) refuse("$file is a directory")
         }
         for (part in parts()) {
-            if (Files.isSymbolicLink(
-                    part,
-                )
-            ) {
-                refuse("$part is a link; what it leads to is not touched, take the link away")
+            if (Files.isSymbolicLink(part)) {
+                refuse("$part is a link, and its target is not touched; remove the link")
             }
             if (part.exists() && !part.isDirectory()) refuse("$part is no directory")
             if (part.exists() && !Files.isWritable(part)) refuse("$part is not writable")
@@ -109,12 +107,13 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     private fun parts() = listOf(directory.snapshots, directory.plots, directory.tables)
 
     /**
-     * Writes what a run starts from; the run that was there goes. To be called with the lock that [claim] gave.
+     * Writes the files from which a run starts, and removes the run that was there. To be called with the lock that
+     * [claim] returned.
      *
-     * @return [scenario] as the directory holds it: with its own copy of the particle file, so that it means the same
-     *   wherever it goes
-     * @throws IOException when something cannot be written; the run that was there is as it was, unless it could not be
-     *   removed wholly
+     * @return [scenario] as the directory holds it: with its own copy of the particle file, so that the directory can
+     *   be moved
+     * @throws IOException when something cannot be written; the run that was there is as it was, unless only part of it
+     *   could be removed
      */
     fun begin(scenario: ResolvedScenario): ResolvedScenario {
         val original = (scenario.placement as? PlacementSpec.File)?.let { Path.of(it.path) }
@@ -124,7 +123,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         return resolved
     }
 
-    /** The same for a program; the text that the directory holds. */
+    /** The same for a program; returns the text that the directory holds. */
     fun begin(program: ProgramRecord): String = program.text().also { replace(directory.program, it, null, null) }
 
     private fun replace(origin: Path, text: String, original: Path?, copy: Path?) {
@@ -153,7 +152,8 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     }
 
     /**
-     * Takes a directory away that was made in vain; one in which somebody has begun meanwhile is not empty and stays.
+     * Removes a directory that was created in vain. One in which another process has started meanwhile is not empty and
+     * stays.
      */
     private fun unmake() {
         if (!isMade) return
@@ -162,7 +162,8 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
     }
 
     private fun removeRun() {
-        // What says that there is a run goes first: a kill in between leaves nothing that looks whole.
+        // The file that marks a run is removed first, so that a kill in between leaves nothing that looks like a
+        // complete run.
         for (origin in directory.origins) if (origin.exists()) files.delete(origin)
         for (file in directory.ownFiles()) files.delete(file)
         for (part in parts()) {
@@ -170,7 +171,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         }
     }
 
-    /** Of a snapshot, plot or table; what others have put beside them stays. */
+    /** Whether it is a snapshot, plot or table of the run; other files beside them stay. */
     private fun isOwn(file: Path) = Files.isRegularFile(file, NOFOLLOW_LINKS) &&
         file.name.removeSuffix(".tmp").substringAfterLast('.') in OWN_ENDINGS
 

@@ -7,7 +7,7 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** `run.json`: what program made a run, in place of a scenario. */
+/** `run.json`: the program that made a run, in place of a scenario. */
 @Serializable
 public class ProgramRecord internal constructor(public val program: String, public val version: String) {
     internal fun text(): String = JSON.encodeToString(serializer(), this) + "\n"
@@ -20,7 +20,7 @@ public class ProgramRecord internal constructor(public val program: String, publ
     public companion object {
         private val JSON = Json { prettyPrint = true }
 
-        /** Reads the `run.json` of a run. @throws InputException when it cannot be read or is none */
+        /** Reads the `run.json` of a run. @throws InputException when it cannot be read or is not such a file */
         @JvmStatic
         public fun read(path: Path): ProgramRecord = try {
             parse(Files.readString(path), "$path")

@@ -5,13 +5,13 @@ import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.InputException
 
-/** Makes the program's simulation, then the directory: what is refused leaves everything as it was. */
+/** Makes the program's simulation first and then the directory, so a refusal leaves everything as it was. */
 internal fun startRun(program: Program, directory: RunDirectory, force: Boolean): Run {
     val plan = planOf(program, program.population(), null)
     return begun(directory, force, plan, emptyList()) { it.begin(recordOf(program)) }
 }
 
-/** Goes on from the last good checkpoint; see [Run.resume]. */
+/** Continues from the last good checkpoint; see [Run.resume]. */
 internal fun resumeRun(program: Program, directory: RunDirectory, acceptLoss: Boolean): Run =
     locked(directory, { requireSame(it, program) }) { lock ->
         val notices = ArrayList<String>()
@@ -50,7 +50,7 @@ private fun requireSame(made: ProgramRecord, program: Program, directory: RunDir
     throw InputException("${directory.path}", null, "holds a run of $made; this is $now, which would make another run")
 }
 
-/** The plan of [program] for [population], which stands where [meta] says, or at the start. */
+/** The plan of [program] for [population], which is at the time of [meta], or at the start. */
 private fun planOf(program: Program, population: Population, meta: CheckpointMeta?): RunPlan {
     val simulation = program.simulation(population)
     try {

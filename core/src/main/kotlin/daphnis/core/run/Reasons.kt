@@ -10,7 +10,9 @@ import java.nio.file.NoSuchFileException
 import java.nio.file.NotDirectoryException
 import java.nio.file.ReadOnlyFileSystemException
 
-/** What went wrong with a file, in words: the system's where it has some, which exceptions of Java often leave out. */
+/**
+ * What went wrong with a file, in the system's words where it has some, since exceptions of Java often leave them out.
+ */
 public fun reasonOf(e: Exception): String {
     val words = when (e) {
         is AccessDeniedException -> "permission denied"

@@ -34,7 +34,7 @@ internal class Records private constructor(val version: Int, private val bytes: 
         /**
          * Reads the records of [path] up to [last], which is among them if it is [END].
          *
-         * @throws CheckpointException that says in one line what is wrong with the file
+         * @throws CheckpointException with one line that says what is wrong with the file
          */
         fun read(path: Path, last: String): Records {
             try {

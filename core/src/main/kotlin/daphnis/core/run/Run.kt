@@ -15,12 +15,11 @@ import java.nio.file.Path
 import java.util.function.BooleanSupplier
 
 /**
- * A scenario or a [Program] being carried out in a run directory: made by [start] or [resume], done by [execute], once.
- * One thread.
+ * A scenario or a [Program] being run in a run directory. Made by [start] or [resume], and run once by [execute]. One
+ * thread.
  *
- * @property resumedFrom the step it goes on from; 0 at a start
- * @property notices what a user should know, a line each, such as [warnings] or a damaged checkpoint that was passed
- *   over
+ * @property resumedFrom the step from which it continues; 0 at a start @property notices what a user should know, one
+ *   line each, such as [warnings] or a damaged checkpoint that was skipped
  */
 public class Run internal constructor(
     public val directory: RunDirectory,
@@ -36,27 +35,26 @@ public class Run internal constructor(
     private val secondsBefore = from?.checkpoint?.meta?.wallSeconds ?: 0.0
     private var isExecuted = false
 
-    /** What is carried out; null for a [Program]. */
+    /** The scenario that is run; null for a [Program]. */
     public val scenario: ResolvedScenario? get() = plan.scenario
 
-    /** Whether it writes a time series. */
+    /** Whether the run writes a time series. */
     public val hasSeries: Boolean get() = plan.output.seriesEvery > 0
 
-    /** Time at which it ends. */
+    /** Time at which the run ends. */
     public val until: Double get() = plan.until
 
     /**
      * Advances to the end.
      *
-     * @param watcher an output that looks on behind all others; nothing of it is kept
-     * @param cancelled asked before every step; when true the run ends with a checkpoint and a summary that says
-     *   unfinished
-     * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stands
-     * @throws IllegalStateException when it has been called before; [resume] goes on
+     * @param watcher an output that is called after all others; nothing of it is kept @param cancelled called before
+     *   every step; when it returns true, the run ends with a checkpoint and a summary marked unfinished
+     * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stays @throws
+     *   IllegalStateException when it has been called before; [resume] continues the run
      */
     @JvmOverloads
     public fun execute(watcher: Output = Output { }, cancelled: BooleanSupplier = BooleanSupplier { false }): Summary {
-        check(!isExecuted) { "this run was carried out before; resume goes on with it" }
+        check(!isExecuted) { "this run was executed before; resume continues it" }
         isExecuted = true
         try {
             RunFiles(directory, from?.beginnings.orEmpty()).use { files ->
@@ -74,14 +72,14 @@ public class Run internal constructor(
     }
 
     private fun wayOn() = if (directory.holdsRun()) {
-        "what was written before stands, go on with resume when that is mended"
+        "earlier output is intact; fix this, then resume"
     } else {
-        "the run was removed while it went on"
+        "the run was removed while it was in progress"
     }
 
     private fun isDone(): Boolean = simulation.time >= until - plan.endSlack
 
-    /** The run between its first look at the outputs and the last. */
+    /** The run between the first call of the outputs and the last. */
     private inner class Execution(private val files: RunFiles, private val outputs: RunOutputs) {
         private val begin = System.nanoTime()
         private fun seconds() = secondsBefore + (System.nanoTime() - begin) * 1e-9
@@ -115,7 +113,7 @@ public class Run internal constructor(
                 checkpoint(seconds())
                 throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}", e)
             } catch (e: Error) {
-                // There may be no memory for it, and then the error is what matters.
+                // There may be no memory for it, and then only the error matters.
                 try {
                     checkpoint(seconds())
                 } catch (another: Throwable) {
@@ -125,7 +123,7 @@ public class Run internal constructor(
             }
         }
 
-        /** @param summary of a run that ends here, which the checkpoint knows before it is written */
+        /** @param summary of a run that ends here, whose mark is in the checkpoint before the summary is written */
         private fun checkpoint(wallSeconds: Double, summary: Summary? = null) {
             val saved = outputs.save()
             val appended = files.force()
@@ -154,7 +152,7 @@ public class Run internal constructor(
          *
          * @param source what to call the scenario in messages
          * @param force whether a run that is in the directory may be replaced
-         * @param outputs further outputs by name, in the order in which they see a step; what they save is found again
+         * @param outputs further outputs by name, in the order in which they are called; what they save is found again
          *   by name
          * @throws InputException for wrong input; what was in the directory is as it was
          * @throws RunException when the directory cannot be written
@@ -171,14 +169,14 @@ public class Run internal constructor(
         ): Run = startRun(scenario, source, RunDirectory(path), force, engines, outputs)
 
         /**
-         * Goes on with the run in [path] from its last good checkpoint, or from the start when it was killed before the
-         * first.
+         * Continues the run in [path] from its last good checkpoint, or from the start when it was killed before the
+         * first one.
          *
          * @param until a new end, or null for the scenario's
-         * @param acceptLoss whether tables that are damaged are gone on with as they are; [notices] say what is lost
-         * @param outputs as at [start]; what others had saved is given up, which [notices] say
+         * @param acceptLoss whether to continue with damaged tables as they are; [notices] tell what is lost @param
+         *   outputs as at [start]; what other outputs had saved is dropped, and [notices] tell that
          * @throws InputException when there is no run, no checkpoint can be used, a table is damaged, or the scenario
-         *   was changed in what makes the run
+         *   was changed in a way that makes another run
          * @throws RunException when the directory cannot be written
          */
         @JvmStatic
@@ -195,7 +193,7 @@ public class Run internal constructor(
          * Makes the run directory [path] for [program], which starts from its own population.
          *
          * @param force whether a run that is in the directory may be replaced
-         * @throws IllegalArgumentException when the program's simulation is not as [Program.simulation] wants it
+         * @throws IllegalArgumentException when the program's simulation is not as [Program.simulation] requires
          * @throws InputException when the directory is in use or holds something else, which is as it was then
          * @throws RunException when the directory cannot be written
          */
@@ -205,11 +203,11 @@ public class Run internal constructor(
             startRun(program, RunDirectory(path), force)
 
         /**
-         * Goes on with the run of [program] in [path] from its last good checkpoint, or from the start when it was
-         * killed before the first. It ends in the same bits as an unbroken one.
+         * Continues the run of [program] in [path] from its last good checkpoint, or from the start when it was killed
+         * before the first one. It ends in the same bits as an uninterrupted run.
          *
          * @param acceptLoss as for a scenario
-         * @throws IllegalArgumentException when the program's simulation is not as [Program.simulation] wants it
+         * @throws IllegalArgumentException when the program's simulation is not as [Program.simulation] requires
          * @throws InputException when there is no run of this program and version, no checkpoint can be used, or a
          *   table is damaged
          * @throws RunException when the directory cannot be written

@@ -12,7 +12,7 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** The files of one run and where they lie. `docs/guide.md` has the table. */
+/** The files of one run and where they are. `docs/guide.md` has the table. */
 public class RunDirectory internal constructor(public val path: Path, internal val files: FileOperations) {
     public constructor(path: Path) : this(path, FileOperations())
 
@@ -43,7 +43,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     internal val previousCheckpoint: Path get() = path.resolve("checkpoint.previous")
     internal val newCheckpoint: Path get() = path.resolve("checkpoint.new")
 
-    /** What a run writes beside its scenario and what stands in directories. */
+    /** What a run writes, except for its scenario and the files in subdirectories. */
     internal fun ownFiles(): List<Path> =
         listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, series, transport, impacts, collisions, report)
 
@@ -65,14 +65,14 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     /**
      * Reads the snapshot after [step].
      *
-     * @throws FormatException when it cannot be read, is damaged or is of another step
+     * @throws FormatException when it cannot be read, is damaged or belongs to another step
      */
     public fun readSnapshot(step: Long): Snapshot {
         val file = snapshot(step)
         val snapshot = try {
             H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
         } catch (e: FormatException) {
-            throw FormatException("${e.message}; take the file away to go on without this snapshot")
+            throw FormatException("${e.message}; remove the file to continue without this snapshot")
         }
         if (snapshot.step != step) {
             throw FormatException("$file: holds the state after step ${snapshot.step}; its name says $step")
@@ -80,16 +80,17 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         return snapshot
     }
 
-    /** What says that there is a run, one of the two; what a start that was cut short leaves is beside it. */
+    /** The two files of which one marks a run; an interrupted start leaves its file beside it. */
     internal val origins: List<Path> get() = listOf(scenario, program)
 
     internal fun holdsRun(): Boolean = origins.any { it.exists() }
 
-    /** @throws InputException when there is no run here, or none of a scenario */
+    /** @throws InputException when there is no run here, or it is not the run of a scenario */
     public fun requireScenario() {
         requireRun()
         if (scenario.exists()) return
-        throw InputException("$path", null, "holds a run of ${ProgramRecord.read(program)}; only it can go on with it")
+        val made = ProgramRecord.read(program)
+        throw InputException("$path", null, "holds a run of $made; only it can continue the run")
     }
 
     /** @throws InputException when there is no run here */

@@ -1,4 +1,4 @@
 package daphnis.core.run
 
-/** A run failed through no fault of the input; the message is one line. */
+/** Thrown when a run failed and the input is not the cause; the message is one line. */
 public class RunException(message: String, cause: Throwable? = null) : RuntimeException(message, cause)

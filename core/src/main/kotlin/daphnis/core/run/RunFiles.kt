@@ -5,10 +5,10 @@ import daphnis.core.table.Columns
 import java.nio.file.Files
 
 /**
- * The tables that outputs of a run write into [directory], and what a checkpoint is to know of them (ADR 33).
+ * The tables that outputs of a run write into [directory], and what a checkpoint keeps about them (ADR 33).
  *
- * @param beginnings of tables, by name, to go on from; one that has none begins anew
- * @param clock nanoseconds; rows that have waited for a second are written
+ * @param beginnings of tables, by name, to continue from; a table without one starts as a new file @param clock
+ *   nanoseconds; rows that have waited for a second are written
  */
 internal class RunFiles(
     private val directory: RunDirectory,
@@ -18,7 +18,7 @@ internal class RunFiles(
     private val tables = LinkedHashMap<String, AppendedFile>()
     private val marks = LinkedHashMap<String, FileMark>()
 
-    /** Files that were written whole since the start, as they are. */
+    /** The marks of files that were written whole since the start. */
     val whole: Map<String, FileMark> get() = marks
 
     /** Opens the table of [columns], which grows row by row and is closed with this. */
@@ -28,7 +28,7 @@ internal class RunFiles(
         return AppendedFile(path, columns.header, beginnings[name], directory.files, clock).also { tables[name] = it }
     }
 
-    /** Writes a small file anew, atomically. */
+    /** Replaces a small file atomically. */
     fun writeWhole(name: String, bytes: ByteArray) {
         directory.files.writeAtomically(directory.path.resolve(name)) { Files.write(it, bytes) }
         marks[name] = FileMark.of(bytes)
@@ -39,7 +39,7 @@ internal class RunFiles(
         for (table in tables.values) table.flushIfDue()
     }
 
-    /** Forces all tables to the disk. @return what they are now, by name */
+    /** Forces all tables to the disk. @return their marks, by name */
     fun force(): Map<String, FileMark> = tables.mapValues { it.value.force() }
 
     override fun close() {

@@ -10,12 +10,12 @@ import java.nio.file.StandardOpenOption
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Keeps all others from writing into a run directory: other processes by a lock of the system on the file `.lock`,
- * which ends with the process, however it ends; other runs of this process by a list.
+ * Keeps everything else from writing into a run directory: other processes by a system lock on the file `.lock`, which
+ * ends with the process, however it ends, and other runs of this process by a list.
  *
- * The file stays when the lock is given back: were it deleted, one process could hold a lock on the deleted file and
- * another on the next of that name. The list is asked first, because on POSIX systems a process gives up its lock on a
- * file when it closes *any* channel to it.
+ * The file stays when the lock is released. If it were deleted, one process could hold a lock on the deleted file and
+ * another on the next file of that name. The list is checked first, because on POSIX systems a process gives up its
+ * lock on a file when it closes *any* channel to it.
  */
 internal class RunLock private constructor(private val directory: Path, private val channel: FileChannel) :
     AutoCloseable {
@@ -31,7 +31,7 @@ internal class RunLock private constructor(private val directory: Path, private 
         const val FILE = ".lock"
         private val HELD: MutableSet<Path> = ConcurrentHashMap.newKeySet()
 
-        /** @throws InputException when a run goes on in [directory], or it cannot be written */
+        /** @throws InputException when a run is in progress in [directory], or it cannot be written */
         fun take(directory: Path): RunLock = try {
             val real = directory.toRealPath()
             if (!HELD.add(real)) throw busy(directory, ProcessHandle.current().pid().toString())
@@ -58,7 +58,7 @@ internal class RunLock private constructor(private val directory: Path, private 
             } catch (e: OverlappingFileLockException) {
                 false
             } catch (e: IOException) {
-                // Some file systems know no locks; then nobody is kept out.
+                // Some file systems have no locks; then no process is kept out.
                 true
             }
             if (!isFree) throw channel.use { busy(directory, holder(it)) }

@@ -11,7 +11,7 @@ import daphnis.core.scenario.OutputSpec
 /**
  * The outputs of a run by name, and what a checkpoint knows of them.
  *
- * @param watcher looks on behind them; nothing of it is kept
+ * @param watcher called after them; nothing of it is kept
  */
 internal class RunOutputs(private val byName: Map<String, Output>, watcher: Output) : AutoCloseable {
     private val all = OutputList(byName.values + watcher)
@@ -22,7 +22,7 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
 
     fun finish(simulation: Simulation): Unit = all.finish(simulation)
 
-    /** What those that keep something say, by name. */
+    /** The states of the outputs that keep something, by name. */
     fun save(): Map<String, OutputState> = byName.mapValues { (name, output) ->
         OutputState(name).also { output.save(it) }
     }.filterValues { it.names.isNotEmpty() }
@@ -38,7 +38,7 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
         /** Names that no other output may have. */
         val RESERVED: Set<String> = setOf(SERIES, TRANSPORT, SNAPSHOTS, COLLISIONS)
 
-        /** @throws IllegalArgumentException when one of [names] is taken, or none */
+        /** @throws IllegalArgumentException when one of [names] is taken or empty */
         fun requireFree(names: Set<String>) {
             for (name in names) {
                 require(name.isNotBlank()) { "an output has no name; the checkpoint knows it by one" }
@@ -46,7 +46,7 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
             }
         }
 
-        /** The outputs that [spec] asks for, in the order in which they see a step. */
+        /** The outputs that [spec] asks for, in the order in which they are called. */
         fun of(spec: OutputSpec, sums: StepSums, files: RunFiles, directory: RunDirectory): Map<String, Output> {
             val outputs = LinkedHashMap<String, Output>()
             outputs[SERIES] = Series(spec.seriesEvery, sums, files)
@@ -59,7 +59,7 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
 }
 
 /**
- * Gives to each of [outputs] what it [saved].
+ * Gives each of [outputs] the state that it [saved].
  *
  * @throws InputException when one cannot take it over; [source] is what to call the checkpoint
  */
@@ -68,7 +68,7 @@ internal fun restore(outputs: Map<String, Output>, saved: Map<String, OutputStat
         try {
             outputs[name]?.restore(state)
         } catch (e: RuntimeException) {
-            throw InputException(source, null, "output '$name' cannot go on from what it saved: ${e.message}")
+            throw InputException(source, null, "output '$name' cannot continue from what it saved: ${e.message}")
         }
     }
 }

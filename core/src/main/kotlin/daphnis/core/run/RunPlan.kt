@@ -10,15 +10,14 @@ import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioSetup
 
 /**
- * What is carried out in a run directory, whoever asks for it: a scenario or a [Program].
+ * What is run in a run directory, for a scenario and a [Program] alike.
  *
  * @property scenario null for a program
- * @property name what the summary calls it
+ * @property name the name of the run in the summary
  * @property until time at which it ends
  * @property endSlack how much a whole number of steps may fall short of [until] by round-off
- * @property output how often what is written
- * @property own outputs beside those, by name
- * @property sums of the simulation's population, for all who need them
+ * @property output how often each file is written @property own further outputs, by name @property sums of the
+ *   simulation's population, shared by all outputs
  */
 internal class RunPlan(
     val scenario: ResolvedScenario?,
@@ -40,7 +39,7 @@ internal class RunPlan(
 /**
  * The plan of a scenario.
  *
- * @param meta of the checkpoint it goes on from, or null at a start
+ * @param meta of the checkpoint from which it continues, or null at a start
  * @param source what to call the scenario in messages
  */
 internal fun planOf(

@@ -5,8 +5,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * What the checkpoint of a run says of the run's other files, for readers to hold these against it: files that were
- * damaged or edited since are found by it. Nothing is known of a run without a readable checkpoint, or one of format 2.
+ * What the checkpoint of a run knows of the run's other files. Readers compare the files with it and so find files that
+ * were damaged or edited since. Nothing is known of a run without a readable checkpoint, or with one of format 2.
  */
 public class RunRecord private constructor(
     private val directory: RunDirectory,
@@ -14,12 +14,12 @@ public class RunRecord private constructor(
     private val isLast: Boolean,
 ) {
     /**
-     * What is wrong with [files] of the directory, missing ones among them, a line each with the file's name; rows that
-     * were written after the checkpoint are not looked at. Summary and impacts are known once the run has ended.
+     * What is wrong with [files] of the directory, including missing ones: one line each, with the file's name. Rows
+     * that were written after the checkpoint are not checked. Summary and impacts are known once the run has ended.
      */
     public fun problems(vararg files: Path): List<String> {
         val meta = head?.meta ?: return emptyList()
-        // While a run goes on, impacts are written before the checkpoint that knows them.
+        // While a run is in progress, impacts are written before the checkpoint that knows them.
         val whole = if (isLast && RunDirectory.SUMMARY in meta.whole && Files.exists(directory.summary)) {
             meta.whole
         } else {
@@ -32,14 +32,14 @@ public class RunRecord private constructor(
         }
     }
 
-    /** What of the tables was lost and accepted when the run was resumed, a line each. */
+    /** What was lost of the tables and accepted when the run was resumed, one line each. */
     public val losses: List<String> get() = head?.meta?.losses.orEmpty().map { "${directory.path}/$it" }
 
-    /** Where [scenario], read from the directory, would make another run than the one that is there; a line each. */
+    /** Where [scenario], read from the directory, would make another run than the one that is there, one line each. */
     public fun changes(scenario: Scenario): List<String> =
         compare(scenario).essential.map { "${directory.scenario}: $it" }
 
-    /** The other differences of [scenario] from the one the run was made with, a line each. */
+    /** The other differences of [scenario] from the one with which the run was made, one line each. */
     public fun harmlessChanges(scenario: Scenario): List<String> =
         compare(scenario).harmless.map { "${directory.scenario}: $it" }
 
@@ -59,7 +59,7 @@ public class RunRecord private constructor(
                         )
                     }
                 } catch (e: CheckpointException) {
-                    // What a reader wants does not hang on it; resume says what is wrong with it.
+                    // A reader does not depend on it; resume reports what is wrong with it.
                 }
             }
             return RunRecord(directory, null, false)

@@ -15,7 +15,10 @@ import daphnis.core.scenario.wrongArgument
 import java.io.IOException
 import java.nio.file.Files
 
-/** Makes the initial state and the engine, then the directory: input that is refused leaves everything as it was. */
+/**
+ * Makes the initial state and the engine first and then the directory, so input that is refused leaves everything as it
+ * was.
+ */
 internal fun startRun(
     scenario: Scenario,
     source: String,
@@ -30,7 +33,7 @@ internal fun startRun(
     return begun(directory, force, plan, notices) { ScenarioJson.write(it.begin(setup.scenario)) }
 }
 
-/** A run of [plan] in a directory that [begin] writes into, and closes the plan when it throws. */
+/** A run of [plan] in a directory into which [begin] writes. Closes the plan when it throws. */
 internal inline fun begun(
     directory: RunDirectory,
     force: Boolean,
@@ -53,7 +56,7 @@ internal inline fun begun(
     }
 }
 
-/** Goes on from the last good checkpoint; see [Run.resume]. */
+/** Continues from the last good checkpoint; see [Run.resume]. */
 internal fun resumeRun(
     directory: RunDirectory,
     until: Double?,
@@ -64,7 +67,7 @@ internal fun resumeRun(
     resumed(directory, until, engines, acceptLoss, own, lock)
 }
 
-/** What [resume] makes of [directory], in which there must be what [require] wants. */
+/** Calls [resume] with [directory] under its lock; [require] checks what must be there. */
 internal inline fun locked(
     directory: RunDirectory,
     require: (RunDirectory) -> Unit,
@@ -73,7 +76,7 @@ internal inline fun locked(
     require(directory)
     val lock = RunLock.take(directory.path)
     try {
-        // Once more: another process may have replaced it before the lock was taken.
+        // Checked again, since another process may have replaced it before the lock was taken.
         require(directory)
         return resume(lock)
     } catch (e: IOException) {
@@ -117,7 +120,7 @@ private fun resumed(
     return goingOn(directory, plan, ScenarioJson.write(read), checkpoints, good, lock, notices)
 }
 
-/** A run of [plan] that goes on from [good]. Closes the plan when it throws, and not the [lock]. */
+/** A run of [plan] that continues from [good]. Closes the plan when it throws, but not the [lock]. */
 internal fun goingOn(
     directory: RunDirectory,
     plan: RunPlan,
@@ -129,7 +132,8 @@ internal fun goingOn(
 ): Run {
     try {
         if (good != null) giveBack(plan.own, good.checkpoint, directory, notices)
-        // Snapshots after the checkpoint are written again, to the same bits; the summary is of a run that goes on.
+        // Snapshots after the checkpoint are written again, with the same bits; the summary would be that of a run
+        // which has not ended.
         Files.deleteIfExists(directory.summary)
         Files.createDirectories(directory.snapshots)
         return Run(directory, plan, origin, checkpoints, good, lock, notices)
@@ -139,7 +143,7 @@ internal fun goingOn(
     }
 }
 
-/** Gives the outputs of a program's own what they saved, and says which had saved nothing, or are gone. */
+/** Gives a program's own outputs what they saved, and reports which had saved nothing and which are gone. */
 private fun giveBack(
     own: Map<String, Output>,
     checkpoint: Checkpoint,
@@ -148,11 +152,11 @@ private fun giveBack(
 ) {
     restore(own, checkpoint.outputs, "${directory.path}")
     for (name in checkpoint.outputs.keys - own.keys - RunOutputs.RESERVED) {
-        notices += "${directory.path}: output '$name' is no longer there; what it had saved is given up"
+        notices += "${directory.path}: output '$name' is no longer there; what it had saved is dropped"
     }
 }
 
-/** Another scenario would go on from the checkpoint to a run that never was. */
+/** Another scenario would continue from the checkpoint to a run that never existed. */
 private fun checkSame(
     directory: RunDirectory,
     checkpoint: Checkpoint?,
@@ -161,24 +165,24 @@ private fun checkSame(
 ): ScenarioChanges {
     val changes = ScenarioChanges.between(checkpoint?.scenario, scenario)
     changes.essential.firstOrNull()?.let {
-        val mend = "take the change back, or run the changed scenario into another directory"
+        val mend = "undo the change, or run the changed scenario into another directory"
         throw InputException(directory.scenario.toString(), null, "$it; $mend")
     }
     for (change in changes.harmless) notices += "${directory.scenario}: $change"
     return changes
 }
 
-/** A time that is past cannot be an end; the last step may have fallen on either side of it by round-off. */
+/** A time in the past cannot be the end; by round-off the last step may be on either side of it. */
 internal fun checkLater(until: Double, now: Double, slack: Double, refusal: (String) -> InputException) {
     if (until >= now - slack) return
     throw refusal("is $until; the run is at time $now, give a later end")
 }
 
-/** A whole number of fixed steps can fall short of the end by round-off; so much is no other step. */
+/** A whole number of fixed steps can fall short of the end by round-off; this amount does not require another step. */
 internal fun endSlack(timeStep: TimeStepSpec): Double =
     (timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
 
-/** The same for a step that is made. */
+/** The same for a [TimeStep]. */
 internal fun endSlack(step: TimeStep): Double = if (step is FixedTimeStep) step.duration * END_SLACK else 0.0
 
 internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException =

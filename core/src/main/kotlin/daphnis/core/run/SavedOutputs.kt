@@ -8,9 +8,9 @@ import java.io.DataOutputStream
 import java.io.IOException
 
 /**
- * What outputs keep in a checkpoint, as bytes: how many outputs; of each its name and how many arrays; of each of these
- * its name, `D` for doubles or `L` for longs, how many, and the numbers. Names as [DataOutputStream.writeUTF] has them,
- * counts as ints, all big-endian.
+ * What outputs keep in a checkpoint, as bytes: the number of outputs; for each its name and number of arrays; for each
+ * array its name, `D` for doubles or `L` for longs, its length, and the numbers. Names are written by
+ * [DataOutputStream.writeUTF], counts as ints, all big-endian.
  */
 internal object SavedOutputs {
     fun bytes(saved: Map<String, OutputState>): ByteArray {
@@ -40,7 +40,7 @@ internal object SavedOutputs {
         }
     }
 
-    /** @throws IllegalArgumentException when [bytes] are no saved outputs */
+    /** @throws IllegalArgumentException when [bytes] are not saved outputs */
     fun of(bytes: ByteArray): Map<String, OutputState> = try {
         val input = DataInputStream(ByteArrayInputStream(bytes))
         val saved = LinkedHashMap<String, OutputState>()
@@ -52,7 +52,7 @@ internal object SavedOutputs {
         }
         saved
     } catch (e: IOException) {
-        throw IllegalArgumentException("what outputs keep ends too soon, or is none", e)
+        throw IllegalArgumentException("saved outputs are cut short or damaged", e)
     }
 
     private fun read(input: DataInputStream, state: OutputState) {
@@ -67,7 +67,7 @@ internal object SavedOutputs {
         }
     }
 
-    /** What the output that writes `transport.csv` keeps, from where checkpoints have it. */
+    /** What the output that writes `transport.csv` keeps, from its place in [meta]. */
     fun ofTransport(meta: CheckpointMeta): Map<String, OutputState> {
         if (meta.collisionSums.isEmpty()) return emptyMap()
         val state = OutputState(RunOutputs.TRANSPORT)

@@ -9,11 +9,11 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 
 /**
- * What differs between the scenario that a run was made with and the one that its directory holds now.
+ * The differences between the scenario with which a run was made and the one that its directory holds now.
  *
- * @property essential changes that would make another run of it, a line each: all but those that touch no bit of a
- *   state, which are name and description, the end, engine and search, and how often outputs are written
- * @property harmless the other changes, a line each
+ * @property essential changes that would make another run of it, one line each: all except those that affect no bit of
+ *   a state, which are name and description, the end, engine and search, and how often outputs are written @property
+ *   harmless the other changes, one line each
  */
 internal class ScenarioChanges private constructor(
     val essential: MutableList<String>,
@@ -27,8 +27,8 @@ internal class ScenarioChanges private constructor(
         private val json = Json
 
         /**
-         * @param then text of the scenario that the run was made with; null when it is not known, and nothing can be
-         *   said
+         * @param then text of the scenario with which the run was made; null when it is not known, and then there are
+         *   no changes
          */
         fun between(then: String?, now: Scenario): ScenarioChanges {
             if (then == null) return ScenarioChanges(ArrayList(), ArrayList())
@@ -57,7 +57,7 @@ internal class ScenarioChanges private constructor(
         }
     }
 
-    /** Transport that was not summed from the start cannot begin later, nor end. */
+    /** Sums for transport that did not begin at the start cannot begin later, and cannot end. */
     private fun isFree(path: String, then: JsonElement?, now: JsonElement?): Boolean {
         if (path.substringBefore('.') in FREE) return true
         if (path !in CADENCES) return false

@@ -17,10 +17,8 @@ public fun engineOf(scenario: ScenarioParts, source: String, engines: EngineFact
         ?: throw InputException(
             source,
             "engine.name",
-            "is \"${spec.name}\"; ${Nearest.question(
-                spec.name,
-                engines.names.toList(),
-            )}known: ${engines.names.joinToString()}",
+            "is \"${spec.name}\"; ${Nearest.question(spec.name, engines.names.toList())}" +
+                "known: ${engines.names.joinToString()}",
         )
     if (spec.threads != 0 && engine.threads != spec.threads) {
         engine.close()

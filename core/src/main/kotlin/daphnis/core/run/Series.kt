@@ -10,7 +10,7 @@ import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
 import kotlin.math.sqrt
 
-/** `series.csv`: a row every [every] steps, 0 for none. */
+/** `series.csv`: one row every [every] steps, 0 for none. */
 internal class Series(private val every: Int, private val sums: StepSums, files: RunFiles) : Output {
     private val file = files.table(SeriesColumns.rows)
 
@@ -21,7 +21,7 @@ internal class Series(private val every: Int, private val sums: StepSums, files:
     }
 }
 
-/** What a row of `series.csv` is computed from: a [simulation] after a step and the [sums] over its population. */
+/** The source of a row of `series.csv`: a [simulation] after a step and the [sums] over its population. */
 internal class SeriesRow(val simulation: Simulation, val sums: PopulationSums) {
     val energies = Energies(simulation, sums.kineticEnergy)
 }

@@ -13,7 +13,7 @@ internal class Snapshots(private val every: Int, private val directory: RunDirec
         if (isDue(every, simulation.step)) writeState(simulation)
     }
 
-    /** A run that had ended before and is resumed gets its last state again. */
+    /** A run that had ended before and is resumed writes its last state again. */
     override fun finish(simulation: Simulation) {
         if (lastWritten != simulation.step) writeState(simulation)
     }

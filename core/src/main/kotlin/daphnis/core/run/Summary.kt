@@ -12,7 +12,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * `summary.json`, what a run came to. `docs/guide.md` explains every entry.
+ * `summary.json`, the result of a run. `docs/guide.md` explains every entry.
  *
  * @property finished false when the run was interrupted
  * @property maxOverlap deepest overlap at the end, as a fraction of the sum of two radii
@@ -45,7 +45,7 @@ public class Summary(
 ) {
     internal fun bytes(): ByteArray = (JSON.encodeToString(serializer(), this) + "\n").toByteArray(Charsets.UTF_8)
 
-    /** Writes it into [directory], atomically. */
+    /** Writes the summary into [directory], atomically. */
     internal fun write(directory: RunDirectory) {
         directory.files.writeAtomically(directory.summary) { Files.write(it, bytes()) }
     }
@@ -59,7 +59,7 @@ public class Summary(
         /**
          * Reads the `summary.json` of a run.
          *
-         * @throws FormatException when it cannot be read or is none
+         * @throws FormatException when it cannot be read or is not a summary
          */
         @JvmStatic
         public fun read(path: Path): Summary = try {

@@ -13,9 +13,9 @@ import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
 
 /**
- * `transport.csv`: a row every [every] steps with what viscosities, pressure and energy balance are computed from. Sums
- * over collisions count from the start of the run. Beside it `impacts.csv`, the distribution of impact speeds, written
- * anew with each checkpoint.
+ * `transport.csv`: one row every [every] steps with the data for viscosities, pressure and energy balance. Sums over
+ * collisions count from the start of the run. Also writes `impacts.csv`, the distribution of impact speeds, anew with
+ * each checkpoint.
  */
 internal class Transport(private val every: Int, private val sums: StepSums, private val files: RunFiles) : Output {
     private val file = files.table(TransportColumns.rows)
@@ -43,7 +43,7 @@ internal class Transport(private val every: Int, private val sums: StepSums, pri
     }
 }
 
-/** What a row of `transport.csv` is computed from; [collisions] counts from the start of the run. */
+/** The source of a row of `transport.csv`; [collisions] counts from the start of the run. */
 internal class TransportRow(
     val simulation: Simulation,
     val sums: PopulationSums,

@@ -32,7 +32,7 @@ internal class Bodies(private val specs: List<BodySpec>, private val particleDen
 
     fun position(axis: Int): DoubleArray = DoubleArray(specs.size) { specs[it].position[axis] }
 
-    /** Given ones, else those of the mean flow. */
+    /** The given velocities, otherwise those of the mean flow. */
     fun velocity(axis: Int, flow: MeanFlow?): DoubleArray = DoubleArray(specs.size) {
         specs[it].velocity?.get(axis)
             ?: if (flow != null && flow.flowAxis == axis) flow.rate * specs[it].position[flow.normalAxis] else 0.0

@@ -5,7 +5,10 @@ import daphnis.core.boundary.Box
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
-/** The boundaries that a scenario can name; `toString` is the name, with what tells one of its kind from another. */
+/**
+ * The boundaries that a scenario can name; `toString` is the name, with the parameters that distinguish two of the same
+ * kind.
+ */
 @Serializable
 public sealed interface BoundarySpec {
     /**
@@ -17,10 +20,10 @@ public sealed interface BoundarySpec {
      */
     public fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions
 
-    /** For a reader: numbers as [number] writes them, and [speed] those with a unit of speed. */
+    /** A description for a reader: [number] writes numbers, and [speed] those with a unit of speed. */
     public fun inWords(number: (Double) -> String, speed: (Double) -> String): String = toString()
 
-    /** No faces. The box only says where spheres are put at the start. */
+    /** No faces. The box only gives the space in which spheres are placed at the start. */
     @Serializable
     @SerialName("open")
     public class Open : BoundarySpec {
@@ -102,7 +105,7 @@ public sealed interface BoundarySpec {
     public companion object {
         private const val AXES = "xyz"
 
-        /** Names of those that drive a mean flow. */
+        /** Names of the boundaries that drive a mean flow. */
         internal const val SHEARED: String = "lees-edwards, sheared-periodic or hill-sheet"
     }
 }

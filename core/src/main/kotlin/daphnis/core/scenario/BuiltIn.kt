@@ -2,14 +2,14 @@ package daphnis.core.scenario
 
 /** The scenarios that come with daphnis, as the JSON text a user would start from. */
 public object BuiltIn {
-    /** Names, the paper's first. The first of all is what `daphnis run` runs when nothing is named. */
+    /** The names, those of the paper first. The very first is what `daphnis run` runs when nothing is named. */
     public val names: List<String> =
         listOf(
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "shear-cell",
             "ring-patch", "satellite-wake", "moonlet", "self-gravity-wakes",
         )
 
-    /** The text of the scenario [name], comments and all; null when there is none. */
+    /** The text of the scenario [name], with its comments; null when there is none. */
     public fun text(name: String): String? {
         if (name !in names) return null
         val stream =

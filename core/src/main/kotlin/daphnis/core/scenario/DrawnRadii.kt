@@ -12,8 +12,9 @@ import daphnis.core.initial.fillingFactor
 import java.util.Locale
 
 /**
- * The radii of a scenario: as many as it says, or as bring the box to what it says. Spheres that fit into no box are
- * refused before there is any talk of memory, so that the answer is the same on every machine.
+ * The radii of a scenario: as many as it says, or as many as give the filling, optical depth or surface density that it
+ * says. Spheres that fit into no box are refused before memory is considered, so that the answer is the same on every
+ * machine.
  */
 internal class DrawnRadii(
     private val spec: ParticlesSpec,
@@ -84,7 +85,7 @@ internal class DrawnRadii(
         return radii
     }
 
-    /** As many spheres as bring the sum of [measure] closest to [wanted], in the order they are drawn. */
+    /** As many spheres as bring the sum of [measure] closest to [wanted], in the order in which they are drawn. */
     private fun filled(wanted: Double, key: String, value: Double, measure: (Double) -> Double): DoubleArray {
         if (sizes is EqualSizes) {
             val count = Math.rint(wanted / measure(sizes.radius))
@@ -121,8 +122,7 @@ internal class DrawnRadii(
     }
 
     /**
-     * Refuses what comes out when the [part] drawn so far of what is wanted stands for the rest, and is too much by a
-     * factor of [margin].
+     * Refuses a total that is too large by a factor of [margin] when it is extrapolated from the [part] drawn so far.
      */
     private fun foresee(key: String, value: Double, count: Int, volume: Double, part: Double, margin: Double) {
         if (volume / part >= margin * CLOSEST_PACKING * box.volume) checkFilling(key, value, volume / part, "about ")
@@ -170,7 +170,7 @@ internal class DrawnRadii(
         const val MOST_PARTICLES = 200_000_000
         const val FEW = 1024
 
-        /** Radii that stand for the others where these would take long. */
+        /** Number of radii from which the rest is extrapolated when drawing all would take long. */
         const val SAMPLE = 1 shl 20
     }
 }

@@ -8,7 +8,7 @@ import daphnis.core.population.Population
 import java.nio.file.Files
 
 /**
- * The population of a scenario that is placed from a file: positions, velocities, radii, masses and ids as they stand
+ * The population of a scenario that is placed from a file: positions, velocities, radii, masses and ids as they are
  * there.
  */
 internal class FileState(
@@ -20,7 +20,7 @@ internal class FileState(
     /**
      * Reads the file.
      *
-     * @param notices gets a line for what the file does not say
+     * @param notices receives a line for each quantity that the file does not have
      */
     fun population(notices: MutableList<String>): Population {
         check.must("particles", scenario.particles == null) { "must be left out when the placement is a file" }
@@ -69,8 +69,7 @@ internal class FileState(
     }
 
     /**
-     * At another time the images of a sliding boundary stand elsewhere, and spheres at its faces would overlap with
-     * them.
+     * At another time the images of a sliding boundary are elsewhere, and spheres at its faces would overlap with them.
      */
     private fun requireTime(snapshot: Snapshot) {
         if (spec.time != null || snapshot.shearOffset == 0.0) return
@@ -79,16 +78,16 @@ internal class FileState(
         }
     }
 
-    /** A file says all masses or none. */
+    /** A file has all masses or none. */
     private fun withMasses(snapshot: Snapshot, notices: MutableList<String>): Snapshot {
         if (snapshot.hasMass) {
             check.must("placement.density", spec.density == null) {
-                "is ${spec.density}; leave it out, for ${spec.path} has masses"
+                "is ${spec.density}; leave it out, since ${spec.path} has masses"
             }
             return snapshot
         }
         if (spec.density == null) {
-            notices += "${spec.path} has no masses: a density of 1 is taken; placement.density says another"
+            notices += "${spec.path} has no masses: a density of 1 is assumed; placement.density sets another"
         }
         val density = spec.density ?: 1.0
         for (k in snapshot.mass.indices) {

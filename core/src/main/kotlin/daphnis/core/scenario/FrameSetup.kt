@@ -2,7 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 
-/** What a scenario's frame means in its units, and times given in orbits. */
+/** A scenario's frame in its units, and times given in orbits. */
 public object FrameSetup {
     /**
      * Angular speed of the frame in radians per unit of time; null when there is no frame.
@@ -33,11 +33,11 @@ public object FrameSetup {
     }
 
     /**
-     * Radially Hill's frame has no two places alike: what leaves at one side comes in at the other only with the
-     * frame's shear, so images along x must slide with it (or there be none); along z the pull towards the midplane
-     * turns round at periodic faces.
+     * In Hill's frame no two radial positions are equivalent: a sphere that leaves at one side enters at the other only
+     * with the frame's shear, so images along x must slide with it, or there must be none. Along z the force towards
+     * the midplane would change sign at periodic faces.
      *
-     * @param boundary the [Scenario.boundary], made
+     * @param boundary the boundary conditions made from [Scenario.boundary]
      */
     internal fun checkFaces(scenario: Scenario, boundary: BoundaryConditions, omega: Double?, check: ValueCheck) {
         val frame = scenario.frame as? FrameSpec.Hill ?: return
@@ -45,8 +45,8 @@ public object FrameSetup {
         val fitsRadially = !boundary.repeats(0) || flow?.rate == -1.5 * omega!!
         val fitsVertically = !boundary.repeats(2) || frame.verticalFactor == 0.0
         check.that("boundary.type", scenario.boundary, fitsRadially && fitsVertically) {
-            "it does not go with a frame of type hill, whose mean flow v_y = -3/2 Ω x is not the same at both faces; " +
-                "it must be hill-sheet or open (or walls across x and z)"
+            "it cannot be combined with a frame of type hill, whose mean flow v_y = -3/2 Ω x " +
+                "is not the same at both faces; it must be hill-sheet or open (or walls across x and z)"
         }
     }
 

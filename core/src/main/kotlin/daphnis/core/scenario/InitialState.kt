@@ -10,8 +10,8 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 
 /**
- * Makes the population that a scenario starts from. Sizes, places and velocities draw from streams of their own, so
- * that changing one leaves the others.
+ * Makes the population from which a scenario starts. Sizes, places and velocities are drawn from separate streams, so
+ * that changing one does not change the others.
  */
 internal class InitialState(
     private val scenario: Scenario,
@@ -19,7 +19,7 @@ internal class InitialState(
     private val boundary: BoundaryConditions,
     private val check: ValueCheck,
 ) {
-    /** What a user should know about the state made, a line each. */
+    /** What a user should know about the state made, one line each. */
     val notices = ArrayList<String>()
 
     fun population(): Population {
@@ -73,7 +73,7 @@ internal class InitialState(
         Lattice.FACE_CENTRED_CUBIC
     }
 
-    /** Where the box does not repeat a sphere is put wholly inside. */
+    /** Along axes on which the box does not repeat, a sphere is placed wholly inside. */
     private fun walled(): BooleanArray = BooleanArray(3) { !boundary.repeats(it) }
 
     private fun masses(spec: ParticlesSpec, radii: DoubleArray): DoubleArray {

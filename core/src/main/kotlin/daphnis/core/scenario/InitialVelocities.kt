@@ -71,7 +71,10 @@ internal class InitialVelocities(
         for (k in component.indices) component[k] -= mean
     }
 
-    /** Velocity of the centre of mass. For equal masses the plain mean, whose rounding initial states are known by. */
+    /**
+     * Velocity of the centre of mass. For equal masses it is the plain mean, since the digests of known initial states
+     * include its rounding.
+     */
     private fun mean(component: DoubleArray, masses: DoubleArray): Double {
         if (masses.all { it == masses[0] }) return component.sum() / component.size
         var momentum = 0.0
@@ -79,12 +82,12 @@ internal class InitialVelocities(
         return momentum / masses.sum()
     }
 
-    /** Scales around the centre of mass, which stays. */
+    /** Scales velocities relative to the centre of mass, whose velocity does not change. */
     private fun makeExact(spec: VelocitiesSpec.Gaussian, masses: DoubleArray, v: Array<DoubleArray>) {
         val wanted = spec.sigma?.let { it * it * masses.sum() } ?: ((spec.temperature ?: 0.0) * masses.size)
         if (wanted == 0.0) return
         check.that("velocities.exact", true, masses.size >= 2) {
-            "needs two particles at least, for one alone has no velocity against the centre of mass"
+            "needs at least two particles; a single particle has no velocity relative to the centre of mass"
         }
         val means = DoubleArray(3) { if (spec.zeroMomentum) 0.0 else mean(v[it], masses) }
         var square = 0.0

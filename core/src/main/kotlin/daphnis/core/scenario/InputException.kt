@@ -3,13 +3,13 @@ package daphnis.core.scenario
 import daphnis.core.format.oneLine
 
 /**
- * The input is wrong. [message] is one line that names the source, the key, the value and what would be right;
- * characters in these that a terminal would obey are replaced.
+ * Thrown when the input is wrong. [message] is one line that names the source, the key, the value and what would be
+ * right. Control characters in these, on which a terminal would act, are replaced.
  *
- * @property source file or built-in the key stands in, or the argument of the call
- * @property key dotted path, or null when the whole file is meant
- * @property wayOut what the caller can do about it with other arguments; null when the message says all
- * @property isArgument whether [source] is an argument of the call, which a caller may know by another name
+ * @property source file or built-in that has the key, or the argument of the call @property key dotted path, or null
+ *   when the whole file is meant @property wayOut what the caller can do about it with other arguments; null when the
+ *   message is complete @property isArgument whether [source] is an argument of the call, for which a caller may have
+ *   another name
  */
 public class InputException(
     public val source: String,
@@ -19,9 +19,9 @@ public class InputException(
     public val isArgument: Boolean = false,
 ) : RuntimeException(line(source, key, problem, wayOut?.words)) {
     /**
-     * [message] for users who call [source] and [wayOut] by other names, as a command line calls its flags.
+     * [message] for users who have other names for [source] and [wayOut], such as the flags of a command line.
      *
-     * @param wayOut likewise as a part of the sentence
+     * @param wayOut the other name of [wayOut], as a part of the sentence
      */
     public fun message(source: String, wayOut: String?): String = line(source, key, problem, wayOut)
 }
@@ -32,6 +32,6 @@ private fun line(source: String, key: String?, problem: String, wayOut: String?)
     return oneLine(listOfNotNull(source.ifEmpty { null }, key, whole).joinToString(": "))
 }
 
-/** The input is wrong that came as the [argument] of a call. */
+/** The exception for wrong input that came as the [argument] of a call. */
 internal fun wrongArgument(argument: String, key: String?, problem: String): InputException =
     InputException(argument, key, problem, isArgument = true)

@@ -4,11 +4,10 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * The path that the [word] of a user means.
+ * The path that a user means by [word].
  *
- * @param source where the word stands, for messages; with [key]
- * @throws InputException when nothing can have that name here: it holds a NUL, or letters that the locale's encoding
- *   has not
+ * @param source where the word is, for messages; with [key] @throws InputException when no file can have that name
+ *   here: it holds a NUL, or letters that the locale's encoding does not have
  */
 public fun inputPath(word: String, source: String, key: String? = null): Path = try {
     Path.of(word)

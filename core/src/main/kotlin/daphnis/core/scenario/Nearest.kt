@@ -3,8 +3,8 @@ package daphnis.core.scenario
 /** The known word that a mistyped one most likely means. */
 public object Nearest {
     /**
-     * The one of [known] nearest to [word], ignoring case; null when even that is far, more than two changes and half
-     * its length.
+     * The one of [known] nearest to [word], ignoring case; null when even that differs by more than two changes and
+     * half its length.
      */
     public fun to(word: String, known: List<String>): String? {
         val given = word.take(LONGEST)
@@ -17,8 +17,8 @@ public object Nearest {
         to(word, known)?.let { "did you mean '$it'? " }.orEmpty()
 
     /**
-     * Edit distance (Levenshtein, and two neighbours that changed places count as one change: optimal string
-     * alignment), ignoring case.
+     * Edit distance, ignoring case: Levenshtein's, in which a swap of two neighbours counts as one change (optimal
+     * string alignment).
      */
     internal fun distance(a: String, b: String): Int {
         fun same(i: Int, j: Int) = a[i].equals(b[j], ignoreCase = true)

@@ -18,9 +18,8 @@ public sealed interface PlacementSpec {
      * Positions, velocities, radii, masses and ids from a file of any [daphnis.core.format.SnapshotFormat]; [path] is
      * relative to the scenario.
      *
-     * @property time at which the state is, so that images that slide and satellites are where they are then; null for
-     *   0
-     * @property step of the state to take from a file that holds several; the last when left out
+     * @property time of the state, which determines the places of sliding images and of satellites; null for 0
+     *   @property step of the state to take from a file that holds several; the last one when left out
      * @property density mass per volume, for a file that has no masses
      */
     @Serializable

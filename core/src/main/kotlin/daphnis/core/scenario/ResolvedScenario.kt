@@ -1,8 +1,8 @@
 package daphnis.core.scenario
 
 /**
- * A [Scenario] with everything decided that its author left open: what a run directory holds, so that it means the same
- * again. Its file is that of a scenario.
+ * A [Scenario] in which everything that its author left open is decided. A run directory holds it, so that it always
+ * means the same. Its file is a scenario file.
  *
  * @property end time at which the run ends
  * @property guard with a speed in units of speed
@@ -16,7 +16,7 @@ public class ResolvedScenario internal constructor(
     public val timeStep: TimeStepSpec,
     public val firstBody: Int,
 ) : ScenarioParts by written {
-    /** As a file holds it. */
+    /** The scenario as it is in a file. */
     internal val document: Scenario get() = written.copy(
         guard = guard,
         timeStep = timeStep,
@@ -28,7 +28,7 @@ public class ResolvedScenario internal constructor(
     /** Whether the sphere with [id] is one of [bodies]. */
     public fun isBody(id: Int): Boolean = firstBody != Int.MAX_VALUE && id >= firstBody
 
-    /** Placed from the file [path] instead of the one it is placed from. */
+    /** The same scenario, but placed from the file [path]. */
     internal fun placedFrom(path: String): ResolvedScenario {
         val placement = (placement as PlacementSpec.File).copy(path = path)
         return ResolvedScenario(written.copy(placement = placement), end, guard, timeStep, firstBody)

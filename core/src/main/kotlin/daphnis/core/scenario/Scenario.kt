@@ -8,13 +8,12 @@ import kotlinx.serialization.Serializable
 
 /**
  * A simulation as a user writes it: a JSON file with comments and trailing commas allowed. `docs/scenario.md` explains
- * every key. [ResolvedScenario] is what it comes to.
+ * every key. [ResolvedScenario] is the scenario with all decisions made.
  *
  * Lengths, times and masses are in whatever units the author chose; [units] says how many cm/s one unit of speed is,
  * for restitution laws that were measured in cm/s.
  *
- * @property until time at which the run ends; when it is given, [untilOrbits] is not looked at. One of the two is
- *   needed
+ * @property until time at which the run ends; when it is given, [untilOrbits] is ignored. One of the two is needed
  */
 @Serializable
 public data class Scenario(
@@ -38,12 +37,12 @@ public data class Scenario(
     override val search: SearchStructure = SearchStructure.AUTO,
     override val engine: EngineSpec = EngineSpec(),
     override val output: OutputSpec = OutputSpec(),
-    /** Of a [ResolvedScenario] that was written to a file; a new initial state has its own. */
+    /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {
     /**
-     * Id of the first of [bodies], and [Int.MAX_VALUE] without any: as this file of a run says, or for an initial state
-     * of [spheres].
+     * Id of the first of [bodies], or [Int.MAX_VALUE] without any: from this file of a run, or for an initial state of
+     * [spheres] spheres.
      */
     public fun firstBody(spheres: Int): Int =
         if (bodies.isEmpty()) Int.MAX_VALUE else firstBody ?: (spheres - bodies.size)
@@ -70,8 +69,8 @@ public sealed interface FrameSpec {
 public class BoxSpec(public val lengths: List<Double>)
 
 /**
- * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² an area of the x-y plane) and [surfaceDensity] (mass
- * an area); masses from [density] unless [mass] gives every sphere the same.
+ * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² per area of the x-y plane) and [surfaceDensity] (mass
+ * per area). Masses come from [density] unless [mass] gives every sphere the same.
  */
 @Serializable
 public class ParticlesSpec(
@@ -85,8 +84,8 @@ public class ParticlesSpec(
 )
 
 /**
- * One large sphere, such as a moonlet, at [position]; others are placed around it. Its mass is [mass], or follows from
- * [density]. It moves with the mean flow unless [velocity] is given.
+ * One large sphere, such as a moonlet, at [position]; other spheres are placed around it. Its mass is [mass], or
+ * follows from [density]. It moves with the mean flow unless [velocity] is given.
  */
 @Serializable
 public class BodySpec(
@@ -164,10 +163,9 @@ public sealed interface ForceSpec {
     public class UniformAcceleration(public val acceleration: List<Double>) : ForceSpec
 
     /**
-     * A moon on a given epicyclic orbit in Hill's frame, of which the ring feels the gravity and the moon feels
-     * nothing.
+     * A moon on a given epicyclic orbit in Hill's frame. The ring feels its gravity; the moon feels no force.
      *
-     * @property massRatio mass over that of the planet; exactly one of it and [mass]
+     * @property massRatio mass over that of the planet; exactly one of this and [mass]
      * @property x radial position of its guiding centre
      * @property y azimuthal position of its guiding centre at time 0
      * @property e amplitude of its epicycle in units of length: eccentricity times semi-major axis
@@ -193,7 +191,7 @@ public sealed interface ForceSpec {
      *
      * @property openingAngle a node is taken as one mass when its size is below this times its distance
      * @property softening length ε in 1/(r² + ε²)
-     * @property images gravity reaches so many of the shortest periodic edge, and a half, around each particle
+     * @property images the range of gravity around each particle is [images] + ½ of the shortest periodic edge
      * @property constant G in the scenario's units; from [Scenario.units] when left out
      */
     @Serializable
@@ -206,8 +204,8 @@ public sealed interface ForceSpec {
     ) : ForceSpec
 
     /**
-     * Gravity of [Scenario.bodies] on all others and, as reaction, of these on them; not among the others. Nearest
-     * images.
+     * Gravity of [Scenario.bodies] on all other spheres and, as reaction, of these on the bodies, but not among the
+     * other spheres. Nearest images count.
      */
     @Serializable
     @SerialName("body-gravity")
@@ -220,7 +218,7 @@ public sealed interface TimeStepSpec {
     @SerialName("fixed")
     public class Fixed(public val dt: Double) : TimeStepSpec
 
-    /** [steps] equal steps an orbit of the frame. */
+    /** [steps] equal steps per orbit of the frame. */
     @Serializable
     @SerialName("orbit-fraction")
     public class OrbitFraction(public val steps: Double) : TimeStepSpec
@@ -240,7 +238,9 @@ public sealed interface TimeStepSpec {
 
 @Serializable
 public class EngineSpec(public val name: String = "islands", public val threads: Int = 0) {
-    /** Threads to make and check the initial state on: those of the engine, of which the serial one has one. */
+    /**
+     * Number of threads that make and check the initial state: that of the engine, which is one for the serial engine.
+     */
     internal val threadsAtStart: Int get() = if (name == "serial") {
         1
     } else {
@@ -251,8 +251,8 @@ public class EngineSpec(public val name: String = "islands", public val threads:
 /**
  * How often to write, in steps; 0 means never (checkpoints: only at the end).
  *
- * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and what collisions
- *   carried
+ * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and the momentum that
+ *   collisions carried
  */
 @Serializable
 public class OutputSpec @JvmOverloads constructor(

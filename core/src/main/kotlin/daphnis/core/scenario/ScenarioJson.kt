@@ -10,7 +10,7 @@ import java.nio.file.Files
 import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 
-/** Reads and writes [Scenario]s as JSON. Everything wrong with the text is an [InputException]. */
+/** Reads and writes [Scenario]s as JSON. Every error in the text is an [InputException]. */
 public object ScenarioJson {
     @OptIn(ExperimentalSerializationApi::class)
     private val json = Json {
@@ -56,10 +56,10 @@ public object ScenarioJson {
         return parse(text, path.toString(), settings)
     }
 
-    /** The whole scenario, every default written out. */
+    /** The whole scenario, with every default written out. */
     public fun write(scenario: Scenario): String = json.encodeToString(Scenario.serializer(), scenario) + "\n"
 
-    /** The file of a run directory, which [read] reads as a scenario. */
+    /** The text for the file of a run directory, which [read] reads as a scenario. */
     public fun write(scenario: ResolvedScenario): String = write(scenario.document)
 
     private fun parseTree(text: String, source: String): JsonElement = try {

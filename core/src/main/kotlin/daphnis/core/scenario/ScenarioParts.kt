@@ -2,7 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.search.SearchStructure
 
-/** What a scenario says alike as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]). */
+/** What a scenario as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]) have in common. */
 public interface ScenarioParts {
     public val name: String
     public val description: String
@@ -21,6 +21,6 @@ public interface ScenarioParts {
     public val engine: EngineSpec
     public val output: OutputSpec
 
-    /** Time at which the run starts: that of the state it is placed from, else 0. */
+    /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
     public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
 }

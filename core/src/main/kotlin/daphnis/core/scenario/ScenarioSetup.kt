@@ -19,13 +19,13 @@ import daphnis.core.population.Population
 import kotlin.math.sqrt
 
 /**
- * What a [Scenario] means: the objects of a simulation, made and checked.
+ * The objects of a simulation that a [Scenario] describes, made and checked.
  *
  * Everything here is a pure function of the scenario (and of the particle file it may name), so a scenario gives the
  * same initial state on every machine.
  *
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
- * @property notices what a user should know about the initial state, a line each
+ * @property notices what a user should know about the initial state, one line each
  */
 public class ScenarioSetup private constructor(
     public val scenario: ResolvedScenario,
@@ -40,8 +40,8 @@ public class ScenarioSetup private constructor(
 ) {
     public companion object {
         /**
-         * Memory a sphere needs with population, packed rows, grid and queue: the most measured (docs/performance.md)
-         * and some room.
+         * Memory that a sphere needs in population, packed rows, grid and queue: the most measured
+         * (docs/performance.md) plus a margin.
          */
         public const val BYTES_PER_SPHERE: Double = 340.0
 
@@ -49,8 +49,8 @@ public class ScenarioSetup private constructor(
          * Makes and checks everything.
          *
          * @param source what to call the scenario in messages
-         * @param state the population to go on with, or null for the initial state that the scenario describes
-         * @throws InputException for whatever is wrong
+         * @param state the population to continue with, or null for the initial state that the scenario describes
+         *   @throws InputException for anything that is wrong
          */
         public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup {
             val check = ValueCheck(source)
@@ -59,7 +59,7 @@ public class ScenarioSetup private constructor(
             val restitution = restitution(scenario, check)
             val initial = InitialState(scenario, around.box, around.boundary, check)
             val population = state ?: initial.population()
-            // Where a run of this file had them says nothing of a new initial state.
+            // The ids of bodies in a run of this file do not hold for a new initial state.
             val bodies = if (state == null) scenario.copy(firstBody = null) else scenario
             val firstBody = bodies.firstBody(population.size)
             val forceSetup = ForceSetup(scenario, around.angularSpeed, check)
@@ -80,7 +80,7 @@ public class ScenarioSetup private constructor(
 
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
-                "must be in 1..${ThreadHandler.MOST}, or 0 for all there are"
+                "must be in 1..${ThreadHandler.MOST}, or 0 for one per core"
             }
             val output = scenario.output
             check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) {
@@ -174,7 +174,7 @@ public class ScenarioSetup private constructor(
             }
         }
 
-        /** Steps are counted, and each must bring the time forward. */
+        /** Steps are counted, and each must advance the time. */
         private fun checkSteps(scenario: ResolvedScenario, check: ValueCheck) {
             val (key, longest) = when (val spec = scenario.timeStep) {
                 is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
@@ -203,7 +203,7 @@ public class ScenarioSetup private constructor(
             return if (population.size == 0) 0.0 else sqrt(sum / population.size)
         }
 
-        /** 2⁵³: up to it the time after a number of steps is told from that after one more. */
+        /** 2⁵³: up to this number the times after a number of steps and after one more differ. */
         private const val MOST_STEPS = 9.007199254740992e15
         private const val DEFAULT_FLOOR = 1e-6
     }

@@ -13,7 +13,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Compares a JSON tree with what a serializer expects and names the first thing that is wrong by its path: an unknown
+ * Compares a JSON tree with what a serializer expects and names the first error by its path: an unknown
  * key with the nearest known one, a missing key, a value of the wrong kind, a number that is not finite.
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -36,9 +36,7 @@ internal class SchemaCheck(private val source: String) {
             PolymorphicKind.SEALED -> checkSealed(element, descriptor, path)
             SerialKind.ENUM -> {
                 val name = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
-                if (name !in
-                    descriptor.names()
-                ) {
+                if (name !in descriptor.names()) {
                     fail(path, "is ${shown(element)}; ${choices(name.orEmpty(), descriptor.names())}")
                 }
             }
@@ -106,9 +104,8 @@ internal class SchemaCheck(private val source: String) {
         PrimitiveKind.LONG -> "a whole number of at most 64 bits"
         PrimitiveKind.DOUBLE -> "a finite number"
         StructureKind.LIST -> "a list"
-        PolymorphicKind.SEALED -> "an object whose type is one of ${descriptor.getElementDescriptor(
-            1,
-        ).names().joinToString()}"
+        PolymorphicKind.SEALED ->
+            "an object whose type is one of ${descriptor.getElementDescriptor(1).names().joinToString()}"
         SerialKind.ENUM -> "one of ${descriptor.names().joinToString()}"
         else -> "an object with ${descriptor.names().joinToString()}"
     }

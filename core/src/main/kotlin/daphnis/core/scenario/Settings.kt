@@ -9,8 +9,8 @@ import kotlinx.serialization.json.JsonPrimitive
 
 /**
  * Replaces keys of a scenario's tree by `path=value` settings, as given on the command line. A path is what messages
- * call a key: names with dots between, and `[k]` behind the name of a list, from 0: `timeStep.dt`,
- * `forces[0].massRatio`, `box.lengths[2]`. A value is JSON, or else a string.
+ * call a key: names with dots between, and `[k]` after the name of a list, from 0: `timeStep.dt`,
+ * `forces[0].massRatio`, `box.lengths[2]`. A value is JSON, or otherwise a string.
  */
 internal object Settings {
     fun apply(tree: JsonElement, settings: List<String>): JsonElement {
@@ -21,8 +21,8 @@ internal object Settings {
         }
         for (setting in settings) {
             changed = set(changed, setting)
-            // Who says how long in orbits does not mean the time that the scenario had before; `until` goes before
-            // `untilOrbits` anyway.
+            // A length given in orbits replaces the time that the scenario had, since `until` has priority over
+            // `untilOrbits`.
             if (setting.substringBefore('=') == ORBITS) changed = JsonObject((changed as JsonObject) - UNTIL)
         }
         return changed
@@ -59,7 +59,8 @@ internal object Settings {
             ?: throw wrongArgument(
                 SETTINGS,
                 setting,
-                "'$part' is no key; write forces[0].x for x of the first of a list, and quote it for the shell",
+                "'$part' is not a key; for x of the first entry of a list write forces[0].x, " +
+                    "and quote it for the shell",
             )
         listOf(found.groupValues[1]) + INDEX.findAll(found.groupValues[2]).map { it.value }
     }
@@ -75,18 +76,13 @@ internal object Settings {
         val step = steps[at]
         val here = steps.take(at).joinToString(".").replace(".[", "[")
         if (step.startsWith('[')) {
-            val list =
-                tree as? JsonArray
-                    ?: throw wrongArgument(SETTINGS, setting, "$here is no list in this scenario, so it has no $step")
+            val noList = "$here is not a list in this scenario, so it has no $step"
+            val list = tree as? JsonArray ?: throw wrongArgument(SETTINGS, setting, noList)
             val k = step.trim('[', ']').toIntOrNull()?.takeIf { it in list.indices }
                 ?: throw wrongArgument(SETTINGS, setting, "$here has ${entries(list.size)}, so it has no $step")
             return JsonArray(
                 list.mapIndexed { i, entry ->
-                    if (i == k) {
-                        put(entry, steps, at + 1, value, setting)
-                    } else {
-                        entry
-                    }
+                    if (i == k) put(entry, steps, at + 1, value, setting) else entry
                 },
             )
         }
@@ -94,7 +90,7 @@ internal object Settings {
             throw wrongArgument(SETTINGS, setting, "$here is a list; write $here[0] for its first entry")
         }
         if (tree != null && tree !is JsonObject) {
-            throw wrongArgument(SETTINGS, setting, "'$step' is looked for inside something that is no object")
+            throw wrongArgument(SETTINGS, setting, "'$step' is looked up inside something that is not an object")
         }
         val fields = tree ?: JsonObject(emptyMap())
         return JsonObject(fields + (step to put(fields[step], steps, at + 1, value, setting)))

@@ -8,7 +8,10 @@ import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import kotlin.math.abs
 
-/** Whether a population can start in its box: inside, wide enough for its images, nobody in anybody's place. */
+/**
+ * Checks that a population can start in its box: all spheres are inside, the box is wide enough for its images, and no
+ * spheres overlap.
+ */
 internal class StartCheck(
     private val scenario: Scenario,
     private val population: Population,
@@ -24,14 +27,15 @@ internal class StartCheck(
             when (boundary.contactFaces(axis)) {
                 ContactFaces.PERIODIC -> {
                     check.that(key, length, length > 2 * largest) {
-                        "must exceed the diameter of the largest sphere, ${2 * largest}, or it would touch its own image"
+                        "must exceed the diameter of the largest sphere, ${2 * largest}, " +
+                            "or it would touch its own image"
                     }
                     checkCrossings(axis, largest, timeStep)
                 }
                 ContactFaces.WALL -> check.that(key, length, length > 2 * largest) {
                     "must exceed the diameter of the largest sphere, ${2 * largest}"
                 }
-                // Moonlets may stick out of the slab that particles are put into.
+                // Moonlets may stick out of the slab in which particles are placed.
                 ContactFaces.OPEN, ContactFaces.WRAPPING -> {
                     val hasRoom = scenario.bodies.isNotEmpty() || length > 2 * largest
                     check.must(key, hasRoom) { "is $length; it is thinner than the largest sphere, ${2 * largest}" }
@@ -42,17 +46,17 @@ internal class StartCheck(
         checkSlide(timeStep)
         checkSatellites(timeStep)
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
-        val overlap =
-            computable("box") {
-                Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
-            }
+        val overlap = computable("box") {
+            Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
+        }
         val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
         check.must(key, overlap.depth <= TOLERANCE) {
-            "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; nobody may overlap at the start"
+            "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; " +
+                "spheres must not overlap at the start"
         }
     }
 
-    /** What the search says of sizes beyond what it can compute is said of the scenario. */
+    /** An error of the search about sizes that it cannot compute becomes an error in the scenario. */
     private inline fun <T> computable(key: String, work: () -> T): T = try {
         work()
     } catch (e: IllegalArgumentException) {
@@ -79,11 +83,15 @@ internal class StartCheck(
         for (u in population.velocity(axis)) fastest = maxOf(fastest, abs(u))
         val range = 2 * largest + 2.2 * fastest * timeStep.next(population)
         check.must("timeStep", range < boundary.box.length(axis) * MOST_BOXES) {
-            "is so long that the fastest sphere passes more than once through the box along ${"xyz"[axis]} in a step; take a smaller dt"
+            "is so long that the fastest sphere passes more than once through the box " +
+                "along ${"xyz"[axis]} in a step; take a smaller dt"
         }
     }
 
-    /** Who falls onto a moon is found where he stands at the end of a step, so nobody may fly through it within one. */
+    /**
+     * A sphere that falls onto a moon is detected from its position at the end of a step, so none may pass through the
+     * moon within one step.
+     */
     private fun checkSatellites(timeStep: TimeStep) {
         val rate = abs(boundary.meanFlow?.rate ?: return)
         for ((k, force) in scenario.forces.withIndex()) {
@@ -92,12 +100,13 @@ internal class StartCheck(
                 maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
             val way = rate * farthest * timeStep.next(population)
             check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
-                "is small against the $way that particles drift past it in a step; take a smaller dt, or 0 for a point"
+                "is small compared with the $way that particles drift past it in a step; " +
+                    "take a smaller dt, or 0 for a point"
             }
         }
     }
 
-    /** Images that slide by many boxes in a step would each have to be searched. */
+    /** If images slid by many boxes in a step, each would have to be searched. */
     private fun checkSlide(timeStep: TimeStep) {
         val shear = boundary.shear ?: return
         val slide = abs(shear.velocity) * timeStep.next(population)
@@ -111,8 +120,8 @@ internal class StartCheck(
         const val MOST_SLIDE = 4
 
         /**
-         * Bound on two spheres' ways in a step, in boxes; more would be right still, but every image in between would
-         * be searched.
+         * Bound on the paths of two spheres in a step, in boxes. Longer ones would still be right, but every image in
+         * between would be searched.
          */
         const val MOST_BOXES = 3
     }

@@ -4,10 +4,10 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 
 /**
- * What a scenario says of space and time, without a population.
+ * Space and time of a scenario, without a population.
  *
- * @property box where spheres are put; that of [boundary] unless it is open
- * @property boundary without what forces add, such as the surface of a moon
+ * @property box where spheres are placed; that of [boundary] unless it is open @property boundary without what forces
+ *   add, such as the surface of a moon
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
  * @property end time at which the run ends
  * @property timeStep [TimeStepSpec.Fixed], or [TimeStepSpec.CellCrossing] with or without its cell
@@ -24,7 +24,7 @@ public class Surroundings private constructor(
          * Makes and checks them.
          *
          * @param source what to call the scenario in messages
-         * @throws InputException for whatever is wrong
+         * @throws InputException for anything that is wrong
          */
         public fun of(scenario: Scenario, source: String): Surroundings {
             val check = ValueCheck(source)

@@ -6,7 +6,7 @@ import kotlinx.serialization.Serializable
 import kotlin.math.sqrt
 
 /**
- * What the numbers of a scenario are in SI units.
+ * The units of a scenario in SI units.
  *
  * @property speedInCmPerSecond how many cm/s one unit of speed is; restitution laws are measured in cm/s
  * @property lengthInMetres how many metres one unit of length is; needed for planets and gravity, whose constants are
@@ -37,7 +37,7 @@ public class UnitsSpec(
         return planet.gravitationalParameter * time * time / (length * length * length)
     }
 
-    /** What one unit is in SI units; null when the length is not known. */
+    /** The units in SI units; null when the length is not known. */
     public val si: SiUnits? get() = lengthInMetres?.let { SiUnits(it, timeInSeconds!!, massInKg) }
 
     public companion object {
@@ -69,8 +69,8 @@ public enum class Planet(public val gravitationalParameter: Double) {
     ;
 
     /**
-     * Angular speed in rad/s of a circular orbit [distanceInKm] from the centre; the planet's oblateness is left out (1
-     * % at Saturn's rings).
+     * Angular speed in rad/s of a circular orbit [distanceInKm] from the centre; the planet's oblateness is neglected
+     * (1 % at Saturn's rings).
      */
     public fun angularSpeed(distanceInKm: Double): Double {
         val metres = distanceInKm * METRES_PER_KM

@@ -8,7 +8,7 @@ internal class ValueCheck(val source: String) {
         if (!ok) fail(key, "is ${brief(value)}; ${problem()}")
     }
 
-    /** Something that is not about one value. */
+    /** A check that is not about one value. */
     inline fun must(key: String, ok: Boolean, problem: () -> String) {
         if (!ok) fail(key, problem())
     }
@@ -27,7 +27,7 @@ internal class ValueCheck(val source: String) {
         that(key, value, value in 0.0..1.0) { "must be in [0, 1]" }
     }
 
-    /** A list may be as long as its author likes. */
+    /** Shortens a list, which may have any length. */
     fun brief(value: Any?): String {
         val text = value.toString()
         return if (text.length > MOST_SHOWN) text.take(MOST_SHOWN) + "…" else text

@@ -4,8 +4,8 @@ import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
 /**
- * [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] takes out the velocity of the centre of
- * mass that the drawing left.
+ * [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] subtracts the velocity of the centre of
+ * mass of the drawn velocities.
  */
 @Serializable
 public sealed interface VelocitiesSpec {
@@ -30,7 +30,8 @@ public sealed interface VelocitiesSpec {
      * Every component normal, with exactly one of the standard deviation [sigma], the same for all, and the kinetic
      * [temperature] T, with √(T/m) for a sphere of mass m.
      *
-     * @property exact scales what was drawn, against the centre of mass, so that ⟨c²⟩/3 by mass is σ², or ⟨m c²⟩/3 is T
+     * @property exact scales the drawn velocities relative to the centre of mass, so that ⟨c²⟩/3 by mass is σ², or ⟨m
+     *   c²⟩/3 is T
      */
     @Serializable
     @SerialName("gaussian")

@@ -7,9 +7,9 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * What is allowed and yet may not give what is wanted, a line each that names the key and the mend; empty when there is
- * nothing to say. Of the state that [setup] begins with and its first step. The figures behind the bounds are in
- * docs/physics.md.
+ * What is allowed but may not give the wanted result: one line each, which names the key and the remedy; empty when
+ * there is nothing to report. It refers to the state with which [setup] begins and its first step. The figures behind
+ * the bounds are in docs/physics.md.
  */
 public fun warnings(setup: ScenarioSetup): List<String> {
     if (setup.population.size == 0) return emptyList()
@@ -17,7 +17,9 @@ public fun warnings(setup: ScenarioSetup): List<String> {
     return listOfNotNull(fallsBetweenWalls(setup, dt), coarseOrbit(setup, dt))
 }
 
-/** Below walls paths are straight within a step, while they should be parabolas: elastic bounces then gain energy. */
+/**
+ * Between walls, paths are straight within a step although they should be parabolas, so elastic bounces gain energy.
+ */
 private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
     val axis =
         (0..2).filter { setup.boundary.contactFaces(it) == ContactFaces.WALL }.maxByOrNull { fall(setup, it) }
@@ -25,13 +27,14 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
     val fall = fall(setup, axis)
     if (fall == 0.0) return null
     val thermal = sqrt(granularTemperature(setup.population, setup.boundary.meanFlow, setup.scenario.firstBody))
-    // Grains at rest get the speed of a fall through the box.
+    // Grains at rest reach the speed of a fall through the box.
     val speed = if (thermal > 0) thermal else sqrt(fall * setup.boundary.box.length(axis))
     val ratio = fall * dt / speed
     if (ratio <= MOST_FALL) return null
     val what = if (thermal > 0) "the thermal speed" else "the speed of a fall through the box"
     return line(
-        "timeStep: a step of %.4g changes speeds across the walls along %s by %.2g of %s; elastic bounces there gain about %.1g of their energy each; take steps of %.3g or less",
+        "timeStep: a step of %.4g changes speeds across the walls along %s by %.2g of %s; " +
+            "elastic bounces there gain about %.1g of their energy each; take steps of %.3g or less",
         dt,
         "xyz"[axis],
         ratio,
@@ -45,14 +48,15 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
 private fun fall(setup: ScenarioSetup, axis: Int): Double =
     abs(setup.scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>().sumOf { it.acceleration[axis] })
 
-/** Collisions are found on chords, which are off the epicycles by a share of the step squared. */
+/** Collisions are found on chords, which deviate from the epicycles by an amount proportional to the step squared. */
 private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
     val omega = setup.angularSpeed ?: return null
     val steps = 2 * Math.PI / (omega * dt)
-    // Round-off of a step given as part of an orbit is no reason.
+    // Round-off of a step given as part of an orbit is not a reason to warn.
     if (steps >= FEWEST_STEPS * (1 - 1e-9)) return null
     return line(
-        "timeStep: %.3g steps an orbit; chords are off the epicycles by %.1g of an epicycle within a step, and forces act once a step; take %.0f or more",
+        "timeStep: %.3g steps per orbit; chords deviate from the epicycles by %.1g of an epicycle within a step, " +
+            "and forces act once per step; take %.0f or more",
         steps,
         (omega * dt).let { it * it / 8 },
         FEWEST_STEPS,
@@ -62,11 +66,11 @@ private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
 private fun line(format: String, vararg values: Any): String = String.format(Locale.ROOT, format, *values)
 
 /**
- * Change of speed within a step, against the thermal speed: at this one 1 % of the energy is gained in about 100
+ * Change of speed within a step, relative to the thermal speed: at this ratio 1 % of the energy is gained in about 100
  * bounces.
  */
 private const val MOST_FALL = 0.02
 
-/** Energy gained by an elastic bounce over its energy and the square of that ratio, as measured. */
+/** Energy gained by an elastic bounce, divided by its energy and the square of that ratio, as measured. */
 private const val GAIN = 0.22
 private const val FEWEST_STEPS = 100.0

@@ -1,7 +1,7 @@
 package daphnis.core.scenario
 
 /**
- * What a caller who is refused can ask for instead.
+ * What a caller can ask for instead after a refusal.
  *
  * @property words as a part of the message
  */
@@ -12,17 +12,17 @@ public enum class WayOut(public val words: String) {
     /** Another directory for the run, or `force` of [daphnis.core.run.Run.start]. */
     REPLACE_RUN("give another directory, or replace the run in it"),
 
-    /** `force`, which was given, does not go so far. */
+    /** `force`, which was given, does not allow that. */
     ONLY_RUNS_ARE_REPLACED("only runs are replaced"),
 
-    /** `acceptLoss` of [daphnis.core.run.Run.resume]: tables are as they are. */
-    RESUME_WITH_LOSS("bring the file back, or go on with what is there"),
+    /** `acceptLoss` of [daphnis.core.run.Run.resume]: damaged tables are accepted as they are. */
+    RESUME_WITH_LOSS("bring the file back, or continue with what is there"),
 
-    /** `acceptLoss` of [daphnis.core.run.Run.resume]: the run begins anew. */
+    /** `acceptLoss` of [daphnis.core.run.Run.resume]: the run starts again. */
     BEGIN_ANEW("bring one back, or run it again from its start"),
 
-    /** `acceptLoss` of an analysis: files are as they are. */
-    ANALYSE_WITH_LOSS("bring it back, or take what is there"),
+    /** `acceptLoss` of an analysis: damaged files are accepted as they are. */
+    ANALYSE_WITH_LOSS("bring it back, or accept what is there"),
 
     /** A scenario that writes snapshots. */
     WRITE_SNAPSHOTS("run with snapshots"),

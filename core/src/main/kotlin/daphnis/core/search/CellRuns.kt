@@ -5,22 +5,22 @@ import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
- * The runs of slots of a [Grid] that a sphere has to look through. Holds the runs of one query at a time, so each
+ * The runs of slots of a [Grid] that have to be searched for a sphere. Holds the runs of one query at a time, so each
  * thread has its own.
  *
- * @param closer closer bounds on the others than the reach that the grid was built for; null to do without
+ * @param closer bounds on other spheres which are closer than the reach for which the grid was built; null for none
  */
 @EngineApi
 public class CellRuns(private val grid: Grid, private val closer: RowBounds? = null) : SlotRuns() {
     private val levels = grid.levels
 
-    // The class of sizes at hand.
+    // The present class of sizes.
     private var layout = GridLayout()
     private var cells = layout.cells
     private var periodic = layout.periodic
     private var starts = grid.cellStart
 
-    // The box of cells at hand along row axis, middle and slow axis; may reach beyond the faces of periodic axes.
+    // The present box of cells along row axis, middle and slow axis; may reach beyond the faces of periodic axes.
     private val least = IntArray(3)
     private val most = IntArray(3)
 
@@ -32,15 +32,15 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private var time = 0.0
     private var bounds: RowBounds? = null
 
-    // Whether the sphere is so large against the cells that it pays to go round it instead of through its cube.
+    // Whether the sphere is so large compared with the cells that searching its outline pays instead of its whole cube.
     private var isRound = false
     private var closeFrom = 0
     private var closeTo = 0
 
     /**
-     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its way in
-     * this step, from its place ([x], [y], [z]) at the start by ([wayX], [wayY], [wayZ]). Only at the start, when
-     * nobody has collided.
+     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its path in
+     * this step, from its place ([x], [y], [z]) at the start by ([wayX], [wayY], [wayZ]). Only at the start, when no
+     * sphere has collided.
      *
      * @return number of runs
      */
@@ -60,7 +60,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         val own = if (levels.count == 1) 0 else levels.of(radius)
         cover(own, x, y, z, wayX, wayY, wayZ, radius)
         addAhead(slot, x, y, z)
-        // Smaller ones find this one from their side.
+        // Smaller spheres find this one from their side.
         for (level in own + 1 until levels.count) {
             cover(level, x, y, z, wayX, wayY, wayZ, radius)
             addAll()
@@ -71,8 +71,8 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private fun addAhead(slot: Int, x: Double, y: Double, z: Double) {
         val c1 = layout.cellAt(layout.pick(1, x, y, z), 1)
         val c2 = layout.cellAt(layout.pick(2, x, y, z), 2)
-        // Rest of the own row: later slots, then cells ahead; then the rows ahead, those of the own layer and those of
-        // the layers above.
+        // The rest of the own row, which is later slots and then cells ahead; then the rows ahead, of the own layer and
+        // of the layers above.
         val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
         var last = most[0]
         val bounds = bounds
@@ -89,9 +89,9 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     /**
-     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its way, from its place
-     * ([x], [y], [z]) now by ([wayX], [wayY], [wayZ]); they hold the sphere itself too. [time] is now, from the start
-     * of the step; needed for closer bounds.
+     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its path, from its present
+     * place ([x], [y], [z]) by ([wayX], [wayY], [wayZ]). They hold the sphere itself too. [time] is the present time
+     * from the start of the step, which closer bounds need.
      *
      * @return number of runs
      */
@@ -148,7 +148,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         }
     }
 
-    /** Adds the cells at hand in the row ([r1], [r2]), which may lie beyond a face. */
+    /** Adds the present cells in the row ([r1], [r2]), which may lie beyond a face. */
     private fun addRow(r1: Int, r2: Int) {
         var c1 = r1
         var c2 = r2
@@ -179,7 +179,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
             from = closeFrom
             to = closeTo
         } else if (image2 != 0 && layout.slides) {
-            // The image row is displaced by s, so its spheres are looked for s earlier in the row.
+            // The image row is displaced by s, so its spheres are searched s earlier in the row.
             from -= ceil(maxOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
             to -= floor(minOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
         }
@@ -199,8 +199,8 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     /**
-     * How far along the row at hand as ([r1], [r2]) the sphere, on its way, can touch one that started there, if it
-     * does not move along the row; −1 when it cannot. Others may have come nearer by their reach along the other two
+     * How far along the row numbered ([r1], [r2]) the sphere, on its path, can touch one that started there, if it does
+     * not move along the row; −1 when it cannot. Other spheres may have come nearer by their reach along the other two
      * axes.
      */
     private fun halfChord(r1: Int, r2: Int): Double {
@@ -211,7 +211,9 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         return if (rest < 0) -1.0 else Math.sqrt(rest)
     }
 
-    /** Least distance along axis [k] of the three between the way of the sphere and anybody who started in row [r]. */
+    /**
+     * Least distance along axis [k] of the three between the path of the sphere and any sphere that started in row [r].
+     */
     private fun gap(k: Int, r: Int): Double {
         val reach = layout.margin[k] - layout.ownMargin[k]
         val bottom = layout.low[k] + r * layout.widths[k] - reach
@@ -222,10 +224,10 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     /**
-     * Whether a sphere that started in [row], at hand as the one numbered ([r1], [r2]), can be met, and in which of its
-     * cells: [closeFrom] to [closeTo]. A sphere there, at s at the start, is somewhere in s + [least, greatest
-     * velocity] · t at time t; the one that searches goes straight from [here] to [there]; so that where they can meet
-     * is bounded by what holds now and at the end.
+     * Whether a sphere that started in [row], which is numbered ([r1], [r2]) here, can be met, and in which of its
+     * cells: [closeFrom] to [closeTo]. A sphere which was at s at the start is somewhere in s + [least, greatest
+     * velocity] · t at time t. The searching sphere moves straight from [here] to [there]. So the places where they can
+     * meet are bounded by the bounds now and at the end.
      */
     private fun isWithin(bounds: RowBounds, row: Int, r1: Int, r2: Int, image2: Int, slack: Double): Boolean {
         val v = bounds.values

@@ -3,12 +3,12 @@ package daphnis.core.search
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
-/** Puts spheres in cell order; see [GridSort] for the ways. */
+/** Puts spheres in cell order; see [GridSort] for the methods. */
 internal interface CellSort {
     fun sort(population: Population, levels: GridLevels, into: CellOrder, loop: RangeLoop)
 }
 
-/** Cells of the spheres [from] until [to] into [CellOrder.cellOf]. */
+/** Writes the cells of the spheres [from] until [to] into [CellOrder.cellOf]. */
 internal fun findCells(population: Population, levels: GridLevels, into: CellOrder, from: Int, to: Int) {
     val a = levels[0].coordinate(population, 0)
     val b = levels[0].coordinate(population, 1)

@@ -5,8 +5,8 @@ import daphnis.core.population.Population
 
 /**
  * Counting sort by cell. In parallel, each worker counts one part of the population; since a population is nearly in
- * cell order from the step before, a part covers only a stretch of the cells, and counting and adding up cost little
- * more than on one thread. A population in wild order (the first step) is sorted on one.
+ * cell order from the step before, a part covers only a stretch of the cells. Counting and adding up then cost little
+ * more than on one thread. A population in random order (the first step) is sorted on one thread.
  */
 internal class CountingSort : CellSort {
     // By part: its counts, for cells low..high.
@@ -114,7 +114,7 @@ internal class CountingSort : CellSort {
     }
 
     private fun sortAlone(n: Int, total: Int, into: CellOrder) {
-        // Counts go to c + 2, become starts at c + 1, end up as starts at c.
+        // Counts go to c + 2, become starts at c + 1, and end as starts at c.
         val start = into.start
         start.fill(0, 0, total + 2)
         for (k in 0 until n) start[into.cellOf[k] + 2]++

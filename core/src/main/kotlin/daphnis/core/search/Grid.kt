@@ -7,17 +7,17 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 
 /**
- * A regular grid that puts spheres in cell order; [CellRuns] then names, for each, the runs of slots in which every
- * sphere lies that it can touch within the step.
+ * A regular grid that puts spheres in cell order. For each sphere, [CellRuns] then gives the runs of slots that hold
+ * every sphere which it can touch within the step.
  *
- * Where a sphere itself goes until the end of the step, if nothing happens to it, is known: a straight way. Where
- * others may be is known only up to the [Reach]. So it can touch only spheres that were, at the start of the step, no
- * farther from its way along each axis than its radius, the largest radius and the reach together. Cells are numbered
- * along a row first, so cells side by side in a row are one run of memory:
+ * The path of the sphere itself until the end of the step is known: without a collision it is straight. The positions
+ * of other spheres are known only up to the [Reach]. So a sphere can touch only spheres that were, at the start of the
+ * step, no farther from its path along each axis than its radius, the largest radius and the reach together. Cells are
+ * numbered along a row first, so adjacent cells in a row are one run of memory:
  *
  * ```
  *   slow axis ▲   ┌─┬─┬─┬─┬─┬─┬─┬─┐
- *             │   │ │▓│▓│▓│▓│▓│▓│ │   ▓  runs that are searched for the sphere at ● on its way to ○
+ *             │   │ │▓│▓│▓│▓│▓│▓│ │   ▓  runs that are searched for the sphere at ● on its path to ○
  *             │   ├─┼─┼─┼─┼─┼─┼─┼─┤
  *             │   │ │▓│▓│●│▓│○│▓│ │
  *             │   ├─┼─┼─┼─┼─┼─┼─┼─┤
@@ -26,12 +26,12 @@ import daphnis.core.population.Population
  *             └────────────────────▶ row axis (memory)
  * ```
  *
- * Rows run along x unless images slide along another axis; then along that one, since the slide changes only where in a
- * row to look. Faces that are periodic continue with images, as many boxes away as the way demands, so a box thinner
- * than that is searched right as well.
+ * Rows run along x unless images slide along another axis. Then rows run along that axis, since the slide changes only
+ * the place in a row that is searched. Beyond periodic faces the grid continues with images, as many boxes away as the
+ * path requires, so a box thinner than the path is searched correctly as well.
  *
- * Spheres of very different sizes are told apart: each class of sizes ([SizeClasses]) has cells of its own, one class
- * after the other in memory, and a sphere looks through those of every class no farther than that class demands. One
+ * Spheres of very different sizes are kept apart: each class of sizes ([SizeClasses]) has its own cells, one class
+ * after the other in memory, and the cells of each class are searched no farther than that class requires. A single
  * class is the paper's grid.
  *
  * All memory is kept from step to step. Once [build] has returned, any number of threads may read, each through
@@ -52,7 +52,7 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
     /** First slot of cell c; entry c + 1 is one past its last. */
     internal val cellStart: IntArray get() = sorted.start
 
-    /** Number of classes of sizes, each with cells of its own; [of] takes them from the smallest. */
+    /** Number of classes of sizes, each with its own cells; [of] counts them from the smallest. */
     public val classes: Int get() = levels.count
 
     /** Largest radius in class [of]. */
@@ -65,8 +65,8 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
     public fun cellWidth(axis: Int, of: Int = 0): Double = levels[of].widths[levels[of].axes.indexOf(axis)]
 
     /**
-     * How far apart along [axis] two spheres, both at the start of the step, can be at most if one looks through the
-     * cell of the other at any moment of the step.
+     * The largest distance along [axis], at the start of the step, of two spheres of which one searches the cell of the
+     * other at any moment of the step.
      */
     public fun sight(axis: Int): Double {
         val top = levels.count - 1
@@ -84,19 +84,18 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
 
     private fun sight(axis: Int, looking: Int, lookedAt: Int): Double {
         val k = levels[0].axes.indexOf(axis)
-        // Out to the end of the way, the radii, and back from where the other may have gone to; and a cell on top, of
-        // which a part may be seen.
+        // Out to the end of the path, the radii, and back from where the other sphere may have gone; plus one cell, of
+        // which a part may be searched.
         return levels[looking].margin[k] + levels[lookedAt].margin[k] + levels[lookedAt].widths[k]
     }
 
     /**
-     * Sorts [population] into cells for a step from [time] of [duration] in which nobody goes farther than [reach].
+     * Sorts [population] into cells for a step from [time] of [duration] in which no sphere goes farther than [reach].
      *
-     * @param reach bound along x, y, z; zeros find what touches at the start
+     * @param reach bound along x, y, z; with zeros, spheres that touch at the start are found
      * @param loop runs the loops over spheres
-     * @param structure whether sizes are told apart
-     * @throws IllegalArgumentException when a periodic box is so thin against the range that images beyond
-     *   ±[ImageRange.MOST_BOXES] would matter
+     * @param structure whether sizes are kept apart @throws IllegalArgumentException when a periodic box is so thin
+     *   compared with the range that images beyond ±[ImageRange.MOST_BOXES] would matter
      */
     public fun build(
         population: Population,

@@ -7,33 +7,33 @@ import kotlin.math.floor
 
 /**
  * How a [Grid] divides space for one class of sizes: for the axis of rows (0), the middle axis (1) and the slow axis
- * (2), the number of cells, their width, and how far beside its way a sphere has to look for one of this class. Arrays
- * are indexed by these three; [axes] says which of x, y, z each is.
+ * (2), the number of cells, their width, and how far beside its path a sphere has to search for one of this class.
+ * Arrays are indexed by these three; [axes] gives which of x, y, z each is.
  */
 internal class GridLayout {
     /** Radii of this class are no larger. */
     var largest = 0.0
         private set
 
-    /** Number of the first cell, and of the first row, among those of all classes. */
+    /** Numbers of the first cell and of the first row among those of all classes. */
     var firstCell = 0
     var firstRow = 0
 
-    /** Number of cells, and of rows. */
+    /** Numbers of cells and of rows. */
     val cellCount: Int get() = cells[0] * cells[1] * cells[2]
     val rowCount: Int get() = cells[1] * cells[2]
 
     /**
-     * x, y or z as the row axis, the middle axis, the slow axis. Rows lie along the axis along which images slide, else
-     * along x.
+     * x, y or z as the row axis, the middle axis, the slow axis. Rows lie along the axis along which images slide,
+     * otherwise along x.
      */
     val axes = intArrayOf(0, 2, 1)
     val cells = IntArray(3)
     val periodic = BooleanArray(3)
 
     /**
-     * Largest radius and reach of others together, with room for rounding: what has to be added to a sphere's way and
-     * radius.
+     * Largest radius and reach of other spheres together, with room for rounding; has to be added to a sphere's path
+     * and radius.
      */
     val margin = DoubleArray(3)
 
@@ -49,7 +49,7 @@ internal class GridLayout {
     var slideHigh = 0.0
         private set
 
-    /** Of [margin], what does not come from the reach of others. */
+    /** The part of [margin] that does not come from the reach of other spheres. */
     val ownMargin = DoubleArray(3)
 
     val low = DoubleArray(3)
@@ -104,7 +104,7 @@ internal class GridLayout {
         periodic[k] = boundary.hasImages(axis)
         margin[k] = (largest + reach) * (1 + SLACK) + ImageRange.rounding(low[k], low[k] + extent[k])
         ownMargin[k] = margin[k] - reach
-        // What a pair can bridge at most.
+        // The largest distance that a pair can bridge.
         val range = 2 * margin[k]
         require(!periodic[k] || range < extent[k] * ImageRange.boxes(boundary, axis, duration)) {
             ImageRange.refusal(axis)
@@ -114,8 +114,8 @@ internal class GridLayout {
     }
 
     /**
-     * Far-flung spheres in an open box must not cost memory: never more than a few cells a sphere. Wider cells are
-     * always right.
+     * Spheres far away in an open box must not cost memory: there are never more than a few cells per sphere. Wider
+     * cells are always right.
      */
     private fun limitCells() {
         val most = maxOf(MOST_CELLS_A_SPHERE * spheres.toDouble(), LEAST_CELLS)
@@ -133,7 +133,7 @@ internal class GridLayout {
         }
     }
 
-    /** About how many spheres stand in the cells that one of them looks through, if they are spread evenly. */
+    /** About how many spheres are in the cells that are searched for one of them, if they are spread evenly. */
     fun candidates(): Double {
         var share = 1.0
         for (k in 0..2) if (extent[k] > 0) share *= minOf(1.0, (2 * margin[k] + widths[k]) / extent[k])
@@ -160,8 +160,8 @@ internal class GridLayout {
     }
 
     /**
-     * The cell toward which [position] lies: beyond the faces of a periodic axis it is counted on, elsewhere it ends at
-     * the edge.
+     * The cell toward which [position] lies: beyond the faces of a periodic axis the count continues, elsewhere it
+     * stops at the edge.
      */
     fun cellToward(position: Double, k: Int): Int {
         val c = floor((position - low[k]) * perLength[k])
@@ -175,7 +175,7 @@ internal class GridLayout {
         }
     }
 
-    /** That of the three numbers along x, y, z which belongs to axis [k] of the three. */
+    /** The one of the numbers along x, y, z that belongs to axis [k] of the three. */
     fun pick(k: Int, x: Double, y: Double, z: Double): Double = when (axes[k]) {
         0 -> x
         1 -> y
@@ -184,7 +184,7 @@ internal class GridLayout {
 
     companion object {
         /**
-         * Cells in the length that a pair can bridge; finer rows fit the way more closely, more rows cost more than
+         * Cells in the length that a pair can bridge. Finer rows fit the path more closely; more rows cost more than
          * they save.
          */
         private const val ROW_CELLS_A_RANGE = 4.0

@@ -83,7 +83,7 @@ internal class GridLevels {
         return level
     }
 
-    /** About how many spheres stand in the cells that one of them looks through, if they are spread evenly. */
+    /** About how many spheres are in the cells that are searched for one of them, if they are spread evenly. */
     fun candidates(): Double {
         var sum = 0.0
         for (level in 0 until count) sum += layouts[level].candidates()

@@ -5,11 +5,10 @@ import daphnis.core.boundary.Images
 import kotlin.math.abs
 
 /**
- * How far away images along a periodic axis are looked for, and what that means for how far spheres may go within a
- * step.
+ * How far away images along a periodic axis are searched, and how far spheres may therefore go within a step.
  */
 internal object ImageRange {
-    /** How many boxes away along an axis images are looked for; the work of a step grows with the cube of it. */
+    /** How many boxes away along an axis images are searched; the work of a step grows with the cube of this number. */
     const val MOST_BOXES: Int = 16
 
     /** Relative room for the rounding of cell numbers; round-off is some 1e-12 of it. */
@@ -18,8 +17,8 @@ internal object ImageRange {
     private const val ROUNDING_UNITS = 16
 
     /**
-     * Absolute room for the rounding of positions between [low] and [high]: far from the origin it counts more than
-     * that of the range.
+     * Absolute room for the rounding of positions between [low] and [high]: far from the origin it is larger than that
+     * of the range.
      */
     fun rounding(low: Double, high: Double): Double = ROUNDING_UNITS * Math.ulp(maxOf(abs(low), abs(high)))
 
@@ -36,8 +35,8 @@ internal object ImageRange {
     }
 
     /**
-     * Farthest that spheres with radii up to [largest] may go along [axis] from where they start; infinite along an
-     * axis without images.
+     * The greatest distance that spheres with radii up to [largest] may go along [axis] from where they start; infinite
+     * along an axis without images.
      */
     fun mostReach(boundary: BoundaryConditions, axis: Int, largest: Double, duration: Double): Double {
         if (!boundary.hasImages(axis)) return Double.POSITIVE_INFINITY

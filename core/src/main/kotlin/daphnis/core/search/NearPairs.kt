@@ -7,9 +7,9 @@ import daphnis.core.population.Population
 
 /**
  * The pairs of a [population] that are near one another at one moment, through the faces too where contacts are found
- * through them. Allocates a grid. Any number of threads may ask, each with [runs] of its own.
+ * through them. Allocates a grid. Any number of threads may search, each with its own [runs].
  *
- * @param structure whether sizes are told apart, which finds fewer pairs that are not near
+ * @param structure whether sizes are kept apart, which finds fewer pairs that are not near
  */
 public class NearPairs(
     @PublishedApi internal val population: Population,
@@ -25,17 +25,19 @@ public class NearPairs(
         grid.build(population, boundary, time, 0.0, DoubleArray(AXES), loop, structure)
     }
 
-    /** For one thread. */
+    /** The runs for one thread. */
     public fun runs(): CellRuns = CellRuns(grid)
 
     /** Index in the population of the sphere in [slot]; slots are numbered like spheres, in the order of the grid. */
     public fun index(slot: Int): Int = grid.order[slot]
 
     /**
-     * Calls [action] for each pair that the sphere in [slot] has with those it would touch if its radius were [radius];
-     * for farther ones as well. Over all slots, each pair and image is named once. Not a sphere with its own images.
+     * Calls [action] for each pair of the sphere in [slot] with one that it would touch if its radius were [radius],
+     * and for some pairs that are farther apart. Over all slots, each pair and image is given once. A sphere is not
+     * paired with its own images.
      *
-     * @param action takes the index in the population of the sphere and of the other, and the vector to that one
+     * @param action takes the indices in the population of the sphere and of the other one, and the vector to the other
+     *   one
      */
     public inline fun forEach(
         runs: CellRuns,

@@ -12,14 +12,14 @@ import kotlin.math.sqrt
 /**
  * The deepest overlap in a population.
  *
- * @property first id of one sphere, −1 when nobody overlaps; likewise [second]
- * @property depth (r₁ + r₂ − distance) / (r₁ + r₂); 0 when nobody overlaps
+ * @property first id of one sphere, −1 when none overlap; likewise [second] @property depth (r₁ + r₂ − distance) / (r₁
+ *   + r₂); 0 when none overlap
  */
 public class Overlap private constructor(public val first: Int, public val second: Int, public val depth: Double) {
     public companion object {
         /**
-         * Looks at every pair of neighbours, through the faces too where contacts are found through them. Allocates a
-         * grid. Of pairs equally deep it names the first in the order of the grid, for any number of [threads], which
+         * Checks every pair of neighbours, through the faces too where contacts are found through them. Allocates a
+         * grid. Of equally deep pairs it returns the first in the order of the grid, for any number of [threads], which
          * end before it returns.
          */
         public fun deepest(
@@ -55,7 +55,7 @@ public class Overlap private constructor(public val first: Int, public val secon
             return deepest
         }
 
-        /** Of the pairs that the spheres in the slots [from] until [to] look for. */
+        /** The deepest of the pairs found from the slots [from] until [to]. */
         private fun deepest(population: Population, pairs: NearPairs, runs: CellRuns, from: Int, to: Int): Overlap {
             var first = -1
             var second = -1
@@ -75,7 +75,7 @@ public class Overlap private constructor(public val first: Int, public val secon
             return Overlap(minOf(first, second), maxOf(first, second), depth)
         }
 
-        /** Below some milliseconds of work the threads are not worth their start. */
+        /** With less than some milliseconds of work, threads are not worth starting. */
         private const val LEAST_FOR_THREADS = 20_000
     }
 }

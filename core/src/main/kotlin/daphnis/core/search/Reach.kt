@@ -9,14 +9,14 @@ import daphnis.core.population.Population
 import kotlin.math.abs
 
 /**
- * How far a sphere may go along each axis within a step: a bound that the search relies on, not a guess. It is the
+ * How far a sphere may go along each axis within a step: a bound on which the search relies, not a guess. It is the
  * largest speed along the axis times the duration, with some headroom for what collisions may add. An engine checks
- * every velocity a collision creates against it; when one exceeds it, the step is restored, [enlarge] is called and the
- * step is redone.
+ * every velocity that a collision creates against it. When one exceeds it, the step is restored, [enlarge] is called
+ * and the step is redone.
  *
- * Along a periodic axis the bound ends where images too far away would matter. Headroom gives way there, so that a step
- * is refused only when a sphere itself goes so far: at its start, or by a collision. That depends on the state at the
- * start and on the trajectory, not on what the bound happened to be.
+ * Along a periodic axis the bound is limited so that images too far away do not matter. The headroom is reduced there,
+ * so a step is refused only when a sphere itself goes too far: at the start of the step, or by a collision. That
+ * depends on the state at the start and on the trajectory, not on the headroom.
  */
 public class Reach {
     private val fastest = DoubleArray(AXES)
@@ -27,13 +27,13 @@ public class Reach {
     /** The bound along x, y, z, in units of length. */
     public val bound: DoubleArray = DoubleArray(AXES)
 
-    /** Speeds along x, y, z: nobody who stays within them can outrun [bound]. */
+    /** Speeds along x, y, z: a sphere that stays within them cannot go beyond [bound]. */
     public val speed: DoubleArray = DoubleArray(AXES)
 
     /**
-     * Looks at all velocities and radii of [population] for a step of [duration] within [boundary].
+     * Computes the bounds from all velocities and radii of [population] for a step of [duration] within [boundary].
      *
-     * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are looked for,
+     * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are searched,
      *   or when sizes, speeds and duration are beyond what can be computed
      */
     public fun measure(
@@ -60,12 +60,13 @@ public class Reach {
 
     /**
      * Whether sphere [slot] of [rows], if nothing more happens to it, ends the step of [duration] farther from where it
-     * started in [population] than the bound. Its path so far has been asked about before.
+     * started in [population] than the bound. Its path so far has been checked before.
      */
     public fun isOutrun(rows: StepRows, slot: Int, population: Population, duration: Double): Boolean {
         val v = slot * StepRows.STRIDE + StepRows.VX
         val state = rows.state
-        // Nearly always nobody is faster than the bound on speed, and where the sphere started need not be looked up.
+        // Nearly always the sphere is not faster than the bound on speed, and the place where it started need not be
+        // looked up.
         if (abs(state[v]) <= speed[0] && abs(state[v + 1]) <= speed[1] && abs(state[v + 2]) <= speed[2]) return false
         for (axis in 0 until AXES) if (isOutrunAlong(axis, rows, slot, population, duration)) return true
         return false
@@ -85,8 +86,8 @@ public class Reach {
     }
 
     /**
-     * After sphere [first] or [second] (negative for none) of [rows], which collided with each other, turned out to
-     * outrun the bound: makes room for twice the excess of their speeds on each axis.
+     * Enlarges the bound after sphere [first] or [second] (negative for none) of [rows], which collided with each
+     * other, went beyond it: by twice the excess of their speeds on each axis.
      *
      * @throws IllegalArgumentException when there is no more room: images farther away than are looked for would matter
      */
@@ -112,8 +113,8 @@ public class Reach {
     }
 
     private fun apply(duration: Double) {
-        // A flow without motion along an axis can gain some from the others, so no axis gets less than a little of the
-        // fastest.
+        // A flow without motion along an axis can gain some from the other axes, so every axis gets at least a small
+        // part of the greatest speed.
         val floor = maxOf(fastest[0], fastest[1], fastest[2]) * LEAST_SHARE
         for (axis in 0 until AXES) {
             speed[axis] = minOf(maxOf(fastest[axis], floor) * (1 + headroom), most[axis])

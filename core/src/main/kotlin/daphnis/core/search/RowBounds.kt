@@ -10,26 +10,26 @@ import java.lang.invoke.VarHandle
 
 /**
  * For each row of a [Grid] the least and greatest velocity, along each axis, that any sphere which started there has
- * had in this step: a closer bound on where others may be than the [Reach], which is one for all. In a shear flow it
- * moves with the flow.
+ * had in this step: a closer bound on the places of other spheres than the [Reach], which is the same for all. In a
+ * shear flow it moves with the flow.
  *
  * **Why nothing is missed though the bounds grow within the step.** When a collision gives a sphere k a velocity beyond
- * the bounds of its row, they are widened, and only then k searches. Who searches later sees the wider bounds and finds
- * k. Who searched before and did not look where k now goes, has not moved since, or k would be found again from its
- * side; and where it was, k's own search finds it.
+ * the bounds of its row, the bounds are widened, and only then k searches. A sphere that searches later sees the wider
+ * bounds and finds k. A sphere that searched before may have missed the place where k now goes. If it has moved since,
+ * it has searched again and finds k from its side; if not, it is where it was, and k's own search finds it.
  */
 @EngineApi
 public class RowBounds {
     /**
-     * Six numbers a row: least and greatest velocity along the row axis, the middle and the slow axis. Least above
-     * greatest where nobody started.
+     * Six numbers per row: least and greatest velocity along the row axis, the middle and the slow axis. Least is above
+     * greatest where no sphere started.
      */
     internal var values = DoubleArray(0)
         private set
 
     /**
-     * Whether closer bounds are worth their cost in this step: where a search has few candidates it costs more to look
-     * up rows than to look at spheres.
+     * Whether closer bounds are worth their cost in this step: where a search has few candidates, looking up rows costs
+     * more than checking spheres.
      */
     public var isInUse: Boolean = false
         private set
@@ -44,7 +44,7 @@ public class RowBounds {
     /**
      * Measures the spheres of [rows], which [grid] has sorted, before any has collided.
      *
-     * @param fewest candidates of a search from which on the bounds are used
+     * @param fewest the least number of candidates of a search with which the bounds are used
      */
     public fun measure(
         grid: Grid,
@@ -87,8 +87,8 @@ public class RowBounds {
     }
 
     /**
-     * Takes in the velocity in row [place] of [rows], a sphere whose slot is [slot]. Before it searches; any number of
-     * threads at once.
+     * Widens the bounds for the velocity in row [place] of [rows], of a sphere whose slot is [slot]. To be called
+     * before that sphere searches; any number of threads at once.
      */
     public fun include(slot: Int, rows: StepRows, place: Int) {
         if (!isInUse) return

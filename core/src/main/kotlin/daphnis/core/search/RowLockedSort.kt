@@ -6,7 +6,7 @@ import daphnis.core.population.Population
 /**
  * The paper's parallel grid: cells are linked lists, every worker takes spheres and hangs each into the list of its
  * cell while it holds the lock of that row. The lists are then written out in order of cells, sorted by index, so that
- * the result does not depend on who came first.
+ * the result does not depend on which worker came first.
  */
 internal class RowLockedSort : CellSort {
     private var head = IntArray(0)
@@ -56,7 +56,7 @@ internal class RowLockedSort : CellSort {
             val begin = slot
             var k = head[cell]
             while (k != NONE) {
-                // Insertion: lists are short and nearly in falling order.
+                // Insertion sort: lists are short and nearly in descending order.
                 var place = slot++
                 while (place > begin && into.order[place - 1] > k) {
                     into.order[place] = into.order[place - 1]

@@ -3,13 +3,12 @@ package daphnis.core.search
 import daphnis.core.population.Population
 
 /**
- * Divides the spheres of a population into classes of size, so that a search among small ones need not reach as far as
- * the largest. The paper proposes a tree that knows the largest radius below each node; this is that tree flattened: a
- * level a class, each a regular grid of its own.
+ * Divides the spheres of a population into classes of size, so that a search among small spheres need not reach as far
+ * as the largest one requires. The paper proposes a tree that knows the largest radius below each node. This is that
+ * tree flattened: one level per class, each with its own regular grid.
  *
- * Classes are made of octaves of radius, side by side ones put together as long as that leaves fewer pairs to look at:
- * a sphere looks among its own class and those of larger ones, and each class costs some looking even where it is
- * empty.
+ * Classes are made of octaves of radius. Adjacent ones are merged as long as that leaves fewer pairs to check: a sphere
+ * searches its own class and those of larger spheres, and searching a class costs something even where it is empty.
  */
 internal class SizeClasses {
     /** Number of classes. */
@@ -62,7 +61,7 @@ internal class SizeClasses {
         octaveLargest.fill(0.0)
         val radius = population.radius
         for (k in 0 until population.size) {
-            // The lowest octave takes all that is smaller.
+            // The lowest octave also takes all smaller spheres.
             val octave = maxOf(0, Math.getExponent(radius[k]) - top + OCTAVES - 1)
             octaveSpheres[octave]++
             if (radius[k] > octaveLargest[octave]) octaveLargest[octave] = radius[k]
@@ -98,7 +97,7 @@ internal class SizeClasses {
         }
     }
 
-    /** Spheres that all together look at, if [merged] and the class above it were one. */
+    /** Number of spheres that all searches together check, if [merged] and the class above it were one. */
     private fun cost(merged: Int, reach: DoubleArray, size: DoubleArray): Double {
         var sum = 0.0
         for (a in 0 until count) {
@@ -109,7 +108,7 @@ internal class SizeClasses {
                 val others = spheres[b] + if (b == merged + 1 && merged >= 0) spheres[merged] else 0
                 var share = 1.0
                 for (axis in 0..2) {
-                    // Both radii, both ways, and about a cell.
+                    // Both radii, both paths, and about a cell.
                     val range = 2 * (largest[a] + largest[b] + 2 * reach[axis])
                     if (size[axis] > 0) share *= minOf(1.0, range / size[axis])
                 }
@@ -123,7 +122,7 @@ internal class SizeClasses {
         const val MOST = 24
         const val OCTAVES = MOST
 
-        /** What looking through the cells of a class costs, in spheres looked at. */
+        /** Cost of searching the cells of a class, in spheres checked. */
         const val LOOKING = 12.0
     }
 }

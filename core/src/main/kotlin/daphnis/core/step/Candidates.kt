@@ -5,35 +5,37 @@ import daphnis.core.collision.StepRows
 import daphnis.core.queue.EventSink
 
 /**
- * Whom can a sphere touch before the end of the step, walls included? Finds every potential collision of a
- * [PreparedStep], each once, at the time that [daphnis.core.collision.contactTime] gives to the last bit. It relies on
- * the bounds of the step alone: nobody goes farther than [PreparedStep.reach], and velocities that collisions create
- * are put into [PreparedStep.bounds] before anybody searches from them.
+ * Finds every potential collision of a [PreparedStep], including those with walls, each once, at the time that
+ * [daphnis.core.collision.contactTime] gives to the last bit. It relies on the bounds of the step alone: no sphere goes
+ * farther than [PreparedStep.reach], and velocities that collisions create are put into [PreparedStep.bounds] before
+ * any search with them.
  *
  * [GridCandidates] is the fast one; a slow reference stands beside it in the tests. Each object belongs to one thread.
  */
 @EngineApi
 public interface Candidates {
     /**
-     * Adds to [sink] what slots [from] until [to] can have before anybody has moved. When all slots have been asked,
-     * each potential collision has been added once, from either of its spheres.
+     * Adds to [sink] the potential collisions of slots [from] until [to] before any sphere has moved. When this has
+     * been called for all slots, each potential collision has been added once, from either of its spheres.
      */
     public fun start(from: Int, to: Int, sink: EventSink)
 
     /**
-     * Adds to [sink] what the sphere at [place] of [own] can have from its local time on with everybody but slot
-     * [except]; `first` is [place] there, `second` a slot of the step, or the partner number of a wall.
+     * Adds to [sink] the potential collisions that the sphere at [place] of [own] has from its local time on with every
+     * sphere except slot [except] and with walls. `first` is [place] there, `second` a slot of the step, or the partner
+     * number of a wall.
      *
-     * Nobody's local time may be later. A sphere whose local time is NaN, unknown, is added with NaN for a time, as
-     * often as it may be an image; so is the sphere itself, if that is what its own slot says.
+     * No other local time may be later. A sphere whose local time is NaN, which means unknown, is added with NaN as
+     * time, once for each image that it may be. So is the sphere itself, if its own slot has local time NaN.
      */
     public fun around(own: StepRows, place: Int, except: Int, sink: EventSink)
 
     /**
-     * Shows [viewer] the slots of all with whom the sphere in [slot] can have a potential collision from its local time
-     * on, whatever their local times are; others, also the sphere itself, may be among them. Without walls.
+     * Shows [viewer] the slots of all spheres with which the sphere in [slot] can have a potential collision from its
+     * local time on, whatever their local times are. Other spheres, even the sphere itself, may be among them. Walls
+     * are not.
      *
-     * @return false when [viewer] wanted no more
+     * @return false when [viewer] ended the view
      */
     public fun view(slot: Int, viewer: Viewer): Boolean
 

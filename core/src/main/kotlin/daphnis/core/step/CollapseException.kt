@@ -1,4 +1,7 @@
 package daphnis.core.step
 
-/** Inelastic collapse: very many collisions of one sphere in no time. A collapse guard would have ended it. */
+/**
+ * Thrown at an inelastic collapse: very many collisions of one sphere while time stands still. A collapse guard
+ * prevents it.
+ */
 public class CollapseException(message: String) : RuntimeException(message)

@@ -9,13 +9,13 @@ import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
 
 /**
- * One step's work. The object is reused from step to step.
+ * The input of one step. The object is reused from step to step.
  *
  * @property law the physics of a collision
- * @property counters where the engine adds what it counted, once the step has succeeded; a step that throws adds
+ * @property counters to which the engine adds its counts once the step has succeeded; a step that throws adds
  *   nothing
  * @property search how neighbours are found
- * @property record where collisions are to be written in order, or null when nobody wants them
+ * @property record where collisions are to be written in order, or null when they are not wanted
  */
 @EngineApi
 public class CollisionStep(

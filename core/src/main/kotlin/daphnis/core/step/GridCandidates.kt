@@ -12,9 +12,9 @@ import daphnis.core.queue.EventSink
 import daphnis.core.search.CellRuns
 
 /**
- * The fast [Candidates], over the runs of slots that the grid names. Computes exactly
- * [daphnis.core.collision.contactTime], term for term, with what is known left out: at the start all local times are 0,
- * and a sphere that has just collided is the later of any pair.
+ * The fast [Candidates], over the runs of slots that the grid gives. Computes exactly
+ * [daphnis.core.collision.contactTime], term by term, without the terms that are known: at the start all local times
+ * are 0, and a sphere that has just collided is the later of any pair.
  */
 internal class GridCandidates(private val step: PreparedStep) : Candidates {
     private val rows = step.rows
@@ -45,7 +45,7 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         val p = place * STRIDE
         val time = state[p + TIME]
         val runs = runsAround(state, p)
-        // The sphere itself is in one of the runs; against itself b is 0, or unknown.
+        // The sphere itself is in one of the runs; with itself b is 0, or unknown.
         forEachApproaching(runs, state, p, time, hasMoved = true) { other, image, a, b, c ->
             if (other != except) addIfInTime(sink, time, place, other, image, a, b, c)
         }
@@ -62,9 +62,9 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
     }
 
     /**
-     * Calls [found] for each in the first [runs] of [near] that the sphere in the row at [p] of [own], at [time],
-     * approaches fast enough; at the start, when nobody [hasMoved], the others are where their rows say. Inlined twice
-     * with a constant for [hasMoved], of which the compiler keeps one branch.
+     * Calls [found] for each sphere in the first [runs] of [near] that the sphere in the row at [p] of [own], at
+     * [time], approaches fast enough. At the start, when no sphere [hasMoved], other spheres are at the positions in
+     * their rows. Inlined twice with a constant for [hasMoved], of which the compiler keeps one branch.
      */
     private inline fun forEachApproaching(
         runs: Int,
@@ -110,7 +110,7 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         }
     }
 
-    /** For the few candidates that are near and approach. What is unknown is NaN, which no comparison dismisses. */
+    /** For the few candidates that are near and approach. An unknown time is NaN, which no comparison dismisses. */
     private fun addIfInTime(
         sink: EventSink,
         time: Double,

@@ -8,11 +8,11 @@ import daphnis.core.collision.WallContact
 import daphnis.core.queue.Schedule
 
 /**
- * What an engine does with a potential collision whose time has come: it brings the two to the moment of contact and
- * changes their velocities, counts, records, drops what the two had queued, looks at the limits and the bounds of the
- * step, and queues what the two can touch now. Each worker has one of its own.
+ * What an engine does with a potential collision whose time has come: it moves the two spheres to the moment of contact
+ * and changes their velocities, counts, records, drops what the two had queued, checks the limits and the bounds of the
+ * step, and queues what the two can touch now. Each worker has its own object.
  *
- * @param rows where the spheres are that collide, addressed by place: those of the step, or a worker's copies
+ * @param rows the rows of the colliding spheres, addressed by place: those of the step, or a worker's copies
  * @param schedule where potential collisions are queued, by place
  */
 internal open class Impact(
@@ -24,7 +24,7 @@ internal open class Impact(
     enum class End {
         DONE,
 
-        /** One of the two outran the bound: the step is to be redone, see [PreparedStep.enlarge]. */
+        /** One of the two went beyond the bound: the step is to be redone, see [PreparedStep.enlarge]. */
         OUTRUN,
 
         /** The search could not go on. */
@@ -38,7 +38,7 @@ internal open class Impact(
     private val outcome = CollisionOutcome()
     private var record: CollisionRecord? = null
 
-    /** For a new attempt at a step, whose collisions are written to [record]; null when nobody wants them. */
+    /** Begins a new attempt at a step, whose collisions are written to [record]; null when they are not wanted. */
     open fun begin(record: CollisionRecord?) {
         this.record = record
         record?.clear()
@@ -63,7 +63,7 @@ internal open class Impact(
         prepared.limits.checkProgress(rows, first, second, time)
         prepared.limits.checkWork(counted.collisions + counted.wallCollisions)
         if (prepared.isOutrun(rows, first) || !isWall && prepared.isOutrun(rows, second)) return End.OUTRUN
-        // The pair itself is searched once, from the first; the second leaves it out.
+        // The pair itself is searched once, from the first sphere; the second leaves it out.
         val isDone = goOn(first, NOBODY) && (isWall || goOn(second, slot(first)))
         return if (isDone) End.DONE else End.VOID
     }
@@ -84,9 +84,9 @@ internal open class Impact(
     protected open fun slot(place: Int): Int = place
 
     /**
-     * Queues what the sphere at [place] can touch now, but for slot [except].
+     * Queues what the sphere at [place] can touch now, except slot [except].
      *
-     * @return false when the engine cannot go on
+     * @return false when the engine cannot continue
      */
     protected open fun search(place: Int, except: Int): Boolean {
         candidates.around(rows, place, except, schedule)

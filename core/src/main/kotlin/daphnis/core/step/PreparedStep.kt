@@ -13,16 +13,16 @@ import daphnis.core.search.Reach
 import daphnis.core.search.RowBounds
 
 /**
- * A step made ready for its collisions: the one owner of the spheres' order, their rows, the bounds on how far they may
- * go, the walls and the limits. An engine and its serial fallback work on the same one, one after the other.
+ * A step made ready for its collisions: the single owner of the spheres' order, their rows, the bounds on how far they
+ * may go, the walls and the limits. An engine and its serial fallback use the same one, one after the other.
  *
- * [measure] once per step, then [prepare]; when a sphere outruns the bound, [enlarge] and [prepare] again; at the end
- * [store]. Between [prepare] and [store] any number of threads may read, each with [candidates] of its own. Who may
- * write rows is the engine's matter.
+ * Call [measure] once per step and then [prepare]; when a sphere goes beyond the bound, [enlarge] and [prepare] again;
+ * at the end [store]. Between [prepare] and [store] any number of threads may read, each with its own [candidates].
+ * Which thread may write rows is up to the engine.
  *
  * All memory is kept from step to step.
  *
- * @param sort how the grid is built; changes nothing but the time it takes
+ * @param sort how the grid is built; affects only the time it takes
  */
 @EngineApi
 public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
@@ -37,15 +37,15 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     internal val walls = WallContact()
     internal val limits = StepLimits()
 
-    /** What is to be done. */
+    /** The step that is prepared. */
     internal lateinit var step: CollisionStep
         private set
 
-    /** Length of the step at hand, at whose end potential collisions end. */
+    /** Length of the present step; later contacts are not potential collisions of it. */
     public var duration: Double = 0.0
         private set
 
-    /** Counts the calls of [prepare], so that others can see that what they know of the step is stale. */
+    /** Counts the calls of [prepare], so that other objects can see that what they know of the step is stale. */
     internal var version = 0L
         private set
 
@@ -53,7 +53,7 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     internal val images: Images get() = grid.images
 
     /**
-     * Takes [step] over and bounds how far spheres can go in it.
+     * Takes over [step] and bounds how far spheres can go in it.
      *
      * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
      */
@@ -81,9 +81,9 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     internal fun isOutrun(rows: StepRows, place: Int): Boolean = reach.isOutrun(rows, place, step.population, duration)
 
     /**
-     * Makes room for the spheres at [first] and [second] (negative for none) of [rows], which outran the bound.
+     * Enlarges the bound for the spheres at [first] and [second] (negative for none) of [rows], which went beyond it.
      *
-     * @throws IllegalArgumentException when there is none, see [Reach.enlarge]
+     * @throws IllegalArgumentException when it cannot be enlarged, see [Reach.enlarge]
      */
     public fun enlarge(rows: StepRows, first: Int, second: Int) {
         reach.enlarge(rows, first, second, step.population, duration)
@@ -98,7 +98,7 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
         }
     }
 
-    /** Brings every sphere to the end of the step and writes all to the population, see [StepRows.store]. */
+    /** Moves every sphere to the end of the step and writes all to the population, see [StepRows.store]. */
     public fun store(loop: RangeLoop = InlineLoop) {
         rows.store(step.population, duration, loop)
     }

@@ -3,24 +3,24 @@ package daphnis.core.step
 import daphnis.core.collision.StepRows
 
 /**
- * Ends steps that would go on for ever, by what belongs to the trajectory alone, so that every engine that follows the
- * same trajectory ends at the same collision: a sphere that collides again and again without time going on has
- * collapsed ([StepRows.streak]), and a step may have only so many collisions.
+ * Ends steps that would go on for ever, by criteria that depend on the trajectory alone, so that every engine which
+ * follows the same trajectory ends at the same collision. A sphere that collides again and again while time stands
+ * still has collapsed ([StepRows.streak]), and a step may have only a limited number of collisions.
  */
 internal class StepLimits {
     private var stepStart = 0.0
     private var mostCollisions = 0L
 
-    /** For a step of [spheres] spheres that begins at [stepStart]. */
+    /** Begins a step of [spheres] spheres at [stepStart]. */
     fun start(spheres: Int, stepStart: Double) {
         this.stepStart = stepStart
         mostCollisions = mostCollisions(spheres)
     }
 
     /**
-     * Looks at spheres [first] and [second], negative for a wall, which have just collided at [time].
+     * Checks spheres [first] and [second], negative for a wall, which have just collided at [time].
      *
-     * @throws CollapseException when either has collided more than [MOST_IN_A_ROW] times without time going on
+     * @throws CollapseException when either has collided more than [MOST_IN_A_ROW] times while time stood still
      */
     fun checkProgress(rows: StepRows, first: Int, second: Int, time: Double) {
         if (rows.streak(first) > MOST_IN_A_ROW || second >= 0 && rows.streak(second) > MOST_IN_A_ROW) {
@@ -37,12 +37,12 @@ internal class StepLimits {
         }
         return CollapseException(
             "inelastic collapse at time ${stepStart + time}, of $who: more than $MOST_IN_A_ROW collisions in a row " +
-                "without time going on; set a collapse guard (floor speed or contact duration)",
+                "while time stands still; set a collapse guard (floor speed or contact duration)",
         )
     }
 
     /**
-     * Looks at how many [collisions] the step has had, those with walls included.
+     * Checks how many [collisions] the step has had, including those with walls.
      *
      * @throws IllegalArgumentException when there are too many
      */
@@ -54,7 +54,7 @@ internal class StepLimits {
     }
 
     companion object {
-        /** Of one sphere. Honest heaps that come to rest at one moment have some thousand. */
+        /** For one sphere. Real heaps that come to rest at one moment have some thousand. */
         const val MOST_IN_A_ROW = 10_000
 
         private const val LEAST_WORK = 2_000_000L

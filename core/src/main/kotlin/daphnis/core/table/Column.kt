@@ -1,9 +1,9 @@
 package daphnis.core.table
 
 /**
- * A column of a table that runs write, declared once for whoever writes, reads, draws or explains it.
+ * A column of a table that runs write, declared once for all code that writes, reads, draws or explains it.
  *
- * @property name as the file's header has it
+ * @property name as in the file's header
  * @property dimension of its numbers, see [Dimension]
  * @property need whether a reader can do without it
  */
@@ -15,9 +15,9 @@ public class Column internal constructor(
     override fun toString(): String = name
 }
 
-/** Whether a table without a column is of use. */
+/** Whether a table can be used without a column. */
 public enum class Need {
-    /** A file without it is no such table, and its cells are numbers, never empty. */
+    /** A file without it is not such a table, and its cells are numbers, never empty. */
     NEEDED,
 
     /** Older files may lack it. */

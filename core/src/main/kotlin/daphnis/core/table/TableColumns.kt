@@ -3,21 +3,21 @@ package daphnis.core.table
 import java.util.function.ToDoubleFunction
 import java.util.function.ToLongFunction
 
-/** What a file that runs write consists of. */
+/** The columns of a file that runs write. */
 public interface TableColumns {
     /** Name of the file in the run directory. */
     public val file: String
 
-    /** In the order of the file. */
+    /** The columns in the order of the file. */
     public val columns: List<Column>
 }
 
-/** Names of the columns without which a file is no such table. */
+/** Names of the columns without which a file is not such a table. */
 public val TableColumns.needed: List<String> get() = columns.filter { it.need == Need.NEEDED }.map { it.name }
 
 /**
- * The columns of [file], each with how it is computed from a [Row]. They stand in the file as they are declared.
- * Writing allocates nothing but what the line grows by.
+ * The columns of [file], each with how it is computed from a [Row]. They are in the file in the order of declaration.
+ * Writing allocates only what the line grows by.
  */
 internal class Columns<Row>(override val file: String) : TableColumns {
     private val cells = ArrayList<Cell<Row>>()

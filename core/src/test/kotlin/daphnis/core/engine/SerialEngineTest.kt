@@ -236,11 +236,7 @@ class SerialEngineTest {
                 places.x[k],
                 places.y[k],
                 places.z[k],
-                vx = if (odd == 1) {
-                    1.0
-                } else {
-                    -1.0
-                },
+                vx = if (odd == 1) 1.0 else -1.0,
                 vy = if (odd == 1) 0.5 else -0.5,
                 r = 0.4,
             )

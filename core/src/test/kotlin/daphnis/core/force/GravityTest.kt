@@ -123,7 +123,7 @@ class GravityTest {
     }
 
     @Test
-    fun `with everything opened the tree gives the direct sum over images that slide, and with an opening angle nearly so`() {
+    fun `the tree gives the direct sum over sliding images with all nodes opened, nearly so with an angle`() {
         val p = patch(400)
         val time = 1.234
         for (softening in listOf(0.0, 0.5)) {
@@ -147,7 +147,7 @@ class GravityTest {
     }
 
     @Test
-    fun `the same bits in whatever order the spheres stand, on any number of threads, and when the force at the end of a step is not kept`() {
+    fun `the same bits for any order of spheres and number of threads, and when the last force is not kept`() {
         val start = patch(3000)
         fun run(p: Population, threads: Int, keep: Boolean): String {
             FixedPool(threads).use { pool ->
@@ -244,7 +244,7 @@ class GravityTest {
     }
 
     @Test
-    fun `a uniform sheet pulls no particle along itself, in the centre, at edges and in corners, however its images have slid`() {
+    fun `a uniform sheet pulls no particle along itself, anywhere in the patch, however its images have slid`() {
         val lattice = uniformSheet()
         // Smeared over twice their distance, points stand for a sheet: a lattice broken by the slide pulls with some
         // 1e-5 of G times the density.

@@ -36,8 +36,12 @@ class H5mdChecksumTest {
         mass: DoubleArray = frame.mass,
         axes: IntArray = intArrayOf(frame.normalAxis, frame.slideAxis),
         image: Array<IntArray>? = frame.image,
-    ) =
-        Snapshot(step, time, lengths, periodic, offset, id, position, velocity, radius, mass, axes[0], axes[1], image = image)
+    ): Snapshot {
+        val (normal, slide) = axes
+        return Snapshot(
+            step, time, lengths, periodic, offset, id, position, velocity, radius, mass, normal, slide, image = image,
+        )
+    }
 
     private fun DoubleArray.next(k: Int) = copyOf().also { it[k] = Math.nextUp(it[k]) }
 
@@ -48,14 +52,10 @@ class H5mdChecksumTest {
         val image = checkNotNull(frame.image)
         val others = listOf(
             changed(step = 6), changed(time = Math.nextUp(1.25)), changed(lengths = frame.lengths.next(2)),
-            changed(
-                periodic = booleanArrayOf(true, true, !frame.periodic[2]),
-            ),
+            changed(periodic = booleanArrayOf(true, true, !frame.periodic[2])),
             changed(offset = Math.nextUp(frame.shearOffset)),
             changed(id = frame.id.copyOf().also { it[39] = 99 }), changed(position = frame.position.next(2, 39)),
-            changed(
-                velocity = frame.velocity.next(0, 0),
-            ),
+            changed(velocity = frame.velocity.next(0, 0)),
             changed(radius = frame.radius.next(7)), changed(mass = frame.mass.next(39)),
             changed(axes = intArrayOf(2, 0)), changed(axes = intArrayOf(1, 2)), changed(image = null),
             changed(image = Array(3) { axis -> image[axis].copyOf().also { it[39] += axis / 2 } }),
@@ -112,12 +112,6 @@ class H5mdChecksumTest {
     }
 
     private fun placesOf(bytes: ByteArray, part: ByteArray): List<Int> = (0..bytes.size - part.size).filter { at ->
-        part.indices.all {
-            bytes[
-                at +
-                    it,
-            ] ==
-                part[it]
-        }
+        part.indices.all { bytes[at + it] == part[it] }
     }
 }

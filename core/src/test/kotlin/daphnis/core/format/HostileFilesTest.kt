@@ -71,7 +71,7 @@ class HostileFilesTest {
     @Test
     fun `datasets that are no numbers, or not as many as there are particles, are named`() {
         for (name in listOf("compound-mass", "text-mass")) {
-            assertRefused(fixture(name), "particles/all/mass", "not of numbers")
+            assertRefused(fixture(name), "particles/all/mass", "wrong numeric type")
         }
         assertRefused(fixture("scalar-mass"), "particles/all/mass", "shape []", "[3]")
         assertRefused(fixture("unsigned-id-too-large"), "particles/all/id", "18446744073709551615")
@@ -208,7 +208,7 @@ class HostileFilesTest {
         assertRefused(
             text("a.xyz", "2147483647\n\nX 0 0 0\n"),
             "a.xyz:1",
-            "2147483647 particles are announced",
+            "2147483647 particles are declared",
             "bytes cannot hold",
         )
         assertRefused(text("a.xyz", "1\nProperties=species:S:2147483647:pos:R:3\nX 0 0 0\n"), "a.xyz:2", "2147483647")
@@ -280,7 +280,7 @@ class HostileFilesTest {
             repeat(6) { buffer.putDouble(0.5) }
             return Files.write(home.resolve("a.bin"), buffer.putDouble(radius).array())
         }
-        for (n in listOf(-1, 0, 2, Int.MAX_VALUE, Int.MIN_VALUE)) assertRefused(file(n, 1.0), "says $n spheres")
+        for (n in listOf(-1, 0, 2, Int.MAX_VALUE, Int.MIN_VALUE)) assertRefused(file(n, 1.0), "declares $n spheres")
         for (r in listOf(0.0, -1.0, Double.NaN, 1e300, 1e-300)) assertRefused(file(1, r), "radius of particle 0 is $r")
         assertEquals(1, CartAndRad.population(file(1, 1.0)).size)
     }

@@ -82,7 +82,7 @@ class HillFrameTest {
     }
 
     @Test
-    fun `a particle that comes back through the other face keeps e, phases and inclination, and its guiding centre shifts with the image`() {
+    fun `a particle that comes back through a face keeps e, i and phases, its guiding centre shifts with the image`() {
         val box = Box.centred(10.0, 20.0, 4.0)
         val sheet = HillSheet(box, omega)
         val time = 3.7

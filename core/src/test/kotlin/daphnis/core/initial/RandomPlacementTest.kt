@@ -40,7 +40,8 @@ class RandomPlacementTest {
         }
 
         override fun toString() =
-            "${radii.size} spheres, filling $filling, walls ${walled.toList()}, ${obstacles.size} obstacles, radii ${radii.min()} to ${radii.max()}"
+            "${radii.size} spheres, filling $filling, walls ${walled.toList()}, ${obstacles.size} obstacles, " +
+                "radii ${radii.min()} to ${radii.max()}"
     }
 
     /** Positions, or the message of the refusal; and the next number of the stream. */

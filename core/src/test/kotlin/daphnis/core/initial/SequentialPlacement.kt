@@ -50,8 +50,8 @@ internal class SequentialPlacement(
             }
         }
         throw PlacementException(
-            "no free place found for a sphere of radius $radius in $mostTries tries; random placement reaches a filling factor of about 0.35, " +
-                "use a lattice above that",
+            "no free place found for a sphere of radius $radius in $mostTries tries; " +
+                "random placement reaches a filling factor of about 0.35, use a lattice above that",
         )
     }
 }
@@ -80,9 +80,8 @@ private class SequentialSpace(
         val r = radii[sphere]
         if (octaves.isEmpty() || octaves.last().largest > 2 * r) octaves += octave(r)
         val octave = octaves.last()
-        val cell = (
-            cell(octave, 2, positions.z[sphere]) * octave.cells[1] + cell(octave, 1, positions.y[sphere])
-            ) * octave.cells[0] + cell(octave, 0, positions.x[sphere])
+        val row = cell(octave, 2, positions.z[sphere]) * octave.cells[1] + cell(octave, 1, positions.y[sphere])
+        val cell = row * octave.cells[0] + cell(octave, 0, positions.x[sphere])
         next[sphere] = octave.heads[cell]
         octave.heads[cell] = sphere
     }

@@ -127,9 +127,7 @@ class SetupTest {
             val p = place(LatticePlacement(lattice), DoubleArray(400) { 0.5 }, box, BooleanArray(3) { true })
             assertEquals(0.0, Overlap.deepest(p, Open, 0.0).depth)
             for (k in 0 until p.size) {
-                assertTrue(
-                    abs(p.x[k]) <= 4.5 + 1e-12 && abs(p.y[k]) <= 4.5 + 1e-12 && abs(p.z[k]) <= 4.5 + 1e-12,
-                )
+                assertTrue(abs(p.x[k]) <= 4.5 + 1e-12 && abs(p.y[k]) <= 4.5 + 1e-12 && abs(p.z[k]) <= 4.5 + 1e-12)
             }
         }
     }

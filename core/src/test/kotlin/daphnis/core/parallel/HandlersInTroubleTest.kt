@@ -64,7 +64,7 @@ class HandlersInTroubleTest {
     }
 
     @Test
-    fun `an executor that was shut down, one that drops what it is given, one that does it twice and one that has no thread but the caller's`() {
+    fun `an executor that was shut down, drops tasks, runs them twice or has only the caller's thread`() {
         val down = pool(2).apply { shutdown() }
         assertEachOnce(ExecutorHandler(down, 4))
         assertEachOnce(ExecutorHandler({ }, 4))
@@ -116,13 +116,10 @@ class HandlersInTroubleTest {
     }
 
     @Test
-    fun `parallel engines on an executor that rejects the n-th task, or all from then on, take the step all the same`() {
+    fun `parallel engines take the step on an executor that rejects the n-th task, or all from then on`() {
         val expected = step().also { SerialEngine().advance(it) }.let { stateDigest(it.population) }
-        val engines = listOf<
-            (
-                ThreadHandler,
-            ) -> CollisionEngine,
-            >({ IslandsEngine(it, fewest = 0) }, { ThreadPoolEngine(it) })
+        val engines: List<(ThreadHandler) -> CollisionEngine> =
+            listOf({ IslandsEngine(it, fewest = 0) }, { ThreadPoolEngine(it) })
         for (engine in engines) {
             for (isLasting in listOf(false, true)) {
                 var n = 1

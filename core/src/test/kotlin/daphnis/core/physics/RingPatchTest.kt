@@ -47,13 +47,8 @@ class RingPatchTest {
 
     @Test
     fun `steady states of ring patches`() {
-        for (case in if (fullPhysics) {
-            cases
-        } else {
-            listOf(
-                cases[1],
-            )
-        }) {
+        val measured = if (fullPhysics) cases else listOf(cases[1])
+        for (case in measured) {
             measure(case, if (fullPhysics) 3000 else 1000, if (fullPhysics) case.orbits else 24)
         }
     }

@@ -104,12 +104,8 @@ class ShearFlowTest {
         // Stresses in ρ_p σ² γ² with ρ_p = mass / volume of a sphere.
         val unit = box.volume * (6 / Math.PI)
         val temperature = kinetic[0] / samples / count / 3
-        val pressure =
-            (
-                kinetic[0] / samples / 3 +
-                    (statistics.virial[0] + statistics.virial[4] + statistics.virial[8]) / 3 / elapsed
-                ) /
-                unit
+        val collisional = (statistics.virial[0] + statistics.virial[4] + statistics.virial[8]) / 3 / elapsed
+        val pressure = (kinetic[0] / samples / 3 + collisional) / unit
         val stress = -(kinetic[1] / samples + statistics.virial[1] / elapsed) / unit
         return doubleArrayOf(temperature, pressure, stress, statistics.dissipated / elapsed / (stress * unit))
     }

@@ -115,12 +115,9 @@ class EventQueueTest {
     }
 
     /** An event seen from the lower slot. */
-    private fun seen(time: Double, first: Int, second: Int, image: Int): List<Any> = if (second in
-        0 until first
-    ) {
-        listOf(time, second, first, Images.negated(image))
-    } else {
-        listOf(time, first, second, image)
+    private fun seen(time: Double, first: Int, second: Int, image: Int): List<Any> {
+        if (second in 0 until first) return listOf(time, second, first, Images.negated(image))
+        return listOf(time, first, second, image)
     }
 
     @Test

@@ -102,8 +102,8 @@ class CheckpointTest {
         val checkpoint = Checkpoint.read(file)
         val m = checkpoint.meta
         val old = CheckpointMeta2(
-            m.step, m.time, m.collisions, m.wallCollisions, m.guardActivations, m.redoneSteps, m.causalityReplays, m.wallSeconds,
-            m.appended.mapValues { it.value.length }, m.collisionSums, m.impactSpeeds,
+            m.step, m.time, m.collisions, m.wallCollisions, m.guardActivations, m.redoneSteps, m.causalityReplays,
+            m.wallSeconds, m.appended.mapValues { it.value.length }, m.collisionSums, m.impactSpeeds,
         )
         val bytes = ByteArrayOutputStream()
         RecordWriter(DataOutputStream(bytes)).text("META", Json.encodeToString(CheckpointMeta2.serializer(), old))

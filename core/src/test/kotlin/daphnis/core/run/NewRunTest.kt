@@ -93,7 +93,7 @@ class NewRunTest {
     }
 
     @Test
-    fun `killed between any two operations of a start with force, the old run or the new start is there to go on with`() {
+    fun `a start with force that is killed between any two operations leaves the old run or the new start`() {
         val old = startIn(home.resolve("old"), tableScenario("seed=8")).toStep(Long.MAX_VALUE).stateDigest
         var n = 0
         var isThrough = false

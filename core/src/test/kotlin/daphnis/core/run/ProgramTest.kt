@@ -169,7 +169,7 @@ class ProgramTest {
     }
 
     @Test
-    fun `an output that is new begins anew, one that is gone is said to be given up`() {
+    fun `an output that is new begins anew, one that is gone is said to be dropped`() {
         val path = broken("outputs")
         val other = ShearedGas(names = listOf("other"))
         Run.resume(other, path).use {
@@ -194,7 +194,7 @@ class ProgramTest {
                 },
             )
         }
-        assertTrue("output 'count' cannot go on" in refusal(path, unfit) && "'steps'" in refusal(path, unfit))
+        assertTrue("output 'count' cannot continue" in refusal(path, unfit) && "'steps'" in refusal(path, unfit))
         Run.resume(ShearedGas(), path).toStep(Long.MAX_VALUE)
         assertEquals(whole, results(path)) { "the lock was given back" }
     }
@@ -275,7 +275,7 @@ class ProgramTest {
         val run = Run.start(program, path)
         val watcher = Output { if (it.step == 5L) throw java.io.IOException("no room") }
         val message = run.use { assertThrows(RunException::class.java) { it.execute(watcher) } }.message.orEmpty()
-        assertTrue("no room" in message && "go on with resume" in message) { message }
+        assertTrue("no room" in message && "then resume" in message) { message }
         assertEquals(listOf("open START at 0", "close"), program.counts.getValue("count").calls)
         val resumed = ShearedGas()
         Run.resume(resumed, path).use {

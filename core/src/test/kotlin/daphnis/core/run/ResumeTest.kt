@@ -83,12 +83,12 @@ class ResumeTest {
                 Files.createDirectory(it.resolve(name))
             }
             val message = assertThrows(InputException::class.java) { resume(directory) }.message.orEmpty()
-            assertTrue("$name: is no file" in message && '\n' !in message) { message }
+            assertTrue("$name: is not a file" in message && '\n' !in message) { message }
         }
     }
 
     @Test
-    fun `a table that is shorter or changed where both checkpoints know it is refused by name, and accepted when asked for`() {
+    fun `a table that is shorter or changed before both checkpoints is refused by name, and accepted on request`() {
         val damages = listOf<Pair<String, (Path) -> Unit>>(
             "cut" to { cut(it, 150) },
             "flipped" to { flip(it, 130) },
@@ -99,7 +99,7 @@ class ResumeTest {
             for ((name, damage) in damages) {
                 val directory = damaged("$table-$name") { damage(it.resolve(table)) }
                 val message = refusal(directory)
-                assertTrue(table in message && "go on with what is there" in message) { message }
+                assertTrue(table in message && "continue with what is there" in message) { message }
                 val notices = resume(directory, acceptLoss = true)
                 assertTrue(notices.any { table in it && ("lost" in it || "as they are" in it) }) { notices.toString() }
                 assertEquals(whole["digest"], results(directory)["digest"])

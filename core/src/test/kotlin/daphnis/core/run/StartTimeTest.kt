@@ -22,7 +22,8 @@ class StartTimeTest {
         return ScenarioJson.parse(
             """{ "box": { "lengths": [8, 8, 8] }, "boundary": { "type": "lees-edwards", "shearRate": 0.25 },
               "placement": { "type": "file", "path": "start.csv"$time },
-              "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": $dt }, "until": $until,
+              "restitution": { "type": "constant", "coefficient": 1 },
+              "timeStep": { "type": "fixed", "dt": $dt }, "until": $until,
               "output": { "snapshotEvery": 5, "checkpointEvery": 3 } }""",
             "test",
         ).atHome(home)

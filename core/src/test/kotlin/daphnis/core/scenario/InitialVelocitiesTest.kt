@@ -20,7 +20,8 @@ class InitialVelocitiesTest {
         """{
           "box": { "lengths": [60, 60, 60] }, "boundary": $boundary,
           "particles": { "count": $count, "sizes": $sizes }, "velocities": $velocities,
-          "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 0.01 }, "until": 1
+          "restitution": { "type": "constant", "coefficient": 1 },
+          "timeStep": { "type": "fixed", "dt": 0.01 }, "until": 1
         }""",
         "test",
     )

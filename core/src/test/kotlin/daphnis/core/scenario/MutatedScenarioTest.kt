@@ -13,9 +13,9 @@ import java.time.Duration
 /** Mutated scenarios: each is refused in one line or runs. Never another exception, never a hang. */
 class MutatedScenarioTest {
     private val values =
-        ("0 -1 1e308 -1e308 1e-308 NaN null true \"x\" [] {} [1,2,3] 2147483647 1e999 0.5 1 3 \"\" 9223372036854775807 [0.1,0.1,0.1]").split(
-            " ",
-        )
+        """0 -1 1e308 -1e308 1e-308 NaN null true "x" [] {} [1,2,3] 2147483647 1e999 0.5 1 3 "" """
+            .plus("9223372036854775807 [0.1,0.1,0.1]")
+            .split(' ')
     private val keys =
         listOf("type", "count", "radius", "dt", "lengths", "sigma", "fillingFactor", "until", "bogus", "")
 

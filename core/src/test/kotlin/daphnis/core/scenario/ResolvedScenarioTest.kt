@@ -86,7 +86,8 @@ class ResolvedScenarioTest {
             Surroundings.of(BuiltIn.scenario("ring-patch", listOf("boundary=$boundary") + more), "ring")
             true
         } catch (e: InputException) {
-            assertTrue("boundary.type: is " in e.message!! && "does not go with a frame" in e.message!!) { e.message }
+            val message = e.message.orEmpty()
+            assertTrue("boundary.type: is " in message && "cannot be combined with a frame" in message) { message }
             false
         }
         val flat = "frame.verticalFactor=0"

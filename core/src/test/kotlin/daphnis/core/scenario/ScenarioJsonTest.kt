@@ -154,6 +154,6 @@ class ScenarioJsonTest {
     @Test
     fun `a setting without an equals sign or through a number is refused`() {
         assertWrong("until", "settings: ", "path=value")
-        assertWrong("until.x=1", "settings: ", "no object")
+        assertWrong("until.x=1", "settings: ", "not an object")
     }
 }

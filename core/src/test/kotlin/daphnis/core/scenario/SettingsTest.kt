@@ -10,8 +10,12 @@ import org.junit.jupiter.api.Test
 /** `--set path=value`, and what is said of paths that lead nowhere. */
 class SettingsTest {
     private val text = """{ "box": { "lengths": [4, 5, 6] }, "boundary": { "type": "periodic" },
-        "forces": [{ "type": "uniform-acceleration", "acceleration": [0, 0, -1] }, { "type": "self-gravity", "constant": 1 }],
-        "restitution": { "type": "constant", "coefficient": 1 }, "timeStep": { "type": "fixed", "dt": 1 }, "until": 1 }"""
+        "forces": [
+            { "type": "uniform-acceleration", "acceleration": [0, 0, -1] },
+            { "type": "self-gravity", "constant": 1 }
+        ],
+        "restitution": { "type": "constant", "coefficient": 1 },
+        "timeStep": { "type": "fixed", "dt": 1 }, "until": 1 }"""
 
     private fun with(vararg settings: String) = ScenarioJson.parse(text, "s", settings.toList())
 
@@ -43,17 +47,18 @@ class SettingsTest {
             "[2]",
         )
         assertRefused("forces[0].acceleration[3]=1", "forces[0].acceleration has 3 entries")
-        assertRefused("bodies[0].radius=1", "bodies is no list", "[0]")
-        assertRefused("box[0]=1", "box is no list")
+        assertRefused("bodies[0].radius=1", "bodies is not a list", "[0]")
+        assertRefused("box[0]=1", "box is not a list")
         assertRefused("forces[99999999999].constant=1", "2 entries")
         assertRefused("forces.constant=1", "forces is a list", "forces[0]")
-        assertRefused("until[0]=1", "until is no list")
+        assertRefused("until[0]=1", "until is not a list")
     }
 
     @Test
     fun `a path that is none is refused`() {
-        for (path in listOf("forces[", "forces]", "forces[0", "forces[a]", "[0]", "forces[-1]", "forces[0]x", "box..lengths", ".box", "box.")) {
-            assertRefused("$path=1", "settings: ", "$path=1", "is no key")
+        val lists = listOf("forces[", "forces]", "forces[0", "forces[a]", "[0]", "forces[-1]", "forces[0]x")
+        for (path in lists + listOf("box..lengths", ".box", "box.")) {
+            assertRefused("$path=1", "settings: ", "$path=1", "is not a key")
         }
         assertRefused("nothing", "path=value")
         assertRefused("=1", "path=value")

@@ -45,15 +45,16 @@ class WarningsTest {
             "fall through the box" in warningsOf(box("timeStep.dt=0.5", "velocities={\"type\":\"rest\"}")).single(),
         )
         // Two that cancel.
-        val both = "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]},{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,1]}]"
+        fun upward(a: Int) = """{"type":"uniform-acceleration","acceleration":[0,0,$a]}"""
+        val both = "forces=[${upward(-1)},${upward(1)}]"
         assertEquals(emptyList<String>(), warningsOf(box("timeStep.dt=0.1", both)))
     }
 
     @Test
-    fun `fewer than a hundred steps an orbit are told, a hundred are not`() {
+    fun `fewer than a hundred steps per orbit are told, a hundred are not`() {
         fun ring(steps: Int) = BuiltIn.scenario("ring-patch", listOf("box.lengths=[40,40,20]", "timeStep.steps=$steps"))
         assertEquals(emptyList<String>(), warningsOf(ring(100)))
-        assertTrue("99.0 steps an orbit" in warningsOf(ring(99)).single())
+        assertTrue("99.0 steps per orbit" in warningsOf(ring(99)).single())
     }
 
     @Test

@@ -110,10 +110,7 @@ class RowBoundsTest {
                 s[p + VX] * rest,
                 s[p + VX + 1] * rest,
                 s[p + VX + 2] * rest,
-                s[
-                    p +
-                        RADIUS,
-                ],
+                s[p + RADIUS],
             )
         } else {
             near.around(
@@ -123,10 +120,7 @@ class RowBoundsTest {
                 s[p + VX] * rest,
                 s[p + VX + 1] * rest,
                 s[p + VX + 2] * rest,
-                s[
-                    p +
-                        RADIUS,
-                ],
+                s[p + RADIUS],
                 now,
             )
         }

@@ -63,7 +63,7 @@ class SizeClassesTest {
     }
 
     @Test
-    fun `a search by size finds what the grid and an engine that asks every pair find, around a sphere a hundred times as large`() {
+    fun `a search by size finds what the grid and a check of every pair find, around a sphere 100 times as large`() {
         var collisions = 0L
         for (boundary in listOf(
             Open,

@@ -61,13 +61,8 @@ class Draw(override val seed: Long) : Case {
     )[random.nextInt(3)]
 
     // Inelastic spheres in dense heaps collapse without one.
-    private val guard = listOf(FloorSpeedGuard(1e-3), ContactDurationGuard(1e-4 * dt), NoGuard)[
-        if (filling > 0.05 || clumped) {
-            random.nextInt(2)
-        } else {
-            random.nextInt(3)
-        },
-    ]
+    private val guards = listOf(FloorSpeedGuard(1e-3), ContactDurationGuard(1e-4 * dt), NoGuard)
+    private val guard = guards[random.nextInt(if (filling > 0.05 || clumped) 2 else 3)]
 
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 

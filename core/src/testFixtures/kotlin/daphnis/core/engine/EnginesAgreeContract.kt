@@ -29,7 +29,7 @@ abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Lo
     private var asked = 0
 
     @Test
-    fun `every engine gives the digest, counts and collisions of the serial one after every step of every drawn case`() {
+    fun `every engine gives the digest, counts and collisions of the serial one after each step of each case`() {
         var collisions = 0L
         var replays = 0L
         var failures = 0

@@ -53,7 +53,7 @@ abstract class EnginesCountContract(private val tested: TestedEngines) {
             var thrown = 0
             for (call in 0..5) {
                 val calls = AtomicInteger()
-                // Broken for good until it is mended: parallel engines put what it throws before the serial one.
+                // Fails until it is repaired: parallel engines leave a step in which it throws to the serial one.
                 val broken = AtomicBoolean(true)
                 val restitution = Restitution {
                     if (broken.get() && calls.getAndIncrement() >= call) {

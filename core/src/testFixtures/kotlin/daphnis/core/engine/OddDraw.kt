@@ -23,7 +23,18 @@ class OddDraw(override val seed: Long) : Case {
     override val random = SeededRandom(seed)
     private val kind = Kind.entries[random.nextInt(Kind.entries.size)]
 
-    private enum class Kind { TOUCHING_AT_REST, LATTICE, IMAGES, TIGHT, INELASTIC, ZEROS, CORNER, PILE, SCALES, THREADS }
+    private enum class Kind {
+        TOUCHING_AT_REST,
+        LATTICE,
+        IMAGES,
+        TIGHT,
+        INELASTIC,
+        ZEROS,
+        CORNER,
+        PILE,
+        SCALES,
+        THREADS,
+    }
 
     private val spheres = ArrayList<DoubleArray>()
     override var boundary: BoundaryConditions = Open
@@ -128,9 +139,7 @@ class OddDraw(override val seed: Long) : Case {
                 0.1 * gauss(),
                 0.1 * gauss(),
                 0.2,
-                Math.exp(
-                    2 * gauss(),
-                ),
+                Math.exp(2 * gauss()),
             )
         }
         boundary = if (random.nextInt(2) == 0) Periodic(box) else LeesEdwards(box, random.nextDouble(-1.0, 1.0))

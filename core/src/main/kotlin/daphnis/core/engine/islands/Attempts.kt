@@ -4,8 +4,8 @@ import daphnis.core.collision.CollisionCounters
 
 /**
  * The attempts at islands that one worker has made in a window. The worker's stores are filled in order, so an attempt
- * is known by where these stood when it began; it ends where the next one begins. An attempt is alive until it turns
- * out that its island has met another one.
+ * is known by where these stood when it began; it ends where the next one begins. An attempt is alive until its island
+ * is found to have met another one.
  */
 internal class Attempts {
     var size = 0
@@ -20,8 +20,8 @@ internal class Attempts {
     }
 
     /**
-     * Begins an attempt; its number. The worker has as many [rows] and as many collisions in its [record] now, and has
-     * [counted] so much.
+     * Begins an attempt and returns its number. The worker has as many [rows] and as many collisions in its [record]
+     * now, and its counters stand at [counted].
      */
     fun begin(rows: Int, record: Int, counted: CollisionCounters): Int {
         if (size + 1 == alive.size) {
@@ -65,7 +65,7 @@ internal class Attempts {
     /** One past its last collision there. */
     fun endOfRecord(attempt: Int): Int = firstRecord(attempt + 1)
 
-    /** Adds what the attempts that are alive have counted. */
+    /** Adds the counts of the attempts that are alive. */
     fun addTo(counters: CollisionCounters) {
         for (k in 0 until size) {
             if (!alive[k]) continue

@@ -4,15 +4,15 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.contactTime
 
 /**
- * Makes what one worker's islands did part of the step, once no two islands touch.
+ * Makes the results of one worker's islands part of the step, once no two islands touch.
  *
- * @param number that of the worker
+ * @param number the number of the worker
  */
 internal class Committer(private val field: IslandField, private val number: Int, private val stores: WorkerStores) {
     /** Collisions of committed islands, in no order. */
     val record = CollisionRecord()
 
-    /** Takes the results of the islands that are alive over into the state. */
+    /** Copies the results of the islands that are alive into the state. */
     fun commit() {
         val members = stores.members
         val attempts = stores.attempts
@@ -27,8 +27,8 @@ internal class Committer(private val field: IslandField, private val number: Int
     }
 
     /**
-     * After all have committed: what suspects may do to one another later, each searched from when the other was not
-     * yet known.
+     * After all have committed: finds what suspects may do to one another later, each pair searched from the time at
+     * which the other was not yet known.
      */
     fun hintSuspects() {
         val suspects = stores.suspects

@@ -6,7 +6,7 @@ import daphnis.core.step.Impact
 /**
  * Grows the islands of one worker: processes each from its seeds to the end of the window, on copies of its rows.
  *
- * @param island what it grows
+ * @param island the island that it grows
  */
 internal class Grower(private val field: IslandField, private val stores: WorkerStores, private val island: Island) :
     Impact(field.prepared, stores.members.rows, island) {
@@ -18,7 +18,7 @@ internal class Grower(private val field: IslandField, private val stores: Worker
      * Processes the island of [root].
      *
      * @return false when it was given up: the step is void or has failed, or the island needs a sphere that was
-     *   [refused][Island.refused]; in that case it is as if it had not been tried
+     *   [refused][Island.refused]; in that case everything is as if it had not been tried
      */
     fun grow(root: Int): Boolean {
         val index = stores.attempts.begin(members.size, stores.tried.size, counted)
@@ -51,12 +51,12 @@ internal class Grower(private val field: IslandField, private val stores: Worker
     override fun slot(place: Int): Int = members.slot(place)
 
     override fun search(place: Int, except: Int): Boolean {
-        // The marks on this island's spheres, and the bounds widened for them.
+        // The marks on this island's spheres, and the bounds that were widened for them.
         board.announce()
         return super.search(place, except) && island.refused == FREE
     }
 
-    /** Makes it as if attempt [index] had not been. */
+    /** Undoes attempt [index], as if it had not been made. */
     fun giveBack(index: Int) {
         for (k in stores.attempts.firstRow(index) until stores.attempts.endOfRows(index)) {
             board.giveBack(members.slot(k), members.firstTime(k))

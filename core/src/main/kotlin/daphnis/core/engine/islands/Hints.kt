@@ -5,9 +5,9 @@ import daphnis.core.queue.EventStore
 import daphnis.core.queue.EventStore.Companion.NONE
 
 /**
- * The potential collisions that one worker has found and that lie beyond the window at hand, by slices of time. A hint
- * says that a pair may touch at a time; whether it still will is asked when its slice comes, by computing the contact
- * time again: the same bits mean that neither sphere has changed since. So nothing has ever to be removed.
+ * The potential collisions that one worker has found and that lie beyond the present window, by slices of time. A hint
+ * says that a pair may touch at a time; whether it still will is decided when its slice comes, by computing the contact
+ * time again. The same bits mean that neither sphere has changed since. So no hint ever has to be removed.
  *
  * Each slice is a linked list in the [store], newest first. Written and read by one worker at a time.
  */
@@ -20,7 +20,7 @@ internal class Hints : EventSink {
     private var slicesPerTime = 0.0
     private var most = 0L
 
-    /** Forgets all, for a step of [duration] with as many hints as [limits] say. */
+    /** Removes all, for a step of [duration] with at most as many hints as [limits] allow. */
     fun reset(duration: Double, limits: IslandLimits) {
         this.duration = duration
         most = limits.hints

@@ -1,6 +1,6 @@
 package daphnis.core.engine.islands
 
-/** Numbers in the order in which they came. Allocates only when it grows. */
+/** Numbers in the order in which they were added. Allocates only when it grows. */
 internal class IntList {
     private var values = IntArray(INITIAL)
 

@@ -7,10 +7,10 @@ import daphnis.core.queue.Schedule
 
 /**
  * The island that a worker is growing: its spheres, addressed by their place among the worker's members, and its queue.
- * What they can have in this window is queued, and spheres of no island that they can hit join; what lies beyond the
- * window becomes a hint; who belongs to another island becomes a suspect.
+ * Their potential collisions in this window are queued, and spheres of no island that they can hit join. What lies
+ * beyond the window becomes a hint. A sphere that belongs to another island becomes a suspect.
  *
- * @param number that of the worker
+ * @param number the number of the worker
  */
 internal class Island(private val field: IslandField, private val number: Int, private val stores: WorkerStores) :
     Schedule {
@@ -18,13 +18,13 @@ internal class Island(private val field: IslandField, private val number: Int, p
     private val hints = stores.hints
     private val members = stores.members
 
-    /** What its spheres can have in this window. */
+    /** The potential collisions of its spheres in this window. */
     val queue = EventHeap()
 
     /** Which spheres may join; null for any. */
     var claimRule: ClaimRule? = null
 
-    /** A sphere that the island needed and [claimRule] refused, −1 when there was none. */
+    /** A sphere that the island needed and that [claimRule] refused, −1 when there was none. */
     var refused = FREE
         private set
 
@@ -49,7 +49,7 @@ internal class Island(private val field: IslandField, private val number: Int, p
         }
     }
 
-    /** Takes [slot], which the island owns, into its rows; its place there. */
+    /** Takes [slot], which the island owns, into its rows, and returns its place there. */
     private fun join(slot: Int): Int {
         if (board.attempt(slot) == attempt) return board.place(slot)
         val k = members.take(field.rows, slot)
@@ -59,8 +59,8 @@ internal class Island(private val field: IslandField, private val number: Int, p
     }
 
     /**
-     * Notes that the sphere at place [first] can touch [second], a slot or a wall's partner number, at [time]: NaN when
-     * that belongs to an island.
+     * Notes that the sphere at place [first] can touch [second], a slot or a wall's partner number, at [time]. The time
+     * is NaN when [second] belongs to an island.
      */
     override fun add(time: Double, first: Int, second: Int, image: Int) {
         if (time.isNaN()) {
@@ -78,7 +78,7 @@ internal class Island(private val field: IslandField, private val number: Int, p
         }
     }
 
-    /** The same for one that belongs to an island, maybe this one. */
+    /** The same for a sphere that belongs to an island, perhaps to this one. */
     private fun addOwned(first: Int, slot: Int, image: Int) {
         if (board.owner(slot) != root) {
             stores.suspects.add(members.slot(first), slot, image, index)

@@ -11,17 +11,17 @@ import java.lang.invoke.VarHandle
  * Which island every sphere belongs to in a window: the part of [IslandField] that workers write side by side. The
  * methods stand in the order of the phases that call them.
  *
- * | phase | calls | who may |
+ * | phase | calls | which threads may |
  * |---|---|---|
  * | propose | [union] | any worker, for any spheres |
  * | group | [own], [hang] | the worker with the seed |
  * | grow | [claim] | any worker, for any sphere: one succeeds |
  * | grow | [take], [announce], [giveBack] | the worker that grows the island which owns the sphere |
- * | check | [owner], [attempt], [place] | any worker; nobody writes |
+ * | check | [owner], [attempt], [place] | any worker; none writes |
  * | merge | [giveBack], [union], [moveSeeds], [ownSeeded] | one thread alone |
  * | commit | [release] | the worker whose attempt has the sphere |
  *
- * Owners are asserted, which costs nothing where assertions are off.
+ * Ownership is asserted, which costs nothing where assertions are off.
  *
  * @param rows the state at the start of the window; the board writes local times only
  */
@@ -35,7 +35,7 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
     /** First seed of the island with this root, [FREE] when there is none. */
     private var seedHead = IntArray(0)
 
-    /** Whether nobody belongs to an island. */
+    /** Whether no sphere belongs to an island. */
     private var isClean = false
 
     /** Makes room for [size] slots, none of which belongs to an island. One thread alone. */
@@ -54,20 +54,20 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
         isClean = true
     }
 
-    /** The root of the island into which the seeds of [slot] put it; [slot] itself when none does. */
+    /** The root of the island into which its seeds put [slot]; [slot] itself when it has none. */
     fun find(slot: Int): Int {
         var k = slot
         while (true) {
             val p = columns[k * WIDTH + PARENT]
             if (p == k) return k
             val q = columns[p * WIDTH + PARENT]
-            // Only ever from an ancestor to a higher one, so that writes of several workers do no harm.
+            // A parent is only ever replaced by one of its ancestors, so writes of several workers do no harm.
             if (q != p) columns[k * WIDTH + PARENT] = q
             k = q
         }
     }
 
-    /** Puts the islands of two spheres into one. Any number of workers at once. */
+    /** Joins the islands of two spheres. Any number of workers at once. */
     fun union(a: Int, b: Int) {
         while (true) {
             val p = find(a)
@@ -79,7 +79,7 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
         }
     }
 
-    /** Gives the spheres of [seed] to the island of [root], to which the unions have put them. */
+    /** Gives the spheres of [seed] to the island of [root], into which the unions have put them. */
     fun own(seed: Int, root: Int) {
         own(seeds.store.first(seed), root, seeds.store.second(seed))
     }
@@ -102,14 +102,14 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
     fun firstSeed(root: Int): Int = seedHead[root]
 
     /**
-     * Takes a sphere that belongs to nobody for the island of [root]; false when another was quicker. Any number of
-     * workers at once.
+     * Takes a sphere that belongs to no island for the island of [root]; false when another island was quicker. Any
+     * number of workers at once.
      */
     fun claim(slot: Int, root: Int): Boolean = ENTRY.compareAndSet(columns, slot * WIDTH + OWNER, FREE, root)
 
     /**
-     * Notes that the copy of [slot] of the island of [root] stands at [place] of the rows of [attempt]. From then on
-     * others see by its local time, NaN, that they cannot know where it is.
+     * Notes that the island of [root] has its copy of [slot] at [place] of the rows of [attempt]. From then on the
+     * sphere's local time, NaN, tells other workers that they cannot know where it is.
      */
     fun take(slot: Int, root: Int, attempt: Int, place: Int) {
         assert(owner(slot) == root) { "slot $slot is owned by ${owner(slot)}, not by $root" }
@@ -119,18 +119,18 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
     }
 
     /**
-     * What is read of others from here on is not older than what the caller has written: of two islands that mark their
-     * spheres, announce them and then search, at least one sees the mark of the other.
+     * A full fence: what the caller reads of other islands from here on is not older than what it has written. Of two
+     * islands that mark their spheres, announce them and then search, at least one sees the mark of the other.
      */
     fun announce() {
         VarHandle.fullFence()
     }
 
-    /** Makes it as if [slot], which came with local time [time], had not been taken. */
+    /** Undoes the taking of [slot], which had local time [time]. */
     fun giveBack(slot: Int, time: Double) {
         assert(attempt(slot) != 0) { "slot $slot was not taken" }
         rows.state[slot * STRIDE + TIME] = time
-        // What has seeds stays claimed, for the next attempt.
+        // A sphere which has seeds stays claimed, for the next attempt.
         if (!isSeeded(slot)) columns[slot * WIDTH + OWNER] = FREE
         columns[slot * WIDTH + ATTEMPT] = 0
     }
@@ -143,10 +143,10 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
     /** The attempt that has a copy of [slot], 0 when none has. */
     fun attempt(slot: Int): Int = columns[slot * WIDTH + ATTEMPT]
 
-    /** Where in the rows of its attempt's worker the copy of [slot] is. */
+    /** The place of the copy of [slot] in the rows of its attempt's worker. */
     fun place(slot: Int): Int = columns[slot * WIDTH + PLACE]
 
-    /** Hangs the seeds of [from], which is no root any more, into the list of the root that it has now. */
+    /** Hangs the seeds of [from], which is no longer a root, into the list of the root that it has now. */
     fun moveSeeds(from: Int) {
         val to = find(from)
         if (to == from) return
@@ -170,7 +170,7 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
         }
     }
 
-    /** Makes [slot], a copy of which is with [worker], one that belongs to nobody and has no seeds. */
+    /** Makes [slot], of which [worker] has a copy, a sphere that belongs to no island and has no seeds. */
     fun release(slot: Int, worker: Int) {
         assert(workerOf(attempt(slot)) == worker) { "slot $slot is with worker ${workerOf(attempt(slot))}" }
         clear(slot)
@@ -200,7 +200,7 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
 
         private const val WIDTH = 4
 
-        /** Union-find: the island that the sphere's seeds put it into; itself outside of windows. */
+        /** Union-find: the island into which the sphere's seeds put it; the sphere itself outside of windows. */
         private const val PARENT = 0
 
         /** Root of the island that owns the sphere. */
@@ -209,7 +209,7 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
         /** The attempt that has a copy of the sphere. */
         private const val ATTEMPT = 2
 
-        /** Where in its worker's rows that copy is. */
+        /** The place of that copy in its worker's rows. */
         private const val PLACE = 3
 
         private val ENTRY: VarHandle = MethodHandles.arrayElementVarHandle(IntArray::class.java)

@@ -7,7 +7,7 @@ import daphnis.core.engine.islands.IslandBoard.Companion.FREE
 import java.util.function.IntConsumer
 
 /**
- * The workers on one [IslandField], and what is done between their phases by one thread alone. A step goes
+ * The workers on one [IslandField], and what one thread alone does between their phases. A step consists of
  *
  * 1. `field.measure`, `field.prepare`, [prepare]; then *in parallel* [IslandWorker.searchStart];
  * 2. for each window: [openWindow]; *in parallel* [IslandWorker.propose]; *in parallel* [IslandWorker.group];
@@ -16,7 +16,7 @@ import java.util.function.IntConsumer
  *    parallel* [IslandWorker.hintSuspects] unless it was the last window; [closeWindow];
  * 3. `field.store`, [finish].
  *
- * Between any two of these stands a barrier or a message.
+ * Between any two of these is a barrier or a message.
  *
  * @param size number of workers
  */
@@ -30,7 +30,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     private val dropped = IntList()
     private var redoneInWindow = 0
 
-    /** How long windows are; tests make them shorter and longer than is quick. */
+    /** How long windows are; tests make them shorter and longer than is fastest. */
     internal var window = WindowLength()
 
     /** Islands processed since the start, and how many of them were dropped because they met another. */
@@ -69,8 +69,8 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     }
 
     /**
-     * Opens the next window: as many slices as hold about so many potential collisions as islands can bear without
-     * growing into one another.
+     * Opens the next window: as many slices as hold about the number of potential collisions with which islands rarely
+     * grow into one another.
      *
      * @return how many potential collisions it holds at most
      */
@@ -94,14 +94,14 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         return total
     }
 
-    /** Phase of each worker: seeds of its own hints. */
+    /** Phase of each worker: makes seeds of its own hints. */
     public fun propose(worker: Int) {
         get(worker).propose(firstSlice, lastSlice)
     }
 
     /**
      * Joins the islands that share a seed which no worker could make its own, and makes them the next to be processed.
-     * Between [propose] and [IslandWorker.group], where workers keep to their own spheres.
+     * To be called between [propose] and [IslandWorker.group], where workers use only their own spheres.
      */
     public fun joinBorders() {
         roots.clear()
@@ -118,7 +118,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         for (worker in workers) for (s in worker.seeder.borderFrom until worker.seeder.borderTo) action(s)
     }
 
-    /** Calls [action] with every sphere that has a seed in the island of [root]; some more than once. */
+    /** Calls [action] with every sphere that has a seed in the island of [root], with some of them more than once. */
     public fun forEachSeeded(root: Int, action: IntConsumer) {
         val seeds = board.seeds.store
         forEachSeed(root) {
@@ -190,7 +190,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     }
 
     /**
-     * Counts what the window did and learns how long the next may be.
+     * Counts the results of the window and learns how long the next one may be.
      *
      * @throws IllegalArgumentException when the step has too many collisions
      */
@@ -206,14 +206,14 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         window.learn(islandsInWindow, redoneInWindow)
     }
 
-    /** Adds what the step did to [counters]: last of all, once nothing can fail any more. */
+    /** Adds the counts of the step to [counters]. To be called last, when nothing can fail any more. */
     public fun addTo(counters: CollisionCounters) {
         counters.add(counted)
     }
 
     /**
-     * Writes the collisions of the step to [record], in order; before the population is stored, since it may need
-     * memory.
+     * Writes the collisions of the step to [record], in order. To be called before the population is stored, since it
+     * may need memory.
      */
     public fun writeTo(record: CollisionRecord?) {
         if (record == null) return

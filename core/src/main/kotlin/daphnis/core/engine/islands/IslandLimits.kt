@@ -1,15 +1,15 @@
 package daphnis.core.engine.islands
 
 /**
- * How much one worker may keep of a window in a step of [spheres] spheres. Ordinary windows keep some hundredths of it;
- * where thousands of spheres touch, all hang together and islands gain nothing, so then the serial engine takes the
+ * How much one worker may keep of a window in a step of [spheres] spheres. Ordinary windows keep a few hundredths of
+ * it. Where thousands of spheres touch, all hang together and islands gain nothing, so the serial engine takes the
  * step.
  */
 internal class IslandLimits(spheres: Int) {
-    /** Pieces of path left behind, those of dropped attempts included: 68 bytes each. */
+    /** Pieces of path left behind, including those of dropped attempts: 68 bytes each. */
     val pieces: Long = LEAST_PIECES + PIECES_A_SPHERE * spheres
 
-    /** Potential collisions of one island, those that came to nothing included: 24 bytes each. */
+    /** Potential collisions of one island, including those that did not happen: 24 bytes each. */
     val events: Long = LEAST_EVENTS + EVENTS_A_SPHERE * spheres
 
     /** Potential collisions of the step that lie beyond the window: 24 bytes each. */
@@ -19,7 +19,7 @@ internal class IslandLimits(spheres: Int) {
     val collisions: Long = LEAST_COLLISIONS + COLLISIONS_A_SPHERE * spheres
 
     /**
-     * Looks at an attempt at one island that has had [collisions] and has found [events] potential ones.
+     * Checks an attempt at one island that has had [collisions] and has found [events] potential ones.
      *
      * @throws IslandsTooLargeException when either is too many
      */
@@ -40,6 +40,6 @@ internal class IslandLimits(spheres: Int) {
     }
 }
 
-/** Islands have grown beyond what [IslandLimits] allow; the step is to be taken in another way. */
+/** Thrown when islands have grown beyond what [IslandLimits] allow; the step is to be taken in another way. */
 internal class IslandsTooLargeException(what: String, most: Long) :
     RuntimeException("islands need more than $most $what in a window")

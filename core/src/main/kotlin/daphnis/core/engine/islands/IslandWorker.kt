@@ -2,22 +2,22 @@ package daphnis.core.engine.islands
 
 import daphnis.core.api.EngineApi
 
-/** Says which spheres a worker may take into its islands. */
+/** Decides which spheres a worker may take into its islands. */
 @EngineApi
 public fun interface ClaimRule {
     public fun mayClaim(slot: Int): Boolean
 }
 
 /**
- * One of the workers on an [IslandField]: finds potential collisions, grows islands, processes and checks them. What it
- * finds and does is in stores of its own. The methods are the phases of a window; [IslandCrew] has their order.
+ * One of the workers on an [IslandField]: finds potential collisions, grows islands, processes and checks them. Its
+ * results are in its own stores. The methods are the phases of a window; [IslandCrew] has their order.
  *
  * ```
  *   propose, group ─▶ process ─▶ check ─▶ commit ─▶ hintSuspects
  *       Seeder        Grower    PathCheck      Committer
  * ```
  *
- * @param membersOf the members of a worker, by its number; asked only to follow paths in another worker's islands
+ * @param membersOf the members of a worker, by its number; used only to follow paths in another worker's islands
  */
 @EngineApi
 public class IslandWorker internal constructor(
@@ -48,7 +48,10 @@ public class IslandWorker internal constructor(
         committer.record.clear()
     }
 
-    /** Finds every potential collision of the step that spheres [from] until [to] can have as they are at its start. */
+    /**
+     * Finds every potential collision of the step that spheres [from] until [to] can have on the paths which they have
+     * at its start.
+     */
     public fun searchStart(from: Int, to: Int) {
         grower.candidates.start(from, to, stores.hints)
     }
@@ -68,7 +71,7 @@ public class IslandWorker internal constructor(
      * Processes the island of [root] from its seeds to the end of the window.
      *
      * @return false when it was given up: the step is void or has failed, or the island needs a sphere that [claimRule]
-     *   refuses; in that case it is as if it had not been tried
+     *   refuses; in that case everything is as if it had not been tried
      */
     public fun process(root: Int): Boolean = grower.grow(root)
 
@@ -104,7 +107,7 @@ public class IslandWorker internal constructor(
         paths.run()
     }
 
-    /** Takes the results of the islands that are alive over into the state. */
+    /** Copies the results of the islands that are alive into the state. */
     public fun commit() {
         committer.commit()
     }

@@ -12,20 +12,20 @@ import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
 
 /**
- * The fast engine: islands of spheres that meet nobody else within a window of time, each processed alone by one worker
- * without locks. See [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the phases of
- * a step.
+ * The fast engine: islands of spheres that meet no other sphere within a window of time, each processed alone by one
+ * worker without locks. See [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the
+ * phases of a step.
  *
- * Dense gases and long steps would grow islands into one another; then windows get shorter, which changes no bit.
- * Islands are dealt out as workers become free, so it does not matter where in space they lie. Where that is quicker it
- * takes steps in the serial engine's way: on one thread, and with few spheres.
+ * In dense gases and long steps islands would grow into one another; then windows get shorter, which changes no bit.
+ * Islands are handed out as workers become free, so it does not matter where in space they lie. On one thread and with
+ * few spheres, where it is quicker, the engine takes steps in the serial engine's way.
  *
- * Islands are guesses until they are checked. Whatever a guess ends with, a collapse, a step that would be refused, too
- * much memory, something that the laws of the collision threw, is put before the serial engine; what that one does is
- * what happens, and the step is counted in `causalityReplays`.
+ * Islands are guesses until they are checked. A guess may end with a collapse, a step that would be refused, too much
+ * memory, or an exception from the laws of the collision. The step is then left to the serial engine, whose result is
+ * the result, and is counted in `causalityReplays`.
  *
  * @param handler the threads; closed with the engine
- * @param fewest spheres from which on islands are grown; 0 always grows them, also on one thread
+ * @param fewest the least number of spheres with which islands are grown; 0 always grows them, also on one thread
  */
 public class IslandsEngine(private val handler: ThreadHandler, private val fewest: Int = WORTH_SPHERES) :
     CollisionEngine {
@@ -39,7 +39,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
     private val prepared = PreparedStep()
     private val field = IslandField(threads, prepared)
 
-    /** For figures on how windows and islands come out. */
+    /** For statistics of windows and islands. */
     public val crew: IslandCrew = IslandCrew(field, threads)
 
     private val alone = SerialEngine(prepared = prepared)
@@ -69,7 +69,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         if (failed) step.counters.causalityReplays++
     }
 
-    /** @return false when it was given up, because it takes too long or has failed; then nothing has happened */
+    /** @return false when it was given up, because it takes too long or has failed; then nothing has changed */
     private fun grow(step: CollisionStep): Boolean {
         failed = false
         val redone = try {
@@ -99,11 +99,11 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         return redone
     }
 
-    /** Few spheres are not worth the barriers; on one thread islands have nothing to give but work. */
+    /** Few spheres are not worth the barriers. On one thread islands only add work. */
     private fun isQuickerAlone(step: CollisionStep): Boolean =
         fewest != 0 && (threads == 1 || step.population.size < fewest)
 
-    /** @return false when somebody outran the bound, or when it is late */
+    /** @return false when a sphere went beyond the bound, or when it is late */
     private fun attempt(): Boolean {
         field.prepare(loop)
         crew.prepare()
@@ -111,7 +111,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         while (!crew.isLastWindow) {
             val seeds = crew.openWindow()
             if (seeds == 0) continue
-            // Too few to be worth waking anybody.
+            // Too few to be worth waking another thread.
             val alone = threads == 1 || seeds < LEAST_IN_PARALLEL
             if (!window(alone) || quicker.isLate) return false
         }
@@ -144,7 +144,7 @@ public class IslandsEngine(private val handler: ThreadHandler, private val fewes
         try {
             for (k in from until to) if (!worker.process(crew.root(k))) return
         } catch (e: Throwable) {
-            // The step has failed; what the others do is in vain.
+            // The step has failed; the work of the other workers is not needed.
             field.stop()
             throw e
         }

@@ -5,9 +5,9 @@ import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 
 /**
- * The spheres in one worker's islands: copies of their rows, with their states now, and the paths they have left in
- * this window. Addressed by **place**, in the order in which they joined. Written by the worker; read by others when
- * all islands are done.
+ * The spheres in one worker's islands: copies of their rows with their present states, and the paths which they have
+ * left in this window. Addressed by **place**, in the order in which they joined. Written by the worker; read by other
+ * workers when all islands are done.
  */
 internal class Members {
     val rows = StepRows()
@@ -17,13 +17,13 @@ internal class Members {
 
     val size: Int get() = rows.size
 
-    /** Forgets all; there may be so many pieces of path as [limits] say. */
+    /** Removes all; there may be as many pieces of path as [limits] allow. */
     fun clear(limits: IslandLimits) {
         rows.clear()
         paths.clear(limits.pieces)
     }
 
-    /** Takes over [slot] of [state]; its place. */
+    /** Takes over [slot] of [state] and returns its place. */
     fun take(state: StepRows, slot: Int): Int {
         val k = rows.take(state, slot)
         if (k == slotOf.size) {

@@ -44,8 +44,8 @@ internal class PathCheck(
 
     /**
      * Whether any new piece of the path at place [k] touches any piece of that of [other] within the window. Both
-     * chains go from the newest piece to the oldest, and pieces that are not flown at the same time are passed over, so
-     * that this takes as many looks as the two have pieces.
+     * chains go from the newest piece to the oldest, and pieces without a common time are skipped, so this takes as
+     * many comparisons as the two chains have pieces.
      */
     private fun pathsTouch(k: Int, other: Int, image: Int): Boolean {
         var state = own.rows.state
@@ -53,8 +53,8 @@ internal class PathCheck(
         var end = field.windowEnd
         var older = own.older(k)
         begin(other)
-        // The last of the chain is what it began with; that was compared with the others' beginnings when seeds were
-        // made, and with what they did since from their side.
+        // The last piece of the chain is the path at the start. It was compared with the other spheres' paths at the
+        // start when seeds were made, and is compared with their later pieces from their side.
         while (older != PathLog.NONE) {
             if (touches(state, p, end, image)) return true
             end = state[p + TIME]
@@ -65,7 +65,8 @@ internal class PathCheck(
         return false
     }
 
-    // The other's newest piece that has begun before the own piece at hand ends; who belongs to no island has but one.
+    // The other sphere's newest piece that has begun before the own present piece ends. A sphere of no island has only
+    // one piece.
     private var otherMembers: Members? = null
     private var otherState = DoubleArray(0)
     private var otherRow = 0
@@ -95,7 +96,7 @@ internal class PathCheck(
      */
     private fun touches(state: DoubleArray, p: Int, end: Double, image: Int): Boolean {
         val images = field.grid.images
-        // Who has begun only after this piece ends has also begun after all older ones.
+        // A piece that begins only after this piece ends also begins after the end of all older ones.
         while (otherState[otherRow + TIME] > end) {
             val older = otherOlder
             if (older == PathLog.NONE) return false

@@ -3,8 +3,8 @@ package daphnis.core.engine.islands
 import daphnis.core.collision.StepRows.Companion.STRIDE
 
 /**
- * Pieces of path that the spheres in one worker's islands have left behind in this window, the one they began with
- * included. A piece is named by a number ≥ 0; [NONE] ends a chain.
+ * Pieces of path that the spheres in one worker's islands have left behind in this window, including the one with which
+ * they began. A piece is named by a number ≥ 0; [NONE] ends a chain.
  */
 internal class PathLog {
     private var rows = DoubleArray(INITIAL * STRIDE)
@@ -12,13 +12,13 @@ internal class PathLog {
     private var size = 0
     private var most = 0L
 
-    /** Forgets all; there may be [most] pieces from now on. */
+    /** Removes all; there may be [most] pieces from now on. */
     fun clear(most: Long) {
         size = 0
         this.most = most
     }
 
-    /** Keeps the row at [p] of [state], which came after the piece [older]; its name. */
+    /** Keeps the row at [p] of [state], which came after the piece [older], and returns its name. */
     fun add(state: DoubleArray, p: Int, older: Int): Int {
         if (size >= most) throw IslandsTooLargeException("pieces of path", most)
         if (size == links.size) {

@@ -6,13 +6,13 @@ import java.util.function.LongSupplier
 internal enum class Way { SERIAL, ISLANDS }
 
 /**
- * Whether islands are worth growing, found out by trying: both ways give the same bits, so nothing but the time hangs
- * on it. Where most collisions hang together, as around a moonlet on which particles lie, all are one island and the
- * serial way is quicker.
+ * Finds out by trial whether islands are worth growing. Both ways give the same bits, so only the time depends on it.
+ * Where most collisions depend on one another, as around a moonlet on which particles lie, all spheres are one island
+ * and the serial way is quicker.
  *
- * The serial way is tried now and then and compared with the quickest of the islands' steps since the last trial, since
- * what the machine does beside makes single steps slow, never quick. When the serial way has clearly won, islands rest,
- * the longer the more they had lost.
+ * The serial way is tried now and then and compared with the quickest step in islands since the last trial. The
+ * quickest is right because other work of the machine makes single steps slow, never quick. When the serial way has
+ * clearly won, islands rest, and the more they lost by, the longer they rest.
  *
  * A step begins with [choose] and ends with [finish], with [giveUp], or with neither when it fails.
  *
@@ -33,7 +33,7 @@ internal class QuickerWay(private val clock: LongSupplier = LongSupplier { Syste
     /** Nanoseconds after which a step in islands is to be given up, [NONE] when never. */
     private var patience = NONE
 
-    /** Begins a step; says how it is to be taken. */
+    /** Begins a step and returns how it is to be taken. */
     fun choose(): Way {
         val step = steps++
         way = if (step < restUntil || step % STEPS_PER_TRIAL == TRIAL) Way.SERIAL else Way.ISLANDS
@@ -42,16 +42,16 @@ internal class QuickerWay(private val clock: LongSupplier = LongSupplier { Syste
         return way
     }
 
-    /** Whether growing islands in the step at hand takes so long that it is to be given up. */
+    /** Whether growing islands in the present step takes so long that it is to be given up. */
     val isLate: Boolean get() = patience != NONE && clock.asLong - begin > patience
 
-    /** Ends a step that was taken as [choose] has said. */
+    /** Ends a step that was taken in the way which [choose] returned. */
     fun finish() {
         val time = clock.asLong - begin
         if (way == Way.ISLANDS) {
             islands = minOf(islands, time)
         } else if (steps <= restUntil) {
-            // At rest: the quickest of these steps is what the next trial of islands is given as patience.
+            // At rest: the quickest of these steps gives the patience for the next trial of islands.
             serial = minOf(serial, time)
         } else {
             serial = time
@@ -74,7 +74,7 @@ internal class QuickerWay(private val clock: LongSupplier = LongSupplier { Syste
         /** No time was measured. */
         private const val NONE = Long.MAX_VALUE
 
-        /** Of so many steps one is taken the serial way to try it. */
+        /** One of so many steps is taken the serial way to try it. */
         const val STEPS_PER_TRIAL = 64L
 
         /** Which of them that is. */

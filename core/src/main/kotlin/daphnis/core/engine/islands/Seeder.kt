@@ -22,7 +22,7 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
 
     /**
      * Makes seeds of the own hints of slices [from] to [to] that still hold, and puts the spheres of each into one
-     * island. Seeds of spheres which [rule] does not allow are put aside.
+     * island. Seeds of spheres which [rule] does not allow are set aside.
      */
     fun propose(from: Int, to: Int, rule: ClaimRule?) {
         roots.clear()
@@ -70,7 +70,7 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
             board.own(s, root)
             if (board.hang(s, root)) roots.add(root)
         }
-        // In the order of memory, so that islands one after the other find their neighbourhoods in the cache.
+        // In the order of memory, so that consecutive islands find their neighbourhoods in the cache.
         roots.sort()
     }
 }

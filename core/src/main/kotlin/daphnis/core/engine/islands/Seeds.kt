@@ -4,11 +4,11 @@ import daphnis.core.queue.EventStore
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * The collisions of a window that are certain to happen unless another comes before: what islands grow from. Each
- * worker fills a stretch of its own; then every seed is hung into the list of its island by its link.
+ * The collisions of a window that are certain to happen unless another comes before. Islands grow from them. Each
+ * worker fills its own part of the list; then every seed is hung into the list of its island by its link.
  */
 internal class Seeds {
-    /** All seeds. One that nobody has [reserved][reserve] is not to be used. */
+    /** All seeds. One that no worker has [reserved][reserve] must not be used. */
     val store = EventStore()
     private val size = AtomicInteger()
 
@@ -18,6 +18,6 @@ internal class Seeds {
         store.reserve(capacity)
     }
 
-    /** @return the first of [count] entries that are the caller's alone */
+    /** @return the first of [count] entries that belong to the caller alone */
     fun reserve(count: Int): Int = size.getAndAdd(count)
 }

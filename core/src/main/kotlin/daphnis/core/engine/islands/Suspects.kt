@@ -1,9 +1,9 @@
 package daphnis.core.engine.islands
 
 /**
- * Pairs of spheres of different islands that came near one another, noted by one worker: who may touch, is asked when
- * all paths are known. Each pair once for each attempt, however often the two came near: a moonlet sees its whole
- * neighbourhood at every collision.
+ * Pairs of spheres of different islands that came near one another, noted by one worker. Whether they touch is checked
+ * when all paths are known. Each pair is kept once per attempt, however often the two came near, since a moonlet sees
+ * its whole neighbourhood at every collision.
  */
 internal class Suspects {
     var size = 0
@@ -64,7 +64,7 @@ internal class Suspects {
         const val INITIAL = 256
         const val WIDTH = 5
 
-        /** Where in the table a pair stands, so that a few are quickly forgotten. */
+        /** The place of a pair in the table, so that a few pairs are removed quickly. */
         const val AT = 4
         const val MIX = -1640531527
     }

@@ -2,11 +2,11 @@ package daphnis.core.engine.islands
 
 /**
  * How many potential collisions a window should hold: many, so that there are few barriers, but so few that islands
- * seldom grow into one another. Learnt from how many had to be done again. Any length gives the same bits.
+ * seldom grow into one another. Learnt from how many islands had to be processed again. Any length gives the same bits.
  *
- * @param least share of all spheres below which windows do not get
- * @param most share above which they do not get; beyond it islands meet too many others to compare themselves with
- * @param leastSeeds potential collisions that a window may hold whatever the share
+ * @param least the smallest window, as a share of all spheres @param most the largest one, as a share; beyond it
+ *   islands have to be compared with too many other islands @param leastSeeds potential collisions that a window may
+ *   hold whatever the share
  */
 internal class WindowLength(
     private val least: Double = 0.001,
@@ -18,7 +18,7 @@ internal class WindowLength(
     /** Potential collisions for a window among [spheres] spheres. */
     fun seeds(spheres: Int): Int = maxOf(leastSeeds, (share * spheres).toInt())
 
-    /** Of the [islands] processed in a window, [redone] had to be done again. */
+    /** To be told that [redone] of the [islands] processed in a window had to be processed again. */
     fun learn(islands: Int, redone: Int) {
         if (redone > islands * MOST_REDONE) {
             share = maxOf(share * SHORTER, least)

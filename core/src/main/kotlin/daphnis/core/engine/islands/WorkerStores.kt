@@ -2,14 +2,14 @@ package daphnis.core.engine.islands
 
 import daphnis.core.collision.CollisionRecord
 
-/** What one worker keeps for itself: hints for the step, all else for the window at hand. */
+/** What one worker keeps for itself: hints for the step, and everything else for the present window. */
 internal class WorkerStores {
     val hints = Hints()
     val attempts = Attempts()
     val suspects = Suspects()
     val members = Members()
 
-    /** Collisions of all attempts, the dropped ones included. */
+    /** Collisions of all attempts, including the dropped ones. */
     val tried = CollisionRecord()
 
     /** For a new attempt at the step. */

@@ -10,12 +10,12 @@ import kotlin.math.abs
 
 /**
  * The paper's busy cells: the neighbourhoods of the collisions that are being processed, and of earlier ones that had
- * to be passed over. Processing a collision writes its two spheres and reads whoever stands in the cells that these
- * could look through; two collisions are **safe** beside one another when neither writes what the other reads.
+ * to be passed over. Processing a collision writes its two spheres and reads every sphere in the cells that these could
+ * search. Two collisions are **safe** together when neither writes what the other reads.
  *
- * A neighbourhood is kept by the places of its spheres at the start of the step, by which cells are assigned; it
- * reaches [extent] along each axis. There are few at a time, so a list of them is quicker than flags on cells. Guarded
- * by the lock of [SafeQueue].
+ * A neighbourhood is kept as the places of its two spheres at the start of the step, which also determine the cells; it
+ * reaches [extent] along each axis. There are few neighbourhoods at a time, so a list of them is quicker than flags on
+ * cells. Guarded by the lock of [SafeQueue].
  */
 internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     /** How far along x, y, z a sphere that is read can be from one that is written, both at the start of the step. */
@@ -55,8 +55,8 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     }
 
     /**
-     * Whether the collision of [a] with [b] at [t] is safe beside all that are busy; simultaneous ones are done one
-     * after the other, in their order.
+     * Whether the collision of [a] with [b] at [t] is safe together with all that are busy. Simultaneous collisions are
+     * done one after the other, in their order.
      */
     fun areFree(a: Int, b: Int, t: Double): Boolean {
         for (k in 0 until pairs.size) {
@@ -69,7 +69,7 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
         return true
     }
 
-    /** Whether any that is busy comes before [t]. */
+    /** Whether any busy collision comes before [t]. */
     fun hasBefore(t: Double): Boolean {
         for (k in 0 until pairs.size) if (pairs.time(k) < t) return true
         return false

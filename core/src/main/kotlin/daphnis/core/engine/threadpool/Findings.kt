@@ -3,7 +3,7 @@ package daphnis.core.engine.threadpool
 import daphnis.core.queue.EventStore
 import daphnis.core.queue.Schedule
 
-/** What one worker has found and not yet queued. What the two had queued that collide is dropped by [SafeQueue]. */
+/** What one worker has found and not yet queued. [SafeQueue] drops what the two colliding spheres had queued. */
 internal class Findings : Schedule {
     val events = EventStore()
 

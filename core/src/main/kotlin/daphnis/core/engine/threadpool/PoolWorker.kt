@@ -10,8 +10,8 @@ import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
 /**
- * What one thread of the pool has to itself, and what it does with a collision. Who may see a sphere that collides is
- * not searching at that moment; whoever searches later has the lock of the queue between.
+ * The data which one thread of the pool has to itself, and how it processes a collision. No sphere that may see a
+ * colliding sphere is searching at that moment. For a search that comes later, the lock of the queue lies between.
  */
 internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, val found: Findings = Findings()) :
     Impact(prepared, prepared.rows, found) {
@@ -23,12 +23,12 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
         found.clear()
     }
 
-    /** Finds what spheres [from] until [to] can hit before anybody has moved. */
+    /** Finds what spheres [from] until [to] can hit before any sphere has moved. */
     fun searchStart(from: Int, to: Int) {
         candidates.start(from, to, found)
     }
 
-    /** Processes [taken]; what becomes of the queue is in [found]. */
+    /** Processes [taken]; what is to be queued is in [found]. */
     fun processTaken(): End {
         found.clear()
         leaveTrail(taken.first)
@@ -36,7 +36,7 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
         return process(taken.time, taken.first, taken.second, taken.image)
     }
 
-    /** Keeps the path that [slot] is about to leave; nobody asks for it before it has been in a collision. */
+    /** Keeps the path that [slot] is about to leave; it is not read before the sphere has been in a collision. */
     private fun leaveTrail(slot: Int) {
         rows.state.copyInto(trails.rows, slot * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
         trails.early[slot] = taken.isEarly
@@ -50,8 +50,8 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
     }
 
     /**
-     * The search of a sphere that may come too late: whoever it sees may have been in a collision after it, and then
-     * its path of before counts until that one.
+     * The search of a sphere that may come too late. A sphere that it sees may have had a collision at a later time,
+     * and then that sphere's previous path counts until that collision.
      *
      * @return false when the sphere could have hit a path that has already been left
      */
@@ -79,12 +79,12 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
         val q = other * STRIDE
         val left = rows.state[q + TIME]
         if (left == 0.0 && trails.atZero[other] == NEVER_COLLIDED) return false
-        // Its collision at this very moment had its turn: all that comes before it in the order of events had been
-        // done.
+        // Its collision at this very time was taken in its turn: all that come before it in the order of events had
+        // been done.
         if (left == time && !trails.early[other]) return false
-        // Or it was with one of the two that collide now, hence before.
+        // Or it was with one of the two that collide now, and hence before this one.
         if (left == time && precedes(trails.partner[other])) return false
-        // What came before the path left last is not known; then it is taken for a hit if it could be one.
+        // The paths before the last one left are not known; if there could have been a hit, there counts as one.
         val isKnown = if (left == 0.0) {
             trails.atZero[other] == ONCE
         } else {
@@ -109,7 +109,7 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
         const val ONCE: Byte = 1
         const val OFTEN: Byte = 2
 
-        /** Relative; what touches to round-off counts as touching. */
+        /** Relative; spheres which touch to within round-off count as touching. */
         const val TOUCH = 1e-9
     }
 }

@@ -11,16 +11,16 @@ internal class Taken {
     var second = -1
     var image = 0
 
-    /** Whether it was taken before its turn: while an earlier one was being processed, or past one. */
+    /** Whether it was taken before its turn: while an earlier one was being processed, or after one was passed over. */
     var isEarly = false
 
-    /** Whether another, at this time or later, had been taken before its turn. */
+    /** Whether another collision, at this time or later, had been taken before its turn. */
     var isLate = false
 }
 
 /**
- * The synchronised queue: hands out the next collision that is safe beside all that are being processed **and** beside
- * every earlier one that was passed over because it was not. All fields are guarded by [lock].
+ * The synchronised queue: hands out the next collision that is safe together with all that are being processed **and**
+ * with every earlier one that was passed over because it was not safe. All fields are guarded by [lock].
  */
 internal class SafeQueue(private val busy: BusyCells, private val limits: StepLimits) {
     private val lock = SpinLock()
@@ -36,7 +36,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
     @Volatile
     private var changes = 0
 
-    /** Set when everybody has to stop: the queue is empty and nobody works, or somebody has given up. */
+    /** Set when all workers have to stop: the queue is empty and none works, or one has given up. */
     @Volatile
     var isOver = false
         private set
@@ -49,7 +49,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
         isOver = false
     }
 
-    /** Adds all of [found]; only while nobody works. */
+    /** Adds all of [found]; only while no worker works. */
     fun addAll(found: EventStore) {
         for (k in 0 until found.size) queue.add(found.time(k), found.first(k), found.second(k), found.image(k))
     }
@@ -95,7 +95,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
     private fun takeLocked(taken: Taken): Boolean {
         if (isOver) return false
         val isTaken = passOverTo(taken)
-        // Whatever is busy now and comes before it, being processed or passed over.
+        // Whether any that is busy now comes before it, being processed or passed over.
         if (isTaken) taken.isEarly = busy.hasBefore(taken.time)
         for (k in 0 until passedOver.size) busy.remove(passedOver.first(k), passedOver.second(k))
         addAll(passedOver)
@@ -111,7 +111,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
         return true
     }
 
-    /** Copies the first safe collision of the queue to [taken]; those before it are [passedOver], and busy. */
+    /** Copies the first safe collision of the queue to [taken]; those before it are [passedOver] and busy. */
     private fun passOverTo(taken: Taken): Boolean {
         passedOver.clear()
         while (passedOver.size < MOST_PASSED_OVER && queue.pop()) {
@@ -132,7 +132,7 @@ internal class SafeQueue(private val busy: BusyCells, private val limits: StepLi
     private companion object {
         const val NONE_TAKEN = -1.0
 
-        /** How many unsafe collisions a worker passes over before it rather waits. */
+        /** How many unsafe collisions a worker passes over before it waits instead. */
         const val MOST_PASSED_OVER = 16
     }
 }

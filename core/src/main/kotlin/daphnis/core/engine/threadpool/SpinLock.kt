@@ -3,8 +3,8 @@ package daphnis.core.engine.threadpool
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Mutual exclusion for some hundred nanoseconds at a time: whoever waits spins, and after a while lets others run, but
- * never sleeps. Not reentrant.
+ * Mutual exclusion for some hundred nanoseconds at a time. A thread that waits spins, and after a while yields to other
+ * threads, but never sleeps. Not reentrant.
  */
 internal class SpinLock {
     private val held = AtomicBoolean()

@@ -16,33 +16,34 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Section 4 of Lewis & Massingill: a thread handler runs the loops of a step in parallel, and then one loop a worker
- * that takes the next safe collision from the synchronised queue, processes it and queues what follows from it; a
- * worker waits while none is safe and ends when the queue is empty and nobody works.
+ * Section 4 of Lewis & Massingill: a thread handler runs the loops of a step in parallel, and then one loop per worker.
+ * A worker takes the next safe collision from the synchronised queue, processes it and queues what follows from it. It
+ * waits while none is safe, and ends when the queue is empty and no worker works.
  *
  * **Why that alone is not enough for the same bits, and what is done.** Collisions are processed at the same time only
- * when they are too far apart to see one another ([BusyCells]). Three things could still go wrong.
- * 1. *Overtaking*: collision F is unsafe and passed over, and a later one E near F is taken. Therefore what has been
- *    passed over is busy as well ([SafeQueue]).
- * 2. *Chains*: E was far from everything when it was taken, but an earlier collision, by way of others that it led to,
- *    reaches E's spheres at a time before E. Nothing can rule that out, since in a dense row a push runs as fast as one
- *    likes; so it is noticed. The last link of such a chain, G, is found by searching from a sphere c that collided at
- *    some t_c ≤ t_G. When c searches, E has been processed already (had it not, G would be queued before E and be taken
- *    first). E's sphere stands in the cells that c looks through, since it can really be hit, and its local time says
- *    t_E > t_G ≥ t_c. So: **whoever meets, while searching, a sphere with the same or a later local time looks whether
- *    it would have hit the path that this sphere has left**. If so it has come too late: the step is void, it is redone
- *    by the serial engine from the population, which has not been written, and counted in `causalityReplays`. If not,
- *    the later collision was right, and what the two can do afterwards is found from their paths as they are.
- * 3. That test would cost every search. But a sphere in sight with a later local time had its collision taken before
- *    this one was (two that are busy together are out of each other's sight), and taken early: while an earlier one was
- *    being processed, or past one, since otherwise it was the first of all there were. So only who comes after such a
- *    one (`isLate`) has to look. One worker alone never does.
+ * when they are too far apart to see one another ([BusyCells]). Three points remain.
+ * 1. *Overtaking*: collision F is unsafe and passed over, and a later one E near F is taken. Therefore a collision that
+ *    has been passed over is busy as well ([SafeQueue]).
+ * 2. *Chains*: E was far from all busy collisions when it was taken, but an earlier collision, by way of others that it
+ *    led to, reaches E's spheres at a time before E. Nothing can rule that out, since in a dense row an impulse travels
+ *    arbitrarily fast; so it is detected. The last link of such a chain, G, is found by searching from a sphere c that
+ *    collided at some t_c ≤ t_G. When c searches, E has been processed already: otherwise G would be queued before E
+ *    and be taken first. E's sphere is in the cells that c searches, since it can really be hit, and its local time is
+ *    t_E > t_G ≥ t_c. So: **a search which meets a sphere with the same or a later local time checks whether it would
+ *    have hit the path that this sphere has left**. If so, the search has come too late and the step is void. The
+ *    serial engine redoes it from the population, which has not been written, and it is counted in `causalityReplays`.
+ *    If not, the later collision was right, and later collisions of the two are found from their paths as they are.
+ * 3. *Cost*: that test would slow down every search. But when a sphere in sight has a later local time, its collision
+ *    was taken before this one, since two collisions that are busy together are out of each other's sight. It was also
+ *    taken early: while an earlier one was being processed, or after one was passed over. Otherwise it was the first of
+ *    all there were. So only a collision that comes after an early one (`isLate`) needs the test. One worker alone
+ *    never does.
  *
  * Simultaneous collisions are never busy together: they are done one after the other in the order of the queue.
  *
- * Hence in a step that is not void every collision saw the predecessors that it has in the serial order. In one that is
- * void, whatever happens may be false; so what it throws, a collapse or a refusal, is not thrown on but put before the
- * serial engine likewise.
+ * Hence in a step that is not void every collision saw the predecessors that it has in the serial order. In a void step
+ * anything that happens may be false. So a collapse or a refusal in it is not passed on; the step is left to the serial
+ * engine as well.
  *
  * @param handler the threads; closed with the engine
  * @param strategy of the loops over spheres; the first search is always dynamic, as in the paper
@@ -148,7 +149,7 @@ public class ThreadPoolEngine(
                 }
             }
         } catch (e: Throwable) {
-            // The others wait for this one's collision, which will never be returned.
+            // The other workers wait for this one's collision, which will never be returned.
             queue.stop()
             throw e
         }

@@ -3,15 +3,15 @@ package daphnis.core.engine.threadpool
 import daphnis.core.collision.StepRows.Companion.STRIDE
 
 /**
- * What each sphere was before its last collision. A row is written by whoever processes the sphere and read under the
- * same rule as the state.
+ * What each sphere was before its last collision. A row is written by the worker that processes the sphere, and is read
+ * under the same rule as the state.
  */
 internal class Trails {
     /** Rows like those of the step; meaningful for spheres that have collided. */
     var rows = DoubleArray(0)
         private set
 
-    /** By slot: how often it has collided at time 0, when the local time does not tell: 0, 1, or 2 for more often. */
+    /** By slot: how often it has collided at time 0, where the local time does not tell: 0, 1, or 2 for more often. */
     var atZero = ByteArray(0)
         private set
 

@@ -21,7 +21,10 @@ class BusyCellsTest {
     private val box = Box.centred(30.0, 50.0, 20.0)
     private val boundaries: List<BoundaryConditions> = listOf(Open, Periodic(box), LeesEdwards(box, 0.3), Walls(box))
 
-    /** Whether the two may see one another, image by image; those across the sheared faces may be anywhere along the slide. */
+    /**
+     * Whether the two may see one another, image by image; images across the sheared faces may be anywhere along the
+     * slide.
+     */
     private fun isNear(p: Population, field: IslandField, boundary: BoundaryConditions, a: Int, b: Int): Boolean {
         if (b < 0) return false
         val i = field.rows.origin[a]
