@@ -25,8 +25,7 @@ class SourceRulesTest {
     @Test
     fun `no file is longer than 300 lines`() {
         val files = (modules.map { "$it/src/main/kotlin" } + "src/main/kotlin").flatMap(::sources)
-        val long = files.filter { it.readLines().size > 300 }.map { it.name }.toSet()
-        assertEquals(LONG, long) { "files of more than 300 lines" }
+        assertEquals(emptyList<String>(), files.filter { it.readLines().size > 300 }.map { it.name })
     }
 
     @Test
@@ -41,7 +40,7 @@ class SourceRulesTest {
     }
 
     private companion object {
-        val LONG = setOf("CellRuns.kt", "Streamlines.kt")
+        /** A report says how to make the run again, and from when on to average. */
         val FLAGS = setOf("RunSection.kt", "SteadinessText.kt")
     }
 }
