@@ -1,6 +1,6 @@
 package daphnis.core.engine.islands
 
-/** Decides which spheres a worker may take into its islands. */
+/** Says which spheres a worker may take into its islands. */
 public fun interface ClaimRule {
     public fun mayClaim(slot: Int): Boolean
 }
