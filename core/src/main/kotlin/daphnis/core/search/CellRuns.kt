@@ -1,6 +1,5 @@
 package daphnis.core.search
 
-import daphnis.core.api.EngineApi
 import kotlin.math.ceil
 import kotlin.math.floor
 
@@ -10,7 +9,6 @@ import kotlin.math.floor
  *
  * @param closer bounds on other spheres which are closer than the reach for which the grid was built; null for none
  */
-@EngineApi
 public class CellRuns(private val grid: Grid, private val closer: RowBounds? = null) : SlotRuns() {
     private val levels = grid.levels
 

@@ -1,10 +1,8 @@
 package daphnis.core.search
 
-import daphnis.core.api.EngineApi
 import daphnis.core.boundary.Images
 
 /** Runs of slots, each with the image of its spheres. The arrays grow and keep their size. */
-@EngineApi
 public abstract class SlotRuns internal constructor() {
     /** First slot of each run. */
     public var from: IntArray = IntArray(INITIAL)
