@@ -150,4 +150,14 @@ class EventQueueTest {
             assertEquals((99 downTo 1).filter { it != 50 && it != 51 }, order) { "round $round" }
         }
     }
+
+    @Test
+    fun `the first slot that becomes known may be any`() {
+        val heap = EventHeap(1)
+        heap.reset(1.0, IntArray(0), 0)
+        heap.include(7, IntArray(8) { it })
+        heap.add(0.5, 7, -1, 0)
+        assertTrue(heap.pop())
+        assertEquals(7, heap.first)
+    }
 }
