@@ -4,6 +4,8 @@ import daphnis.core.Sphere
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
+import daphnis.core.parallel.RangeBody
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -143,5 +145,35 @@ class StepRowsTest {
             assertEquals(if (tracks) 0.5 else 0.0, rows.lastCollision[1])
             assertEquals(others, listOf(0, 2).map { rows.everything(it) })
         }
+    }
+
+    /** Pieces of two at most, the last first. */
+    private object Pieces : RangeLoop {
+        override val workers: Int get() = 1
+
+        override fun run(size: Int, grain: Int, body: RangeBody) {
+            for (from in (0 until size step 2).reversed()) body.run(0, from, minOf(from + 2, size))
+        }
+    }
+
+    @Test
+    fun `a step taken over and brought to its end piece by piece is the same`() {
+        val order = intArrayOf(3, 0, 4, 1, 2)
+        val whole = population(5)
+        val pieces = population(5)
+        val rows = StepRows().apply { load(whole, order, 2.0, true) }
+        val others = StepRows().apply {
+            load(whole, order, 2.0, true)
+            marks.fill(9)
+            load(pieces, order, 2.0, true, Pieces)
+        }
+        for (slot in 0 until 5) assertEquals(rows.everything(slot), others.everything(slot)) { "slot $slot" }
+        rows.store(whole, 2.0)
+        others.store(pieces, 2.0, Pieces)
+        val columns = { p: Population ->
+            listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision).map { it.toList() }
+        }
+        assertEquals(columns(whole), columns(pieces))
+        assertEquals(order.toList(), pieces.id.toList())
     }
 }

@@ -10,13 +10,14 @@ import org.junit.jupiter.api.Test
 
 /** Times of contact with walls, asked directly; whole steps are in [KnownCollisionsTest]. */
 class WallContactTest {
-    private val box = Box(0.0, 0.0, 0.0, 10.0, 8.0, 6.0)
+    private val box = Box(0.0, 1.0, 0.0, 10.0, 8.0, 6.0)
 
     private fun walls(e: Double, vararg walled: Boolean) = WallContact().apply { prepare(Walls(box, e, walled)) }
 
     /** In slot 1, behind one that is elsewhere. */
     private fun rows(s: Sphere) = StepRows().apply {
-        load(populationOf(Sphere(x = 5.0, y = 5.0, z = 5.0, vx = 9.0, vy = 9.0, vz = 9.0), s), intArrayOf(0, 1), 1.0, false)
+        val other = Sphere(x = 5.0, y = 5.0, z = 5.0, vx = 9.0, vy = 9.0, vz = 9.0)
+        load(populationOf(other, s), intArrayOf(0, 1), 1.0, false)
     }
 
     @Test
@@ -40,7 +41,7 @@ class WallContactTest {
 
     @Test
     fun `the time counts from the local time of the sphere, to the face it moves to`() {
-        val rows = rows(Sphere(x = 4.0, y = 3.0, z = 2.0, vx = 2.0, vy = -0.5, vz = 0.25, r = 0.5))
+        val rows = rows(Sphere(x = 4.0, y = 4.0, z = 2.0, vx = 2.0, vy = -0.5, vz = 0.25, r = 0.5))
         rows.state[StepRows.STRIDE + StepRows.TIME] = 0.25
         val all = walls(1.0, true, true, true)
         val expected = listOf(NEVER, 0.25 + 2.75, 0.25 + 5.0, NEVER, NEVER, 0.25 + 14.0)

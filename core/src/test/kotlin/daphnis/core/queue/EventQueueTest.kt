@@ -160,4 +160,17 @@ class EventQueueTest {
         assertTrue(heap.pop())
         assertEquals(7, heap.first)
     }
+
+    @Test
+    fun `a reset forgets what has not come out`() {
+        for (queue in queues) {
+            for (popped in 0..2) {
+                queue.reset(1.0, IntArray(4) { it }, 4)
+                for (k in 0..2) queue.add(0.25 * k, k, k + 1, 0)
+                repeat(popped) { assertTrue(queue.pop()) }
+                queue.reset(1.0, IntArray(4) { it }, 4)
+                assertFalse(queue.pop()) { "$popped, ${queue.javaClass.simpleName}" }
+            }
+        }
+    }
 }

@@ -19,7 +19,8 @@ import org.junit.jupiter.api.Test
 
 /** The bound on how far spheres go in a step, worked out by hand: 5 % of headroom, a tenth of the fastest at least. */
 class ReachTest {
-    private val population = populationOf(Sphere(vx = 1.0, vy = -2.0), Sphere(x = 9.0, y = 5.0, z = -7.0, vx = -4.0))
+    private val population =
+        populationOf(Sphere(vx = 1.0, vy = -2.0, r = 0.1), Sphere(x = 9.0, y = 5.0, z = -7.0, vx = -4.0, r = 0.1))
 
     private fun reach(p: Population = population, boundary: BoundaryConditions = Open, duration: Double = 0.5) =
         Reach().apply { measure(p, boundary, duration) }
@@ -59,14 +60,31 @@ class ReachTest {
     }
 
     @Test
+    fun `what counts is where a sphere ends, not how fast it got there`() {
+        // Half way it is 1 to the left of its start, and from there goes 1.5: 0.5 or 2.5 away in the end, of 2.1.
+        for ((v, isOutrun) in listOf(6.0 to false, -6.0 to true)) {
+            val rows = rows(0, v, 0.25).apply { state[STRIDE] -= 1.0 }
+            assertEquals(isOutrun, reach().isOutrun(rows, 1, population, 0.5)) { "$v" }
+        }
+    }
+
+    @Test
+    fun `spheres that contacts cannot be computed for are refused, and no sphere at all is not`() {
+        val tiny = populationOf(Sphere(r = 1e-80))
+        val message = assertThrows(IllegalArgumentException::class.java) { reach(tiny) }.message!!
+        assertTrue("smallest radius" in message) { message }
+        assertNear(listOf(0.0, 0.0, 0.0), reach(populationOf()).bound)
+    }
+
+    @Test
     fun `after an excess there is room for twice as much, and more headroom, which fades`() {
         // Whichever of the two is named first.
         for ((first, second) in listOf(1 to -1, 1 to 0, 0 to 1)) {
             val reach = reach()
-            val rows = rows(1, -3.0)
+            val rows = rows(1, -3.5)
             reach.enlarge(rows, first, second, population, 0.5)
-            // 2 + 2 · (3 − 2) along y; 5 % by half as much again.
-            assertNear(listOf(4 * 1.075, 4 * 1.075, 0.4 * 1.075), reach.speed)
+            // 2 + 2 · (3.5 − 2) along y, a tenth of it along z; 5 % by half as much again.
+            assertNear(listOf(4 * 1.075, 5 * 1.075, 0.5 * 1.075), reach.speed)
             assertEquals(false, reach.isOutrun(rows, 1, population, 0.5))
             reach.measure(population, Open, 0.5)
             assertNear(listOf(4 * 1.0735, 2 * 1.0735, 0.4 * 1.0735), reach.speed)
