@@ -38,11 +38,11 @@ class AxesAlikeTest {
         }
         val code = Images.code(boxes[order[0]], boxes[order[1]], boxes[order[2]])
 
-        private fun sphere(k: Int) = Sphere(
-            v[k + order[0]], v[k + order[1]], v[k + order[2]],
-            v[k + 3 + order[0]], v[k + 3 + order[1]], v[k + 3 + order[2]],
-            r = 0.6, m = 1.0 + k,
-        )
+        private fun sphere(k: Int): Sphere {
+            val (x, y, z) = order.map { v[k + it] }
+            val (vx, vy, vz) = order.map { v[k + 3 + it] }
+            return Sphere(x, y, z, vx, vy, vz, r = 0.6, m = 1.0 + k)
+        }
 
         /** Of both spheres after their collision at [time]: place and velocity by the x, y, z of the draw. */
         fun collided(images: Images, time: Double): List<Double> {
