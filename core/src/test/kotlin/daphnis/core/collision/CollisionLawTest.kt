@@ -88,4 +88,26 @@ class CollisionLawTest {
             assertEquals(0.0, rows.lastCollision[0])
         }
     }
+
+    @Test
+    fun `a component that no impulse changes has no sign of zero`() {
+        for (axis in 0..2) {
+            fun along(v: Double) = DoubleArray(3) { if (it == axis) v else -0.0 }
+            val x = along(2.0)
+            val v = along(1.0)
+            val rest = along(0.0)
+            val rows = rows(
+                Sphere(vx = v[0], vy = v[1], vz = v[2]),
+                Sphere(x[0], x[1], x[2], rest[0], rest[1], rest[2]),
+            )
+            CollisionLaw(ConstantRestitution(1.0)).collide(rows, 0, 1, 0, images, 0.0, outcome)
+            for (slot in 0..1) {
+                for (k in 0..2) {
+                    val expected = if (slot == 1 && k == axis) 1.0 else 0.0
+                    val u = rows.state[slot * StepRows.STRIDE + StepRows.VX + k]
+                    assertEquals(expected.toRawBits(), u.toRawBits()) { "along $axis, slot $slot, component $k" }
+                }
+            }
+        }
+    }
 }

@@ -83,4 +83,22 @@ class CollisionRecordTest {
         record.addAll(source, 7, 7)
         assertEquals(first + source.all().subList(100, 4900), record.all())
     }
+
+    @Test
+    fun `each number of a collision is found under its name`() {
+        val outcome = CollisionOutcome().apply {
+            impactSpeed = 2.0
+            coefficient = 0.5
+            impulse = 7.0
+            separationX = -0.0
+            separationY = 3.0
+            separationZ = -4.0
+            rank = 6
+        }
+        val record = CollisionRecord()
+        repeat(2) { record.add(0.25, 1, 9, outcome) }
+        assertEquals(listOf(0.25, 6, 1, 9), listOf(record.time[1], record.rank[1], record.lower[1], record.higher[1]))
+        assertEquals(listOf(2.0, 0.5, 7.0), listOf(record.impactSpeed(1), record.coefficient(1), record.impulse(1)))
+        assertEquals(listOf(0.0, 3.0, -4.0), List(3) { record.separation(1, it) })
+    }
 }

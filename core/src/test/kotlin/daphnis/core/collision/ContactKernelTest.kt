@@ -105,4 +105,14 @@ class ContactKernelTest {
             assertTrue(pair.timeToContact().isNaN())
         }
     }
+
+    @Test
+    fun `a pair that grazes to the last bit touches, one that slides along its contact does not`() {
+        // b² = 9 = a c: at the end of three units of way they are side by side, 2 apart.
+        assertEquals(3.0, timeToContact(3.0, 2.0, 0.0, -1.0, 0.0, 0.0, 2.0))
+        for (distance in listOf(2.0, 1.0)) {
+            assertEquals(NEVER, timeToContact(distance, 0.0, 0.0, 0.0, 1.0, 0.0, 2.0))
+            assertEquals(NEVER, timeToContact(distance, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0))
+        }
+    }
 }

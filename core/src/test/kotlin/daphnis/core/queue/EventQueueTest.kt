@@ -147,4 +147,27 @@ class EventQueueTest {
             assertEquals((99 downTo 1).filter { it != 50 && it != 51 }, order) { "round $round" }
         }
     }
+
+    @Test
+    fun `the first slot that becomes known may be any`() {
+        val heap = EventHeap(1)
+        heap.reset(1.0, IntArray(0), 0)
+        heap.include(7, IntArray(8) { it })
+        heap.add(0.5, 7, -1, 0)
+        assertTrue(heap.pop())
+        assertEquals(7, heap.first)
+    }
+
+    @Test
+    fun `a reset forgets what has not come out`() {
+        for (queue in queues) {
+            for (popped in 0..2) {
+                queue.reset(1.0, IntArray(4) { it }, 4)
+                for (k in 0..2) queue.add(0.25 * k, k, k + 1, 0)
+                repeat(popped) { assertTrue(queue.pop()) }
+                queue.reset(1.0, IntArray(4) { it }, 4)
+                assertFalse(queue.pop()) { "$popped, ${queue.javaClass.simpleName}" }
+            }
+        }
+    }
 }

@@ -1,0 +1,28 @@
+package daphnis.core.collision
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+
+class CollisionCountersTest {
+    private fun counters(first: Long) = CollisionCounters().apply {
+        collisions = first
+        wallCollisions = first + 1
+        guardActivations = first + 2
+        redoneSteps = first + 3
+        causalityReplays = first + 4
+    }
+
+    private fun CollisionCounters.all() =
+        listOf(collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays)
+
+    @Test
+    fun `each number is added, taken over and cleared by itself`() {
+        val counters = counters(10)
+        counters.add(counters(200))
+        assertEquals(listOf(210L, 212L, 214L, 216L, 218L), counters.all())
+        counters.set(counters(3000))
+        assertEquals(counters(3000).all(), counters.all())
+        counters.clear()
+        assertEquals(List(5) { 0L }, counters.all())
+    }
+}
