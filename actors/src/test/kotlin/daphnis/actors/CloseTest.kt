@@ -41,8 +41,9 @@ class CloseTest {
     }
 
     /**
-     * One step of an engine that is closed meanwhile: all or nothing, and what it says is so. @return whether it was
-     * done
+     * One step of an engine that is closed meanwhile: all or nothing, and what it says is so.
+     *
+     * @return whether it was done
      */
     private fun assertWhole(engine: CollisionEngine, step: CollisionStep, about: String): Boolean {
         val thrown = runCatching { engine.advance(step) }.exceptionOrNull()

@@ -22,14 +22,16 @@ public class OutputState internal constructor(private val output: String) {
     }
 
     /**
-     * A copy of the numbers under [name]. @throws IllegalStateException when there are none, or when they are whole
-     * numbers
+     * A copy of the numbers under [name].
+     *
+     * @throws IllegalStateException when there are none, or when they are whole numbers
      */
     public fun doubles(name: String): DoubleArray = (array(name) as? DoubleArray ?: wrong(name, "not doubles")).copyOf()
 
     /**
-     * A copy of the numbers under [name]. @throws IllegalStateException when there are none, or when they are not whole
-     * numbers
+     * A copy of the numbers under [name].
+     *
+     * @throws IllegalStateException when there are none, or when they are not whole numbers
      */
     public fun longs(name: String): LongArray = (array(name) as? LongArray ?: wrong(name, "not longs")).copyOf()
 

@@ -163,7 +163,9 @@ public class AnalysisInput internal constructor(
         }
 
         /**
-         * Holds what is read beside the states against what the run says it wrote. @return what differs and is accepted
+         * Holds what is read beside the states against what the run says it wrote.
+         *
+         * @return what differs and is accepted
          */
         private fun checked(run: RunDirectory, scenario: Scenario?, acceptLoss: Boolean): List<String> {
             val record = RunRecord.of(run)

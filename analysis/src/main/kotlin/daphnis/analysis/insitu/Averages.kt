@@ -58,8 +58,9 @@ public class Averages(
     }
 
     /**
-     * Takes in one more state. @throws IllegalStateException when the measure gives another number of numbers than
-     * before
+     * Takes in one more state.
+     *
+     * @throws IllegalStateException when the measure gives another number of numbers than before
      */
     public fun add(state: State) {
         val sample = if (pooled != null) pooled.sums(state) else measure.of(state)

@@ -79,8 +79,8 @@ public interface WritableFormat : SnapshotFormat {
  * How snapshots are to be written.
  *
  * @property version the version of daphnis to name as creator
- * @property scale factor on lengths and velocities; null for the default of the format @property units the scenario's
- *   units in SI units; then numbers are written in SI units
+ * @property scale factor on lengths and velocities; null for the default of the format
+ * @property units the scenario's units in SI units; then numbers are written in SI units
  */
 public class ExportOptions(
     public val version: String,
@@ -92,7 +92,7 @@ public class ExportOptions(
  * What was written.
  *
  * @property path the file to open, or the directory with the files
- * @property scale factor by which lengths and velocities were multiplied @property remark one line on what a user
- *   should know about the files; null when there is nothing
+ * @property scale factor by which lengths and velocities were multiplied
+ * @property remark one line on what a user should know about the files; null when there is nothing
  */
 public class Exported(public val path: Path, public val scale: Double = 1.0, public val remark: String? = null)

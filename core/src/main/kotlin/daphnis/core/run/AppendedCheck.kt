@@ -9,8 +9,8 @@ import java.nio.file.Path
 /**
  * Compares the files to which a run appends with what a checkpoint knows of them.
  *
- * @property problems one line for each file that does not hold what the run wrote, with its name @property beginnings
- *   of the files that do, to continue from
+ * @property problems one line for each file that does not hold what the run wrote, with its name
+ * @property beginnings of the files that do, to continue from
  */
 internal class AppendedCheck(private val directory: RunDirectory, private val meta: CheckpointMeta) {
     val problems = ArrayList<String>()

@@ -11,7 +11,8 @@ import kotlin.io.path.name
  * checkpoint, so no line is there twice. The checksum is updated as the file grows, so nothing is read again.
  *
  * @param header names of the columns, separated by commas
- * @param kept the beginning to continue from, or null to start a new file @param clock nanoseconds
+ * @param kept the beginning to continue from, or null to start a new file
+ * @param clock nanoseconds
  */
 internal class AppendedFile(
     private val path: Path,

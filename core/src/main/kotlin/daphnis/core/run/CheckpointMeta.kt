@@ -7,10 +7,13 @@ import kotlinx.serialization.Serializable
  * What a checkpoint holds besides the spheres.
  *
  * @property appended each file that is only appended to, by name in the run directory, up to the checkpoint: what lies
- *   beyond was written later and is cut off on resume @property whole files that are written anew with each checkpoint,
- *   by name; with `summary.json` in the last checkpoint of a run @property losses what was lost of tables, and accepted
- *   on a resume, since the start of the run; one line each @property collisionSums of the statistics of collisions,
- *   when they are kept; likewise [impactSpeeds]
+ *   beyond was written later and is cut off on resume
+ *
+ * @property whole files that are written anew with each checkpoint, by name; with `summary.json` in the last checkpoint
+ *   of a run
+ *
+ * @property losses what was lost of tables, and accepted on a resume, since the start of the run; one line each
+ * @property collisionSums of the statistics of collisions, when they are kept; likewise [impactSpeeds]
  */
 @Serializable
 internal class CheckpointMeta(

@@ -10,8 +10,8 @@ import java.nio.file.Path
 /**
  * A checkpoint from which a run can continue.
  *
- * @property beginnings of the files to which it appends, by name @property losses what was lost of them and accepted,
- *   now or earlier, one line each
+ * @property beginnings of the files to which it appends, by name
+ * @property losses what was lost of them and accepted, now or earlier, one line each
  */
 internal class GoodCheckpoint(
     val checkpoint: Checkpoint,
@@ -44,8 +44,8 @@ internal class Checkpoints(private val directory: RunDirectory) {
     /**
      * The last checkpoint that is intact and agrees with the appended files; null when there never was one.
      *
-     * @param acceptLoss when the files agree with none, to continue from the last intact one with what they hold @param
-     *   notices receives one line for each thing skipped or lost
+     * @param acceptLoss when the files agree with none, to continue from the last intact one with what they hold
+     * @param notices receives one line for each thing skipped or lost
      * @throws InputException when none can be used
      */
     fun lastGood(acceptLoss: Boolean, notices: MutableList<String>): GoodCheckpoint? {

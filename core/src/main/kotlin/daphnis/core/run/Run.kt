@@ -18,8 +18,8 @@ import java.util.function.BooleanSupplier
  * A scenario or a [Program] being run in a run directory. Made by [start] or [resume], and run once by [execute]. One
  * thread.
  *
- * @property resumedFrom the step from which it continues; 0 at a start @property notices what a user should know, one
- *   line each, such as [warnings] or a damaged checkpoint that was skipped
+ * @property resumedFrom the step from which it continues; 0 at a start
+ * @property notices what a user should know, one line each, such as [warnings] or a damaged checkpoint that was skipped
  */
 public class Run internal constructor(
     public val directory: RunDirectory,
@@ -47,10 +47,12 @@ public class Run internal constructor(
     /**
      * Advances to the end.
      *
-     * @param watcher an output that is called after all others; nothing of it is kept @param cancelled called before
-     *   every step; when it returns true, the run ends with a checkpoint and a summary marked unfinished
-     * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stays @throws
-     *   IllegalStateException when it has been called before; [resume] continues the run
+     * @param watcher an output that is called after all others; nothing of it is kept
+     * @param cancelled called before every step; when it returns true, the run ends with a checkpoint and a summary
+     *   marked unfinished
+     *
+     * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stays
+     * @throws IllegalStateException when it has been called before; [resume] continues the run
      */
     @JvmOverloads
     public fun execute(watcher: Output = Output { }, cancelled: BooleanSupplier = BooleanSupplier { false }): Summary {
@@ -173,10 +175,11 @@ public class Run internal constructor(
          * first one.
          *
          * @param until a new end, or null for the scenario's
-         * @param acceptLoss whether to continue with damaged tables as they are; [notices] tell what is lost @param
-         *   outputs as at [start]; what other outputs had saved is dropped, and [notices] tell that
+         * @param acceptLoss whether to continue with damaged tables as they are; [notices] tell what is lost
+         * @param outputs as at [start]; what other outputs had saved is dropped, and [notices] tell that
          * @throws InputException when there is no run, no checkpoint can be used, a table is damaged, or the scenario
          *   was changed in a way that makes another run
+         *
          * @throws RunException when the directory cannot be written
          */
         @JvmStatic

@@ -7,8 +7,8 @@ import java.nio.file.Files
 /**
  * The tables that outputs of a run write into [directory], and what a checkpoint keeps about them (ADR 33).
  *
- * @param beginnings of tables, by name, to continue from; a table without one starts as a new file @param clock
- *   nanoseconds; rows that have waited for a second are written
+ * @param beginnings of tables, by name, to continue from; a table without one starts as a new file
+ * @param clock nanoseconds; rows that have waited for a second are written
  */
 internal class RunFiles(
     private val directory: RunDirectory,

@@ -16,8 +16,9 @@ import daphnis.core.scenario.ScenarioSetup
  * @property name the name of the run in the summary
  * @property until time at which it ends
  * @property endSlack how much a whole number of steps may fall short of [until] by round-off
- * @property output how often each file is written @property own further outputs, by name @property sums of the
- *   simulation's population, shared by all outputs
+ * @property output how often each file is written
+ * @property own further outputs, by name
+ * @property sums of the simulation's population, shared by all outputs
  */
 internal class RunPlan(
     val scenario: ResolvedScenario?,

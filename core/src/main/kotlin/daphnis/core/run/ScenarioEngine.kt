@@ -8,8 +8,9 @@ import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.ScenarioParts
 
 /**
- * The engine that [scenario] asks for. @throws InputException when [engines] has none of that name and number of
- * threads
+ * The engine that [scenario] asks for.
+ *
+ * @throws InputException when [engines] has none of that name and number of threads
  */
 public fun engineOf(scenario: ScenarioParts, source: String, engines: EngineFactory = Engines): CollisionEngine {
     val spec = scenario.engine

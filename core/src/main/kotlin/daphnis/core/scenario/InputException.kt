@@ -6,10 +6,10 @@ import daphnis.core.format.oneLine
  * Thrown when the input is wrong. [message] is one line that names the source, the key, the value and what would be
  * right. Control characters in these, on which a terminal would act, are replaced.
  *
- * @property source file or built-in that has the key, or the argument of the call @property key dotted path, or null
- *   when the whole file is meant @property wayOut what the caller can do about it with other arguments; null when the
- *   message is complete @property isArgument whether [source] is an argument of the call, for which a caller may have
- *   another name
+ * @property source file or built-in that has the key, or the argument of the call
+ * @property key dotted path, or null when the whole file is meant
+ * @property wayOut what the caller can do about it with other arguments; null when the message is complete
+ * @property isArgument whether [source] is an argument of the call, for which a caller may have another name
  */
 public class InputException(
     public val source: String,

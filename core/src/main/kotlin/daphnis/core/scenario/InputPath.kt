@@ -6,8 +6,9 @@ import java.nio.file.Path
 /**
  * The path that a user means by [word].
  *
- * @param source where the word is, for messages; with [key] @throws InputException when no file can have that name
- *   here: it holds a NUL, or letters that the locale's encoding does not have
+ * @param source where the word is, for messages; with [key]
+ * @throws InputException when no file can have that name here: it holds a NUL, or letters that the locale's encoding
+ *   does not have
  */
 public fun inputPath(word: String, source: String, key: String? = null): Path = try {
     Path.of(word)

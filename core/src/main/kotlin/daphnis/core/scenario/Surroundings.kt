@@ -6,8 +6,8 @@ import daphnis.core.boundary.Box
 /**
  * Space and time of a scenario, without a population.
  *
- * @property box where spheres are placed; that of [boundary] unless it is open @property boundary without what forces
- *   add, such as the surface of a moon
+ * @property box where spheres are placed; that of [boundary] unless it is open
+ * @property boundary without what forces add, such as the surface of a moon
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
  * @property end time at which the run ends
  * @property timeStep [TimeStepSpec.Fixed], or [TimeStepSpec.CellCrossing] with or without its cell

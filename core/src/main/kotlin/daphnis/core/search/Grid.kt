@@ -94,8 +94,9 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
      *
      * @param reach bound along x, y, z; with zeros, spheres that touch at the start are found
      * @param loop runs the loops over spheres
-     * @param structure whether sizes are kept apart @throws IllegalArgumentException when a periodic box is so thin
-     *   compared with the range that images beyond ±[ImageRange.MOST_BOXES] would matter
+     * @param structure whether sizes are kept apart
+     * @throws IllegalArgumentException when a periodic box is so thin compared with the range that images beyond
+     *   ±[ImageRange.MOST_BOXES] would matter
      */
     public fun build(
         population: Population,

@@ -12,8 +12,8 @@ import kotlin.math.sqrt
 /**
  * The deepest overlap in a population.
  *
- * @property first id of one sphere, −1 when none overlap; likewise [second] @property depth (r₁ + r₂ − distance) / (r₁
- *   + r₂); 0 when none overlap
+ * @property first id of one sphere, −1 when none overlap; likewise [second]
+ * @property depth (r₁ + r₂ − distance) / (r₁ + r₂); 0 when none overlap
  */
 public class Overlap private constructor(public val first: Int, public val second: Int, public val depth: Double) {
     public companion object {

@@ -101,8 +101,8 @@ public class IslandField(workers: Int, internal val prepared: PreparedStep = Pre
      * Enlarges the bound for the sphere that went beyond it.
      *
      * @throws IllegalArgumentException when it cannot be enlarged, see [Reach.enlarge]; since the path of the sphere
-     *   was a guess, that does not mean that the step is refused @throws IllegalStateException when it has been
-     *   enlarged too often: only false paths need that
+     *   was a guess, that does not mean that the step is refused
+     * @throws IllegalStateException when it has been enlarged too often: only false paths need that
      */
     public fun enlarge() {
         check(++enlarged <= MOST_ENLARGED) { "false paths outrun every bound" }

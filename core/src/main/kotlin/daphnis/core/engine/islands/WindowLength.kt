@@ -4,9 +4,9 @@ package daphnis.core.engine.islands
  * How many potential collisions a window should hold: many, so that there are few barriers, but so few that islands
  * seldom grow into one another. Learnt from how many islands had to be processed again. Any length gives the same bits.
  *
- * @param least the smallest window, as a share of all spheres @param most the largest one, as a share; beyond it
- *   islands have to be compared with too many other islands @param leastSeeds potential collisions that a window may
- *   hold whatever the share
+ * @param least the smallest window, as a share of all spheres
+ * @param most the largest one, as a share; beyond it islands have to be compared with too many other islands
+ * @param leastSeeds potential collisions that a window may hold whatever the share
  */
 internal class WindowLength(
     private val least: Double = 0.001,
