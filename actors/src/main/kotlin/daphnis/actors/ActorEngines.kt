@@ -7,11 +7,13 @@ import daphnis.core.engine.EngineFactory
 
 /** The engines of this module. */
 public object ActorEngines : EngineFactory {
-    override val names: List<String> = listOf("actors", "pekko")
+    private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
+        "actors" to { RegionActorEngine(it) },
+        "pekko" to { PekkoEngine(it) },
+    )
 
-    override fun create(name: String, threads: Int): CollisionEngine? = when (name) {
-        "actors" -> RegionActorEngine(EngineFactory.threadsOrAll(threads))
-        "pekko" -> PekkoEngine(EngineFactory.threadsOrAll(threads))
-        else -> null
-    }
+    override val names: List<String> = makers.keys.toList()
+
+    override fun create(name: String, threads: Int): CollisionEngine? =
+        makers[name]?.invoke(EngineFactory.threadsOrAll(threads))
 }

@@ -8,12 +8,14 @@ import daphnis.core.engine.threadpool.ThreadPoolEngine
 
 /** The engines of this module. */
 public object Engines : EngineFactory {
-    override val names: List<String> = listOf("islands", "thread-pool", "serial")
+    private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
+        "islands" to { IslandsEngine(it) },
+        "thread-pool" to { ThreadPoolEngine(it) },
+        "serial" to { SerialEngine() },
+    )
 
-    override fun create(name: String, threads: Int): CollisionEngine? = when (name) {
-        "serial" -> SerialEngine()
-        "thread-pool" -> ThreadPoolEngine(EngineFactory.threadsOrAll(threads))
-        "islands" -> IslandsEngine(EngineFactory.threadsOrAll(threads))
-        else -> null
-    }
+    override val names: List<String> = makers.keys.toList()
+
+    override fun create(name: String, threads: Int): CollisionEngine? =
+        makers[name]?.invoke(EngineFactory.threadsOrAll(threads))
 }

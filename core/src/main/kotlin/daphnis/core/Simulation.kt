@@ -158,6 +158,17 @@ public class Simulation @JvmOverloads constructor(
         AutoCloseable { collisions?.close() }.use { outputs.close() }
     }
 
+    /** Does [act] while no step can begin. */
+    internal inline fun hold(act: () -> Unit) {
+        check(!busy) { "a step is under way" }
+        busy = true
+        try {
+            act()
+        } finally {
+            busy = false
+        }
+    }
+
     private companion object {
         const val CLOSED = "the simulation is closed"
     }

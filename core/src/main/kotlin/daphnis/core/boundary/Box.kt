@@ -78,6 +78,7 @@ public class Box(
         )
 
         /** The whole of space. */
+        @JvmField
         public val UNBOUNDED: Box = Double.POSITIVE_INFINITY.let { Box(-it, -it, -it, it, it, it) }
     }
 }

@@ -76,6 +76,7 @@ public class Images {
         public const val FARTHEST: Int = 127
 
         /** The code of the image [x], [y], [z] boxes away, each within ±[FARTHEST]. */
+        @JvmStatic
         public fun code(x: Int, y: Int, z: Int): Int = (x and 0xff) or ((y and 0xff) shl 8) or ((z and 0xff) shl 16)
 
         /** Boxes away along [axis]. */

@@ -13,6 +13,7 @@ public interface EngineFactory {
 
     public companion object {
         /** [threads], or as many as the machine has when that is 0. */
+        @JvmStatic
         public fun threadsOrAll(threads: Int): Int = if (threads == 0) {
             Runtime.getRuntime().availableProcessors()
         } else {

@@ -40,6 +40,8 @@ public object H5md : ReadableFormat, WritableFormat {
      * @param units the scenario's units in SI units; then the numbers are written in SI units, and every dataset has
      *   its `unit`
      */
+    @JvmStatic
+    @JvmOverloads
     public fun write(snapshots: List<Snapshot>, path: Path, version: String, units: SiUnits? = null) {
         require(snapshots.isNotEmpty()) { "no frame to write" }
         val first = snapshots.first()

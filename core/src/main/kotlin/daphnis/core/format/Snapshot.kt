@@ -56,6 +56,8 @@ public class Snapshot(
 
     public companion object {
         /** Copies the state of [population] at [step] and [time]. */
+        @JvmStatic
+        @JvmOverloads
         public fun of(
             population: Population,
             boundary: BoundaryConditions,

@@ -34,6 +34,7 @@ public class Run internal constructor(
     public val resumedFrom: Long = simulation.step
     private val secondsBefore = from?.checkpoint?.meta?.wallSeconds ?: 0.0
     private var isExecuted = false
+    private var isClosed = false
 
     /** The scenario that is run; null for a [Program]. */
     public val scenario: ResolvedScenario? get() = plan.scenario
@@ -52,10 +53,11 @@ public class Run internal constructor(
      *   marked unfinished
      *
      * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stays
-     * @throws IllegalStateException when it has been called before; [resume] continues the run
+     * @throws IllegalStateException when it has been called before, or the run is closed; [resume] continues it
      */
     @JvmOverloads
     public fun execute(watcher: Output = Output { }, cancelled: BooleanSupplier = BooleanSupplier { false }): Summary {
+        check(!isClosed) { "this run is closed" }
         check(!isExecuted) { "this run was executed before; resume continues it" }
         isExecuted = true
         try {
@@ -89,13 +91,13 @@ public class Run internal constructor(
         fun carryOut(cancelled: BooleanSupplier): Summary {
             outputs.open(simulation, if (from == null) Opening.START else Opening.RESUME)
             if (from == null) {
-                outputs.write(simulation)
+                show()
                 checkpoint(0.0)
             }
             var finished = isDone()
             while (!finished && !cancelled.asBoolean) {
                 advance()
-                outputs.write(simulation)
+                show()
                 files.flushIfDue()
                 finished = isDone()
                 if (!finished && isDue(plan.output.checkpointEvery, simulation.step)) checkpoint(seconds())
@@ -107,21 +109,34 @@ public class Run internal constructor(
             return summary
         }
 
-        /** One step. When it fails, the state before it is kept as a checkpoint. */
+        /** The outputs look at the state, and cannot change it meanwhile. */
+        private fun show() {
+            simulation.hold { outputs.write(simulation) }
+        }
+
+        /**
+         * One step. When it fails, the state before it is kept as a checkpoint; not of a [Program], whose functions may
+         * have changed what they save.
+         */
         private fun advance() {
             try {
                 simulation.advance()
             } catch (e: RuntimeException) {
-                checkpoint(seconds())
+                keepStateBefore(e)
                 throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}", e)
             } catch (e: Error) {
-                // There may be no memory for it, and then only the error matters.
-                try {
-                    checkpoint(seconds())
-                } catch (another: Throwable) {
-                    if (another !== e) e.addSuppressed(another)
-                }
+                keepStateBefore(e)
                 throw e
+            }
+        }
+
+        private fun keepStateBefore(e: Throwable) {
+            if (plan.scenario == null) return
+            try {
+                checkpoint(seconds())
+            } catch (another: Throwable) {
+                // A full disk, or no memory for it; what ended the step matters more.
+                if (another !== e) e.addSuppressed(another)
             }
         }
 
@@ -145,6 +160,7 @@ public class Run internal constructor(
     }
 
     override fun close() {
+        isClosed = true
         plan.use { lock.close() }
     }
 

@@ -35,13 +35,18 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
         private const val SNAPSHOTS = "snapshots"
         private const val COLLISIONS = "collisions"
 
+        private const val LONGEST_NAME = 200
+
         /** Names that no other output may have. */
         val RESERVED: Set<String> = setOf(SERIES, TRANSPORT, SNAPSHOTS, COLLISIONS)
 
-        /** @throws IllegalArgumentException when one of [names] is taken or empty */
+        /** @throws IllegalArgumentException when one of [names] is taken, empty or too long */
         fun requireFree(names: Set<String>) {
             for (name in names) {
                 require(name.isNotBlank()) { "an output has no name; the checkpoint knows it by one" }
+                require(name.length <= LONGEST_NAME) {
+                    "an output has a name of ${name.length} characters; it can have $LONGEST_NAME"
+                }
                 require(name !in RESERVED) { "an output is called '$name'; ${RESERVED.joinToString()} are taken" }
             }
         }

@@ -19,6 +19,8 @@ public object BuiltIn {
     }
 
     /** The scenario [name], with `path=value` [settings] applied. */
+    @JvmStatic
+    @JvmOverloads
     public fun scenario(name: String, settings: List<String> = emptyList()): Scenario = ScenarioJson.parse(
         text(name)
             ?: throw InputException(

@@ -40,6 +40,8 @@ public object ScenarioJson {
     }
 
     /** Reads the file [path]. */
+    @JvmStatic
+    @JvmOverloads
     public fun read(path: Path, settings: List<String> = emptyList()): Scenario {
         val text = try {
             if (Files.size(path) > LARGEST) {
@@ -57,9 +59,11 @@ public object ScenarioJson {
     }
 
     /** The whole scenario, with every default written out. */
+    @JvmStatic
     public fun write(scenario: Scenario): String = json.encodeToString(Scenario.serializer(), scenario) + "\n"
 
     /** The text for the file of a run directory, which [read] reads as a scenario. */
+    @JvmStatic
     public fun write(scenario: ResolvedScenario): String = write(scenario.document)
 
     private fun parseTree(text: String, source: String): JsonElement = try {

@@ -52,6 +52,8 @@ public class ScenarioSetup private constructor(
          * @param state the population to continue with, or null for the initial state that the scenario describes
          *   @throws InputException for anything that is wrong
          */
+        @JvmStatic
+        @JvmOverloads
         public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup {
             val check = ValueCheck(source)
             val around = Surroundings.of(scenario, source)
