@@ -74,7 +74,7 @@ class FailingProgramTest {
     private fun digest(path: Path) = Summary.read(path.resolve("summary.json")).stateDigest
 
     @Test
-    fun `a step that fails leaves the checkpoint from before the force changed, and the run goes on to the same bits`() {
+    fun `a failed step leaves the checkpoint of before, and the run goes on to the same bits`() {
         val whole = home.resolve("whole").also { path ->
             Run.start(TiringGas(late = nothing), path).use { it.execute() }
         }
