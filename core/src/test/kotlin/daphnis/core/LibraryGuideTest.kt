@@ -25,7 +25,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
-import java.nio.file.Files
 import java.nio.file.Path
 
 // The examples of docs/library.md, compiled and run. A test compares the text.
@@ -195,21 +194,31 @@ class LibraryGuideTest {
     }
 
     @Test
-    fun `the guide shows this code`() {
-        val root = generateSequence(Path.of("").toAbsolutePath()) {
-            it.parent
-        }.first { Files.exists(it.resolve("settings.gradle.kts")) }
-        val guide = Files.readString(root.resolve("docs/library.md"))
+    fun `the snippet of the first page`() {
+        // example: readme
+        val scenario = BuiltIn.scenario("cooling-gas", settings = listOf("particles.count=200"))
+        val setup = ScenarioSetup.of(scenario, "cooling-gas")
+        val collisions = CollisionForcing(setup.restitution, setup.guard)
+        val simulation = Simulation(setup.population, setup.boundary, collisions, setup.timeStep, setup.forces)
+        simulation.use { while (it.time < 2.0) it.advance() }
+        println("${collisions.counters.collisions} collisions, digest ${stateDigest(setup.population)}")
+        // end
+        assertTrue(collisions.counters.collisions > 0)
+    }
+
+    @Test
+    fun `the guide and the first page show this code`() {
+        val guide = Repository.read("docs/library.md") + Repository.read("README.md")
         val code = listOf("kotlin/daphnis/core/LibraryGuideTest.kt", "java/daphnis/core/run/JavaProgramTest.java")
-            .joinToString("\n") { Files.readString(root.resolve("core/src/test/$it")) }
+            .joinToString("\n") { Repository.read("core/src/test/$it") }
         val examples = Regex(
             """// example: (\w+)\n(.*?)\n\s*// end\n""",
             RegexOption.DOT_MATCHES_ALL,
         ).findAll(code).toList()
-        assertEquals(8, examples.size)
+        assertEquals(9, examples.size)
         for (example in examples) {
             assertTrue(example.groupValues[2].trimIndent() in guide) {
-                "docs/library.md lacks the example '${example.groupValues[1]}' as it stands here"
+                "docs/library.md and README lack the example '${example.groupValues[1]}' as it stands here"
             }
         }
     }

@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.core.Repository
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import java.nio.file.Files
@@ -44,9 +45,7 @@ internal object NumberNames {
     fun assertNamed(expected: List<String>, path: Path) {
         val names = Files.readAllLines(path.resolve("tables/numbers.csv")).drop(1).map { it.substringBefore(',') }
         assertEquals(expected, names)
-        val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-            .first { Files.exists(it.resolve("settings.gradle.kts")) }
-        val guide = Files.readString(root.resolve("docs/analysis.md"))
+        val guide = Repository.read("docs/analysis.md")
         for (name in expected) assertTrue("`$name`" in guide) { "docs/analysis.md lacks `$name`" }
     }
 }

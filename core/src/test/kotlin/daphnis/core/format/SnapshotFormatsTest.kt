@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.Repository
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.Kept.Presence
@@ -107,16 +108,14 @@ class SnapshotFormatsTest {
         once(SnapshotFormats.all.map { it.title })
         once(SnapshotFormats.writable.map { it.word })
         once(SnapshotFormats.readable.flatMap { it.extensions })
-        val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-            .first { Files.exists(it.resolve("settings.gradle.kts")) }
-        val scenarios = Files.readAllLines(root.resolve("docs/scenario.md"))
+        val scenarios = Repository.read("docs/scenario.md").lines()
         val masses = mapOf(Presence.ALWAYS to "kept", Presence.IF_THERE to "kept if present", Presence.NEVER to "none")
         for (format in SnapshotFormats.readable) {
             val row = scenarios.single { it.startsWith("| `.${format.extensions.first()}`") }
             for (ending in format.extensions) assertTrue("`.$ending`" in row) { row }
             assertTrue(row.endsWith("| ${masses[format.keeps.masses]} |")) { row }
         }
-        val guide = Files.readString(root.resolve("docs/guide.md"))
+        val guide = Repository.read("docs/guide.md")
         for (format in SnapshotFormats.writable) assertTrue("--format ${format.word} " in guide) { format.word }
     }
 }

@@ -1,5 +1,6 @@
 package daphnis.core.table
 
+import daphnis.core.Repository
 import daphnis.core.run.CollisionColumns
 import daphnis.core.run.ImpactColumns
 import daphnis.core.run.Run
@@ -36,9 +37,7 @@ class TableColumnsTest {
 
     @Test
     fun `the guide has a table for each file, with every column and its dimension`() {
-        val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-            .first { Files.exists(it.resolve("settings.gradle.kts")) }
-        val guide = Files.readAllLines(root.resolve("docs/guide.md"))
+        val guide = Repository.read("docs/guide.md").lines()
         for (table in tables) {
             val head = guide.indexOf("| `${table.file}` | dimension | what |")
             assertTrue(head >= 0) { "docs/guide.md has no table of the columns of ${table.file}" }

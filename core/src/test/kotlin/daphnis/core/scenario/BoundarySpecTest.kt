@@ -1,0 +1,47 @@
+package daphnis.core.scenario
+
+import daphnis.core.Repository
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.everyBoundary
+import kotlinx.serialization.descriptors.PolymorphicKind
+import kotlinx.serialization.descriptors.SerialDescriptor
+import kotlinx.serialization.descriptors.elementDescriptors
+import kotlinx.serialization.json.Json
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** A boundary that scenarios can name is in the reference and under the contract of boundaries. */
+class BoundarySpecTest {
+    private val kinds: List<SerialDescriptor> = BoundarySpec.serializer().descriptor.let { sealed ->
+        assertEquals(PolymorphicKind.SEALED, sealed.kind)
+        sealed.getElementDescriptor(1).elementDescriptors.toList()
+    }
+
+    @Test
+    fun `the reference has a row for every boundary, with its keys`() {
+        val rows = Repository.read("docs/scenario.md").lines()
+            .dropWhile { !it.startsWith("| `boundary.type` |") }.drop(2).takeWhile { it.startsWith("|") }
+            .associate { row -> row.split('|').map { it.trim() }.let { it[1].trim('`') to it[2] } }
+        assertEquals(kinds.map { it.serialName }.toSet(), rows.keys)
+        for (kind in kinds) {
+            for (k in 0 until kind.elementsCount) {
+                val key = kind.getElementName(k)
+                assertTrue("`$key`" in rows.getValue(kind.serialName)) { "${kind.serialName}: $key" }
+            }
+        }
+    }
+
+    @Test
+    fun `the contract of boundaries holds what every one of them makes`() {
+        val contracted = everyBoundary().map { it.conditions.javaClass }.toSet()
+        for (kind in kinds) {
+            val needed = (0 until kind.elementsCount).filterNot { kind.isElementOptional(it) }
+                .joinToString("") { ""","${kind.getElementName(it)}":0.25""" }
+            val spec = Json.decodeFromString(BoundarySpec.serializer(), """{"type":"${kind.serialName}"$needed}""")
+            val made = spec.conditions(Box.centred(4.0, 4.0, 4.0), 1.0, "test")
+            assertTrue(made.javaClass in contracted) { "${kind.serialName}: $made is not in everyBoundary()" }
+            assertTrue("$spec".startsWith(kind.serialName)) { "$spec" }
+        }
+    }
+}
