@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.Repository
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.everyBoundary
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.PolymorphicKind
 import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.descriptors.elementDescriptors
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** A boundary that scenarios can name is in the reference and under the contract of boundaries. */
+@OptIn(ExperimentalSerializationApi::class)
 class BoundarySpecTest {
     private val kinds: List<SerialDescriptor> = BoundarySpec.serializer().descriptor.let { sealed ->
         assertEquals(PolymorphicKind.SEALED, sealed.kind)
