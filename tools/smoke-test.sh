@@ -65,7 +65,7 @@ kill -TERM $pid
 code=0
 wait $pid || code=$?
 [ $code -eq 130 ] || die "interrupted: exit code $code instead of 130"
-grep -q 'go on with: daphnis resume' out || die "interrupted: does not say how to go on"
+grep -q 'continue with: daphnis resume' out || die "interrupted: does not say how to go on"
 
 code=0
 daphnis run elastic-gas --set until=-1 --out bad 2>err || code=$?

@@ -99,7 +99,8 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         if (!path.isDirectory()) throw InputException(path.toString(), null, "is no directory")
         if (holdsRun()) return
         val isCutShort = origins.any { files.besideOf(it).exists() }
-        val why = if (isCutShort) "its start was cut short, run the scenario again" else "it has no $SCENARIO"
+        val missing = "it has neither $SCENARIO nor $PROGRAM"
+        val why = if (isCutShort) "its start was cut short, run the scenario again" else missing
         throw InputException(path.toString(), null, "is no run directory: $why")
     }
 

@@ -43,9 +43,10 @@ public class Reach {
         loop: RangeLoop = InlineLoop,
     ) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
-        fastest[0] = extremes.measure(population.vx, population.size, loop).magnitude
-        fastest[1] = extremes.measure(population.vy, population.size, loop).magnitude
-        fastest[2] = extremes.measure(population.vz, population.size, loop).magnitude
+        for (axis in 0 until AXES) {
+            fastest[axis] = extremes.measure(population.velocity(axis), population.size, loop).magnitude
+            require(!extremes.hasNaN) { "a sphere has a velocity along ${"xyz"[axis]} that is not a number" }
+        }
         extremes.measure(population.radius, population.size, loop)
         if (population.size > 0) {
             Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)
