@@ -6,6 +6,7 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
+import daphnis.core.population.firstNotFinite
 
 /**
  * The phases of a step, for the code which drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] ·
@@ -66,18 +67,9 @@ public class StepPhases(
         for (k in forces.indices.reversed()) forces[k].afterDrift(population, end, duration)
     }
 
-    /**
-     * Takes one sum over everything, which is NaN or infinite as soon as one number is. Cheap compared with a step.
-     *
-     * @throws IllegalStateException when the state is not finite; its message says [at] which step and time
-     */
+    /** @throws IllegalStateException when the state is not finite; its message says [at] which step and time */
     public fun checkFinite(at: () -> String) {
-        val p = population
-        loop.run(p.size) { _, from, to ->
-            var sum = 0.0
-            for (k in from until to) sum += (p.x[k] + p.y[k] + p.z[k] + p.vx[k] + p.vy[k] + p.vz[k]) * 0.0
-            check(sum == 0.0) { "the state is no longer finite after ${at()}" }
-        }
+        population.firstNotFinite(loop)?.let { error("the state is no longer finite after ${at()}: $it") }
     }
 
     /** The step stands. */

@@ -33,7 +33,8 @@ public interface CollisionEngine : AutoCloseable {
      * @throws CollapseException when one sphere has more than 10,000 collisions in a row while time stands still: each
      *   at most 1e-13 of the step after the one before
      * @throws IllegalArgumentException when a sphere meets images too far away, when the step has more than 2,000,000
-     *   collisions and 1000 for each sphere, or when sizes, speeds and duration are too far apart to compute contacts.
+     *   collisions and 1000 for each sphere, when a number of the population is not finite, or when sizes, speeds
+     *   and duration are too far apart to compute contacts.
      *   Like the state, whether a step fails, and with which exception, is the same for every engine. That does not
      *   hold for an [Error], which a parallel engine passes on from wherever it came
      * @throws IllegalStateException after [close]

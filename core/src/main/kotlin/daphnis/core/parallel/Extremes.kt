@@ -2,15 +2,11 @@ package daphnis.core.parallel
 
 import kotlin.math.abs
 
-/** Least, greatest and greatest absolute entry of an array, found by all workers of a loop. NaN is none of them. */
+/** Least, greatest and greatest absolute entry of an array, found by all workers of a loop. NaN is ignored. */
 public class Extremes {
     public var least: Double = Double.POSITIVE_INFINITY
         private set
     public var greatest: Double = Double.NEGATIVE_INFINITY
-        private set
-
-    /** Whether an entry is NaN. */
-    public var hasNaN: Boolean = false
         private set
 
     /** max |a|; 0 for an empty array. */
@@ -20,22 +16,18 @@ public class Extremes {
     public fun measure(a: DoubleArray, size: Int, loop: RangeLoop): Extremes {
         least = Double.POSITIVE_INFINITY
         greatest = Double.NEGATIVE_INFINITY
-        hasNaN = false
         loop.run(size, RangeLoop.GRAIN * 4) { _, from, to ->
             var low = Double.POSITIVE_INFINITY
             var high = Double.NEGATIVE_INFINITY
-            var unknown = false
             // These branches are nearly always predicted; Math.min and Math.max would depend on each other.
             for (k in from until to) {
                 val v = a[k]
                 if (v < low) low = v
-                // No NaN is at most anything, so that it is found without a comparison of its own.
-                if (!(v <= high)) if (v.isNaN()) unknown = true else high = v
+                if (v > high) high = v
             }
             synchronized(this) {
                 if (low < least) least = low
                 if (high > greatest) greatest = high
-                hasNaN = hasNaN || unknown
             }
         }
         return this

@@ -6,6 +6,7 @@ import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
+import daphnis.core.population.firstNotFinite
 import kotlin.math.abs
 
 /**
@@ -34,7 +35,7 @@ public class Reach {
      * Computes the bounds from all velocities and radii of [population] for a step of [duration] within [boundary].
      *
      * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are searched,
-     *   or when sizes, speeds and duration are beyond what can be computed
+     *   when a number of the population is not finite, or when sizes, speeds and duration are beyond what can be computed
      */
     public fun measure(
         population: Population,
@@ -43,10 +44,10 @@ public class Reach {
         loop: RangeLoop = InlineLoop,
     ) {
         headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
-        for (axis in 0 until AXES) {
-            fastest[axis] = extremes.measure(population.velocity(axis), population.size, loop).magnitude
-            require(!extremes.hasNaN) { "a sphere has a velocity along ${"xyz"[axis]} that is not a number" }
-        }
+        population.firstNotFinite(loop)?.let { throw IllegalArgumentException("$it; it must be finite") }
+        fastest[0] = extremes.measure(population.vx, population.size, loop).magnitude
+        fastest[1] = extremes.measure(population.vy, population.size, loop).magnitude
+        fastest[2] = extremes.measure(population.vz, population.size, loop).magnitude
         extremes.measure(population.radius, population.size, loop)
         if (population.size > 0) {
             Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)

@@ -153,6 +153,32 @@ class RefusalsAgreeTest {
     }
 
     @Test
+    fun `a number that is not finite is refused, with its name, wherever it stands`() {
+        val columns = mapOf<String, (Population) -> DoubleArray>(
+            "x" to { it.x },
+            "y" to { it.y },
+            "z" to { it.z },
+            "vx" to { it.vx },
+            "vy" to { it.vy },
+            "vz" to { it.vz },
+            "radius" to { it.radius },
+            "mass" to { it.mass },
+        )
+        for ((name, column) in columns) {
+            for (bad in listOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY)) {
+                for (boundary in listOf(Open, box)) {
+                    val ends = engines().map { engine ->
+                        val start = scaled(1.0, 1.0)
+                        column(start)[2] = bad
+                        engine.use { end(start, boundary, it) }
+                    }
+                    assertEquals(setOf("$name of particle 2 is $bad; it must be finite"), ends.toSet())
+                }
+            }
+        }
+    }
+
+    @Test
     fun `scales whose squares underflow or overflow are refused, with the number and the reason`() {
         for ((length, speed, dt) in listOf(
             Triple(1e-100, 1e-100, 1.0),

@@ -1,0 +1,41 @@
+package daphnis.core.population
+
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import java.util.concurrent.atomic.AtomicBoolean
+
+/**
+ * The first number that is infinite or NaN, such as "vx of particle 3 is NaN", or null when there is none. Looks at
+ * positions, velocities, radii and masses. One sum over everything, which is not 0 as soon as one number is not finite:
+ * cheap compared with a step.
+ */
+public fun Population.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
+    val suspect = AtomicBoolean()
+    loop.run(size) { _, from, to ->
+        var sum = 0.0
+        for (k in from until to) {
+            sum += x[k] * 0.0 + y[k] * 0.0 + z[k] * 0.0 + vx[k] * 0.0 + vy[k] * 0.0 + vz[k] * 0.0
+            sum += radius[k] * 0.0 + mass[k] * 0.0
+        }
+        if (sum != 0.0) suspect.set(true)
+    }
+    return if (suspect.get()) nameNotFinite() else null
+}
+
+private fun Population.nameNotFinite(): String? {
+    val columns = listOf(
+        "x" to x,
+        "y" to y,
+        "z" to z,
+        "vx" to vx,
+        "vy" to vy,
+        "vz" to vz,
+        "radius" to radius,
+        "mass" to mass,
+    )
+    for ((name, column) in columns) {
+        val k = (0 until size).firstOrNull { !column[it].isFinite() } ?: continue
+        return "$name of particle ${id[k]} is ${column[k]}"
+    }
+    return null
+}
