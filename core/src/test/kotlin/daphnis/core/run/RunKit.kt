@@ -48,13 +48,9 @@ internal fun Run.toStep(step: Long): Summary = use { it.execute(cancelled = { it
 
 /** Tables and states of a run by name, but for what says how long it took. */
 internal fun results(directory: Path): Map<String, String> = buildMap {
-    for (name in listOf(
-        "series.csv",
-        "transport.csv",
-        "impacts.csv",
-        "collisions.csv",
-    )) {
-        put(name, Files.readString(directory.resolve(name)))
+    for (name in PeriodicOutputs.all.flatMap { it.files }) {
+        val file = directory.resolve(name)
+        if (Files.exists(file)) put(name, Files.readString(file))
     }
     val run = RunDirectory(directory)
     for (step in run.snapshotSteps()) put("snapshot $step", run.readSnapshot(step).let { f -> H5Sum.of(f) })
