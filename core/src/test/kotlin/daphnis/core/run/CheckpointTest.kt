@@ -137,7 +137,9 @@ class CheckpointTest {
         }
         val expected = results(home.resolve("whole"))
         val found = results(directory.path)
-        for (table in PeriodicOutputs.all.flatMap { it.files }) assertEquals(expected[table], found[table])
+        for (table in listOf("series.csv", "transport.csv", "impacts.csv", "collisions.csv")) {
+            assertEquals(expected.getValue(table), found.getValue(table)) { table }
+        }
         fun saved(run: RunDirectory) = Checkpoint.read(run.checkpoint).outputs.getValue("transport")
         val sums = saved(RunDirectory(home.resolve("whole"))).doubles("collisionSums")
         assertTrue(sums.size > 13) { "remainders of rounding are among them" }
