@@ -73,8 +73,7 @@ internal class Checkpoint(val head: Head, val population: Population, val output
             }
         }
 
-        private fun columns(p: Population) =
-            listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision)
+        private fun columns(p: Population) = listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision)
 
         /** @throws CheckpointException with one line that says what is wrong with the file */
         fun read(path: Path): Checkpoint {

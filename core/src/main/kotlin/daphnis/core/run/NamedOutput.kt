@@ -12,11 +12,8 @@ import java.io.UncheckedIOException
  * out as a [RunException] with the step and [title]; only an [IOException] is passed on as it is, also from within the
  * [UncheckedIOException] that Java code throws instead. An [Error] is passed on.
  */
-internal class NamedOutput(
-    private val title: String,
-    private val output: Output,
-    private val simulation: Simulation,
-) : Output {
+internal class NamedOutput(private val title: String, private val output: Output, private val simulation: Simulation) :
+    Output {
     override fun open(simulation: Simulation, opening: Opening): Unit = named { output.open(simulation, opening) }
 
     override fun write(simulation: Simulation): Unit = named { output.write(simulation) }

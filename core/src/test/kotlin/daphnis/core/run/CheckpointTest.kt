@@ -58,8 +58,8 @@ class CheckpointTest {
         for (name in listOf("SCEN", "IDS ", "POSX", "IMGZ", "OUTS", "END.")) {
             val at = text.lastIndexOf(name)
             for (bit in 0 until 32) {
-                val bad = good.copyOf().also { it[at + bit / 8] = (it[at + bit / 8].toInt() xor (1 shl bit % 8)).toByte() }
-                Files.write(file, bad)
+                Files.write(file, good)
+                flip(file, at + bit / 8, bit % 8)
                 val e = assertThrows(CheckpointException::class.java, { Checkpoint.read(file) }) { "$name, bit $bit" }
                 assertTrue("damaged" in e.message.orEmpty() || "cut short" in e.message.orEmpty()) { e.message }
             }
