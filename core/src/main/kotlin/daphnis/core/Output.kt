@@ -8,6 +8,9 @@ package daphnis.core
  * state in the checkpoint: [save] gives it, [restore] takes it back before [open]. All calls come from the thread that
  * drives the simulation; [close] comes from the thread that closes it, never while another call is under way. An output
  * given as a lambda has [write] only.
+ *
+ * An exception from any of these functions ends a run, with a [daphnis.core.run.RunException] that names the output and
+ * the step and has it as its cause. A [Simulation] alone passes it on as it is.
  */
 public fun interface Output {
     /**
@@ -18,7 +21,10 @@ public fun interface Output {
      */
     public fun write(simulation: Simulation)
 
-    /** Called once, before the first [write]. An exception from here is passed on, and [close] is not called. */
+    /**
+     * Called before the first [write]. When it throws, the output is not open: [close] is not called for it, and a
+     * [Simulation] that is advanced again calls this again. After it has returned it is not called again.
+     */
     public fun open(simulation: Simulation, opening: Opening) {}
 
     /** Called when the run has come to its end, after the last [write]. A [Simulation] alone does not call it. */
@@ -36,7 +42,7 @@ public fun interface Output {
      */
     public fun restore(state: OutputState) {}
 
-    /** Called once at the end, whatever ended the run, provided that [open] was called. */
+    /** Called once at the end, whatever ended the run, provided that [open] has returned. */
     public fun close() {}
 }
 

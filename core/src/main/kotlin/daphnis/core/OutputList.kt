@@ -18,7 +18,7 @@ internal class OutputList(private val outputs: List<Output>) {
     val isEmpty: Boolean get() = outputs.isEmpty()
 
     /** Opens those that are not yet open. */
-    fun open(simulation: Simulation, opening: Opening) = use {
+    fun open(simulation: Simulation, opening: Opening) = whileInUse {
         while (opened < outputs.size) {
             outputs[opened].open(simulation, opening)
             opened++
@@ -26,7 +26,7 @@ internal class OutputList(private val outputs: List<Output>) {
     }
 
     /** Shows the state to the outputs that have not seen it. */
-    fun write(simulation: Simulation) = use {
+    fun write(simulation: Simulation) = whileInUse {
         while (shown < outputs.size) {
             outputs[shown].write(simulation)
             shown++
@@ -34,7 +34,7 @@ internal class OutputList(private val outputs: List<Output>) {
         shown = 0
     }
 
-    fun finish(simulation: Simulation) = use { for (output in outputs) output.finish(simulation) }
+    fun finish(simulation: Simulation) = whileInUse { for (output in outputs) output.finish(simulation) }
 
     /**
      * Closes those that are open, last to first, each even if another throws. A call under way on another thread ends
@@ -50,20 +50,25 @@ internal class OutputList(private val outputs: List<Output>) {
         closeOpened()
     }
 
-    private inline fun use(act: () -> Unit) {
+    /** Does [act], and then closes the outputs if that was asked for meanwhile. */
+    private inline fun whileInUse(act: () -> Unit) {
         synchronized(lock) {
             check(!isClosed) { "the simulation is closed" }
             inUse = true
         }
         try {
             act()
-        } finally {
-            val isLast = synchronized(lock) {
-                inUse = false
-                isClosed
-            }
-            if (isLast) closeOpened()
+        } catch (e: Throwable) {
+            if (isOver()) AutoCloseable { closeOpened() }.use { throw e }
+            throw e
         }
+        if (isOver()) closeOpened()
+    }
+
+    /** Ends the use. @return whether the outputs are to be closed now */
+    private fun isOver(): Boolean = synchronized(lock) {
+        inUse = false
+        isClosed
     }
 
     private fun closeOpened() {

@@ -2,6 +2,7 @@ package daphnis.core
 
 import daphnis.core.boundary.Open
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
 import java.util.concurrent.CountDownLatch
@@ -75,6 +76,19 @@ class OutputsTest {
         assertEquals(listOf("c close", "b close", "a close"), calls.takeLast(3))
         simulation.close()
         assertEquals(9, calls.size) { "$calls" }
+    }
+
+    @Test
+    fun `what an output throws is not lost to what closing throws afterwards`() {
+        val first = IllegalArgumentException("first")
+        val closing = Output {
+            it.close()
+            throw first
+        }
+        val simulation = simulation(Told("a") { it == "close" }, closing)
+        assertSame(first, assertThrows(IllegalArgumentException::class.java) { simulation.advance() })
+        assertEquals(listOf("a fails"), first.suppressed.map { it.message })
+        assertEquals(listOf("a open START", "a write 0", "a close"), calls)
     }
 
     @Test

@@ -3,6 +3,7 @@ package daphnis.app.describe
 import daphnis.app.describe.Quantities.Companion.bytes
 import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.FixedTimeStep
+import daphnis.core.run.PeriodicOutputs
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.search.Grid
@@ -32,15 +33,13 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun outputs() {
-        val output = scenario.output
-        fun times(every: Int) = if (every == 0) 0.0 else Math.floor(steps / every) + 1
-        val last = if (output.snapshotEvery > 0 && steps % output.snapshotEvery == 0.0) 0 else 1
-        val snapshots = times(output.snapshotEvery) + last
-        row("snapshots", snapshots, snapshots * (SNAPSHOT_BYTES * size + SNAPSHOT_HEAD))
-        row("rows of series.csv", times(output.seriesEvery), times(output.seriesEvery) * SERIES_BYTES)
-        row("rows of transport.csv", times(output.transportEvery), times(output.transportEvery) * TRANSPORT_BYTES)
+        for (output in PeriodicOutputs.all) {
+            val cost = output.cost(output.every(scenario.output), steps, size) ?: continue
+            val count = cost.count
+            val disk = cost.bytes
+            if (count == null || disk == null) rows.add("outputs", cost.what) else row(cost.what, count, disk)
+        }
         row("checkpoints kept", 2.0, 2 * CHECKPOINT_BYTES * size)
-        if (output.collisionLog) rows.add("outputs", "collisions.csv, some $LOG_BYTES B per collision")
     }
 
     private fun row(what: String, count: Double, disk: Double) {
@@ -91,13 +90,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         const val SLACK = 1e-6
         const val MOST_WRITTEN = 1e12
 
-        /** Measured: positions and velocities hardly compress. */
-        const val SNAPSHOT_BYTES = 63.0
-        const val SNAPSHOT_HEAD = 3100.0
         const val CHECKPOINT_BYTES = 76.0
-        const val SERIES_BYTES = 150.0
-        const val TRANSPORT_BYTES = 480.0
-        const val LOG_BYTES = 150
 
         const val STEP_SECONDS = 0.25e-6
         const val WALK_SECONDS = 0.05e-6

@@ -100,7 +100,9 @@ public class ExactSum {
 
     /**
      * Numbers whose sum without round-off is this sum: its value, the value of the remainder, and so on. Usually they
-     * are few. [addAll] of them gives this sum again. Empty for 0. Allocates.
+     * are few, at most 40 for a finite value. [addAll] of them gives this sum again. A sum beyond the largest double
+     * takes as many of these as it is large; one that would take more than 64 numbers is given by its [value], which is
+     * infinite. Empty for 0. Allocates.
      */
     public fun parts(): List<Double> {
         if (special != 0.0) return listOf(special)
@@ -110,6 +112,7 @@ public class ExactSum {
             while (true) {
                 val part = rest.value().coerceIn(-Double.MAX_VALUE, Double.MAX_VALUE)
                 if (part == 0.0) break
+                if (size == MOST_PARTS) return listOf(value())
                 add(part)
                 rest.add(-part)
             }
@@ -215,6 +218,8 @@ public class ExactSum {
 
         /** The last bit of the largest double, in bits from the last bit of the least. */
         const val MOST_POSITION = 2045
+
+        const val MOST_PARTS = 64
 
         /** Each term adds up to 2^52 to a chunk. */
         const val MOST_PENDING = 1024

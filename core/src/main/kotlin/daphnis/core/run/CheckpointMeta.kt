@@ -13,7 +13,6 @@ import kotlinx.serialization.Serializable
  *   of a run
  *
  * @property losses what was lost of tables, and accepted on a resume, since the start of the run; one line each
- * @property collisionSums of the statistics of collisions, when they are kept; likewise [impactSpeeds]
  */
 @Serializable
 internal class CheckpointMeta(
@@ -27,8 +26,6 @@ internal class CheckpointMeta(
     val wallSeconds: Double,
     val appended: Map<String, FileMark> = emptyMap(),
     val whole: Map<String, FileMark> = emptyMap(),
-    val collisionSums: List<Double> = emptyList(),
-    val impactSpeeds: List<Long> = emptyList(),
     val losses: List<String> = emptyList(),
 ) {
     /** Sets [counters] to the stored counts. */
@@ -39,25 +36,4 @@ internal class CheckpointMeta(
         counters.redoneSteps = redoneSteps
         counters.causalityReplays = causalityReplays
     }
-}
-
-/** [CheckpointMeta] as format 2 has it. */
-@Serializable
-internal class CheckpointMeta2(
-    val step: Long,
-    val time: Double,
-    val collisions: Long,
-    val wallCollisions: Long,
-    val guardActivations: Long,
-    val redoneSteps: Long,
-    val causalityReplays: Long,
-    val wallSeconds: Double,
-    val fileLengths: Map<String, Long>,
-    val collisionSums: List<Double> = emptyList(),
-    val impactSpeeds: List<Long> = emptyList(),
-) {
-    fun current() = CheckpointMeta(
-        step, time, collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays, wallSeconds,
-        fileLengths.mapValues { FileMark(it.value) }, emptyMap(), collisionSums, impactSpeeds,
-    )
 }

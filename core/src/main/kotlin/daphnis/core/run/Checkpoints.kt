@@ -33,8 +33,7 @@ internal class Checkpoints(private val directory: RunDirectory) {
 
     /** @param saved what outputs have saved, by name */
     fun write(meta: CheckpointMeta, scenario: String, population: Population, saved: Map<String, OutputState>) {
-        val own = saved - RunOutputs.TRANSPORT
-        files.writeWhole(directory.newCheckpoint) { Checkpoint.write(meta, scenario, population, own, it) }
+        files.writeWhole(directory.newCheckpoint) { Checkpoint.write(meta, scenario, population, saved, it) }
         if (isLastGood) files.move(directory.checkpoint, directory.previousCheckpoint)
         files.move(directory.newCheckpoint, directory.checkpoint)
         files.forceDirectory(directory.path)

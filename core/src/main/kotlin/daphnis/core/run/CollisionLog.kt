@@ -3,10 +3,27 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.TableColumns
+
+/** The declaration of [CollisionLog]. A log cannot begin in the middle of a run, nor end there. */
+internal object CollisionLogOutput : PeriodicOutput("collisions", OutputSpec::collisionLog) {
+    private const val ROW_BYTES = 150
+
+    override val tables: List<TableColumns> get() = listOf(CollisionColumns)
+    override val readsCollisions: Boolean get() = true
+
+    override fun mayChange(then: Int, now: Int): Boolean = then == now
+
+    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost? =
+        if (every > 0) OutputCost("${CollisionColumns.file}, some $ROW_BYTES B per collision") else null
+
+    override fun make(every: Int, sums: StepSums, files: RunFiles): Output? =
+        if (every > 0) CollisionLog(files) else null
+}
 
 /** `collisions.csv`: one row per collision, in time order. */
 internal class CollisionLog(files: RunFiles) : Output {
@@ -31,7 +48,7 @@ internal class LoggedCollision(val step: Long, val record: CollisionRecord) {
 
 /** The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
 public object CollisionColumns : TableColumns {
-    internal val rows = Columns<LoggedCollision>(RunDirectory.COLLISIONS)
+    internal val rows = Columns<LoggedCollision>("collisions.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 

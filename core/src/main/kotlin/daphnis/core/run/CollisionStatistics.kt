@@ -49,13 +49,14 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
 
     /**
      * All sums as numbers, which a run that continues gives to [restore]: the number of collisions, the values of the
-     * sums, and then the remainders of rounding those, as pairs of the sum's number and a part.
+     * sums, and then the remainders of rounding those, as pairs of the sum's number and a part, at most 63 for each sum.
      */
     public fun sums(): List<Double> = buildList {
+        val parts = sums.map { it.parts() }
         add(count.toDouble())
-        for (sum in sums) add(sum.value())
-        for (k in sums.indices) {
-            for (rest in sums[k].parts().drop(1)) {
+        for (part in parts) add(part.firstOrNull() ?: 0.0)
+        for (k in parts.indices) {
+            for (rest in parts[k].drop(1)) {
                 add(k.toDouble())
                 add(rest)
             }

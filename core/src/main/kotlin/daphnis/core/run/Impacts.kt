@@ -11,7 +11,7 @@ internal class ImpactBin(val statistics: CollisionStatistics, val k: Int)
 
 /** The columns of `impacts.csv`, one row per bin; `docs/guide.md` says what they mean. */
 public object ImpactColumns : TableColumns {
-    internal val rows = Columns<ImpactBin>(RunDirectory.IMPACTS)
+    internal val rows = Columns<ImpactBin>("impacts.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 

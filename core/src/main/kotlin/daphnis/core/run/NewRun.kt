@@ -81,7 +81,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
             return
         }
         if (directory.origins.any { files.besideOf(it).exists() }) return
-        val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptySnapshots(it) }
+        val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptyFolder(it) }
         if (others.isEmpty()) return
         if (force) refuse("is not empty and holds no run", WayOut.ONLY_RUNS_ARE_REPLACED)
         refuse("is not empty", WayOut.ANOTHER_DIRECTORY)
@@ -101,10 +101,10 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         }
     }
 
-    private fun isEmptySnapshots(file: Path): Boolean =
-        file == directory.snapshots && file.isDirectory() && file.listDirectoryEntries().isEmpty()
+    private fun isEmptyFolder(file: Path): Boolean =
+        file in directory.folders && file.isDirectory() && file.listDirectoryEntries().isEmpty()
 
-    private fun parts() = listOf(directory.snapshots, directory.plots, directory.tables)
+    private fun parts() = directory.folders + listOf(directory.plots, directory.tables)
 
     /**
      * Writes the files from which a run starts, and removes the run that was there. To be called with the lock that
@@ -138,7 +138,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
             throw e
         }
         removeRun()
-        Files.createDirectories(directory.snapshots)
+        for (folder in directory.folders) Files.createDirectories(folder)
         if (copy != null) files.move(files.besideOf(copy), copy)
         files.move(pending, origin)
         for (other in directory.origins - origin) files.deleteQuietly(files.besideOf(other))

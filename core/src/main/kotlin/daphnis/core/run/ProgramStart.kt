@@ -58,8 +58,10 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
         require(simulation.population === population) { "the program's simulation has another population than its own" }
         require(simulation.step == 0L) { "the program's simulation has made ${simulation.step} steps; it must be new" }
         require(!simulation.hasOutputs) { "the program's simulation has outputs; give them to the run, by name" }
-        require(simulation.collisions?.record != null || !output.collisionLog && output.transportEvery == 0) {
-            "the log of collisions and transport need a CollisionForcing with recordCollisions = true"
+        for ((key, steps) in output.steps()) require(steps >= 0) { "output.$key is $steps; it must be >= 0" }
+        val readers = PeriodicOutputs.readingCollisions(output)
+        require(simulation.collisions?.record != null || readers.isEmpty()) {
+            "outputs need a CollisionForcing with recordCollisions = true: ${readers.joinToString()}"
         }
         require(program.until.isFinite() && program.until > simulation.runStart) {
             "the program runs until ${program.until}; it must be later than its start, ${simulation.runStart}"

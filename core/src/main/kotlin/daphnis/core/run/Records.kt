@@ -13,6 +13,11 @@ import java.util.zip.CRC32C
 internal class Records private constructor(val version: Int, private val bytes: Map<String, ByteArray>) {
     operator fun contains(name: String): Boolean = name in bytes
 
+    /** Refuses a record that is none of [names]: the checksums do not cover the names. */
+    fun requireOnly(names: Set<String>) {
+        for (name in bytes.keys - names) throw IllegalArgumentException("record ${printable(name)} is unknown")
+    }
+
     fun bytes(name: String): ByteArray = requireNotNull(bytes[name]) { "record $name is missing" }
 
     fun text(name: String): String = String(bytes(name), Charsets.UTF_8)
@@ -26,10 +31,10 @@ internal class Records private constructor(val version: Int, private val bytes: 
     }
 
     companion object {
-        const val VERSION = 3
+        const val VERSION = 4
         const val END = "END."
         const val MAGIC = 0x444150484e49530aL
-        private const val OLDEST = 2
+        const val OLDEST = 2
 
         /**
          * Reads the records of [path] up to [last], which is among them if it is [END].
@@ -41,10 +46,7 @@ internal class Records private constructor(val version: Int, private val bytes: 
                 DataInputStream(Files.newInputStream(path).buffered(1 shl 16)).use { input ->
                     if (input.readLong() != MAGIC) throw CheckpointException("$path: is not a checkpoint of daphnis")
                     val version = input.readInt()
-                    if (version !in OLDEST..VERSION) {
-                        val read = "this daphnis reads formats $OLDEST to $VERSION"
-                        throw CheckpointException("$path: is a checkpoint of format $version, or damaged; $read")
-                    }
+                    if (version !in OLDEST..VERSION) throw CheckpointException("$path: ${unknown(version)}")
                     return Records(version, readAll(input, path, last))
                 }
             } catch (e: EOFException) {
@@ -52,6 +54,11 @@ internal class Records private constructor(val version: Int, private val bytes: 
             } catch (e: IOException) {
                 throw CheckpointException("$path: cannot be read: ${reasonOf(e)}")
             }
+        }
+
+        private fun unknown(version: Int): String {
+            val whose = if (version > VERSION) "was written by a newer version of daphnis" else "is a checkpoint of old"
+            return "$whose, format $version, or is damaged; this daphnis reads formats $OLDEST to $VERSION"
         }
 
         private fun readAll(input: DataInputStream, path: Path, last: String): Map<String, ByteArray> {

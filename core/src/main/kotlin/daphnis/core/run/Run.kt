@@ -52,7 +52,9 @@ public class Run internal constructor(
      * @param cancelled called before every step; when it returns true, the run ends with a checkpoint and a summary
      *   marked unfinished
      *
-     * @throws RunException when the simulation fails or a file cannot be written; the last checkpoint stays
+     * @throws RunException when the simulation or an output fails, or a file cannot be written; the last checkpoint
+     *   stays
+     *
      * @throws IllegalStateException when it has been called before, or the run is closed; [resume] continues it
      */
     @JvmOverloads
@@ -62,18 +64,21 @@ public class Run internal constructor(
         isExecuted = true
         try {
             RunFiles(directory, from?.beginnings.orEmpty()).use { files ->
-                val usual = RunOutputs.of(plan.output, plan.sums, files, directory)
-                from?.let { restore(usual, it.checkpoint.outputs, "${directory.path}") }
-                RunOutputs(usual + plan.own, watcher).use { return Execution(files, it).carryOut(cancelled) }
+                val usual = named(PeriodicOutputs.make(plan.output, plan.sums, files), simulation)
+                from?.let { restore(usual, it.checkpoint.outputs) }
+                val last = NamedOutput("the watcher", watcher, simulation)
+                RunOutputs(usual + plan.own, last).use { return Execution(files, it).carryOut(cancelled) }
             }
         } catch (e: IllegalStateException) {
-            throw RunException(e.message.orEmpty(), e)
+            throw failed(e)
         } catch (e: IllegalArgumentException) {
-            throw RunException("step ${simulation.step + 1}: ${e.message}", e)
+            throw failed(e)
         } catch (e: IOException) {
             throw RunException("${cannotWrite(directory, e).message}; ${wayOn()}", e)
         }
     }
+
+    private fun failed(e: RuntimeException) = RunException("step ${simulation.step}: ${e.message}", e)
 
     private fun wayOn() = if (directory.holdsRun()) {
         "earlier output is intact; fix this, then resume"
@@ -146,14 +151,10 @@ public class Run internal constructor(
             val appended = files.force()
             val whole = files.whole + listOfNotNull(summary?.let { RunDirectory.SUMMARY to FileMark.of(it.bytes()) })
             val c = simulation.collisions?.counters ?: CollisionCounters()
-            val transport = saved[RunOutputs.TRANSPORT]
             val meta = CheckpointMeta(
                 simulation.step, simulation.time,
                 c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
-                wallSeconds, appended, whole,
-                transport?.doubles(CollisionStatistics.SUMS_SAVED)?.asList().orEmpty(),
-                transport?.longs(CollisionStatistics.SPEEDS_SAVED)?.asList().orEmpty(),
-                from?.losses.orEmpty(),
+                wallSeconds, appended, whole, from?.losses.orEmpty(),
             )
             checkpoints.write(meta, origin, simulation.population, saved)
         }
@@ -196,7 +197,7 @@ public class Run internal constructor(
          * @throws InputException when there is no run, no checkpoint can be used, a table is damaged, or the scenario
          *   was changed in a way that makes another run
          *
-         * @throws RunException when the directory cannot be written
+         * @throws RunException when the directory cannot be written, or an output cannot continue from what it saved
          */
         @JvmStatic
         @JvmOverloads
@@ -229,7 +230,8 @@ public class Run internal constructor(
          * @throws IllegalArgumentException when the program's simulation is not as [Program.simulation] requires
          * @throws InputException when there is no run of this program and version, no checkpoint can be used, or a
          *   table is damaged
-         * @throws RunException when the directory cannot be written
+         *
+         * @throws RunException when the directory cannot be written, or an output cannot continue from what it saved
          */
         @JvmStatic
         @JvmOverloads

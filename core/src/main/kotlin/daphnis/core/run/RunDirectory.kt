@@ -21,15 +21,15 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     /** In place of [scenario] in the run of a [Program]. */
     public val program: Path get() = path.resolve(PROGRAM)
     public val summary: Path get() = path.resolve(SUMMARY)
-    public val series: Path get() = path.resolve(SERIES)
-    public val collisions: Path get() = path.resolve(COLLISIONS)
+    public val series: Path get() = path.resolve(SeriesColumns.file)
+    public val collisions: Path get() = path.resolve(CollisionColumns.file)
 
     /** Moments and sums for transport coefficients; only when the scenario asks for them. */
-    public val transport: Path get() = path.resolve(TRANSPORT)
+    public val transport: Path get() = path.resolve(TransportColumns.file)
 
     /** Distribution of impact speeds, beside [transport]. */
-    public val impacts: Path get() = path.resolve(IMPACTS)
-    public val snapshots: Path get() = path.resolve("snapshots")
+    public val impacts: Path get() = path.resolve(ImpactColumns.file)
+    public val snapshots: Path get() = path.resolve(SNAPSHOTS)
     public val plots: Path get() = path.resolve("plots")
     public val tables: Path get() = path.resolve("tables")
     public val report: Path get() = path.resolve("report.html")
@@ -44,8 +44,13 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     internal val newCheckpoint: Path get() = path.resolve("checkpoint.new")
 
     /** What a run writes, except for its scenario and the files in subdirectories. */
-    internal fun ownFiles(): List<Path> =
-        listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, series, transport, impacts, collisions, report)
+    internal fun ownFiles(): List<Path> {
+        val outputs = PeriodicOutputs.all.flatMap { it.files }.map { path.resolve(it) }
+        return listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, report) + outputs
+    }
+
+    /** The subdirectories that outputs of a run fill. */
+    internal val folders: List<Path> get() = PeriodicOutputs.folders.map { path.resolve(it) }
 
     /** The file for the snapshot after [step]. */
     public fun snapshot(step: Long): Path = snapshots.resolve("%010d.h5".format(java.util.Locale.ROOT, step))
@@ -108,9 +113,6 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         const val SCENARIO = "scenario.json"
         const val PROGRAM = "run.json"
         const val SUMMARY = "summary.json"
-        const val SERIES = "series.csv"
-        const val TRANSPORT = "transport.csv"
-        const val IMPACTS = "impacts.csv"
-        const val COLLISIONS = "collisions.csv"
+        const val SNAPSHOTS = "snapshots"
     }
 }

@@ -11,7 +11,7 @@ import java.nio.file.Files
  * @param clock nanoseconds; rows that have waited for a second are written
  */
 internal class RunFiles(
-    private val directory: RunDirectory,
+    val directory: RunDirectory,
     private val beginnings: Map<String, Beginning> = emptyMap(),
     private val clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {

@@ -5,8 +5,6 @@ import daphnis.core.Output
 import daphnis.core.OutputList
 import daphnis.core.OutputState
 import daphnis.core.Simulation
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.OutputSpec
 
 /**
  * The outputs of a run by name, and what a checkpoint knows of them.
@@ -30,15 +28,7 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
     override fun close(): Unit = all.close()
 
     companion object {
-        private const val SERIES = "series"
-        const val TRANSPORT = "transport"
-        private const val SNAPSHOTS = "snapshots"
-        private const val COLLISIONS = "collisions"
-
         private const val LONGEST_NAME = 200
-
-        /** Names that no other output may have. */
-        val RESERVED: Set<String> = setOf(SERIES, TRANSPORT, SNAPSHOTS, COLLISIONS)
 
         /** @throws IllegalArgumentException when one of [names] is taken, empty or too long */
         fun requireFree(names: Set<String>) {
@@ -47,33 +37,18 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
                 require(name.length <= LONGEST_NAME) {
                     "an output has a name of ${name.length} characters; it can have $LONGEST_NAME"
                 }
-                require(name !in RESERVED) { "an output is called '$name'; ${RESERVED.joinToString()} are taken" }
+                val taken = PeriodicOutputs.names
+                require(name !in taken) { "an output is called '$name'; ${taken.joinToString()} are taken" }
             }
-        }
-
-        /** The outputs that [spec] asks for, in the order in which they are called. */
-        fun of(spec: OutputSpec, sums: StepSums, files: RunFiles, directory: RunDirectory): Map<String, Output> {
-            val outputs = LinkedHashMap<String, Output>()
-            outputs[SERIES] = Series(spec.seriesEvery, sums, files)
-            if (spec.transportEvery > 0) outputs[TRANSPORT] = Transport(spec.transportEvery, sums, files)
-            outputs[SNAPSHOTS] = Snapshots(spec.snapshotEvery, directory)
-            if (spec.collisionLog) outputs[COLLISIONS] = CollisionLog(files)
-            return outputs
         }
     }
 }
 
-/**
- * Gives each of [outputs] the state that it [saved].
- *
- * @throws InputException when one cannot take it over; [source] is what to call the checkpoint
- */
-internal fun restore(outputs: Map<String, Output>, saved: Map<String, OutputState>, source: String) {
-    for ((name, state) in saved) {
-        try {
-            outputs[name]?.restore(state)
-        } catch (e: RuntimeException) {
-            throw InputException(source, null, "output '$name' cannot continue from what it saved: ${e.message}")
-        }
-    }
+/** [outputs] as outputs of a run of [simulation], which say their names when they fail. */
+internal fun named(outputs: Map<String, Output>, simulation: Simulation): Map<String, Output> =
+    outputs.mapValues { (name, output) -> NamedOutput("output '$name'", output, simulation) }
+
+/** Gives each of [outputs] the state that it [saved]. */
+internal fun restore(outputs: Map<String, Output>, saved: Map<String, OutputState>) {
+    for ((name, state) in saved) outputs[name]?.restore(state)
 }

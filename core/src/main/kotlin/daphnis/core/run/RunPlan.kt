@@ -17,7 +17,7 @@ import daphnis.core.scenario.ScenarioSetup
  * @property until time at which it ends
  * @property endSlack how much a whole number of steps may fall short of [until] by round-off
  * @property output how often each file is written
- * @property own further outputs, by name
+ * @param own further outputs, by name
  * @property sums of the simulation's population, shared by all outputs
  */
 internal class RunPlan(
@@ -26,10 +26,12 @@ internal class RunPlan(
     val until: Double,
     val endSlack: Double,
     val output: OutputSpec,
-    val own: Map<String, Output>,
+    own: Map<String, Output>,
     val simulation: Simulation,
     sums: PopulationSums,
 ) : AutoCloseable {
+    /** Further outputs, by name; they say it when they fail. */
+    val own: Map<String, Output> = named(own, simulation)
     val sums = StepSums(sums)
 
     override fun close() {
@@ -53,7 +55,7 @@ internal fun planOf(
     RunOutputs.requireFree(own.keys)
     val scenario = setup.scenario
     val output = scenario.output
-    val records = output.collisionLog || output.transportEvery > 0
+    val records = PeriodicOutputs.readingCollisions(output).isNotEmpty()
     val engine = engineOf(scenario, source, engines)
     val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, scenario.search)
     meta?.countInto(forcing.counters)

@@ -48,11 +48,9 @@ internal inline fun begun(
         val origin = begin(place)
         return Run(directory, plan, origin, Checkpoints(directory), null, lock, notices)
     } catch (e: IOException) {
-        plan.use { lock?.close() }
-        throw cannotWrite(directory, e)
+        plan.use { lock.use { throw cannotWrite(directory, e) } }
     } catch (e: Throwable) {
-        plan.use { lock?.close() }
-        throw e
+        plan.use { lock.use { throw e } }
     }
 }
 
@@ -80,11 +78,9 @@ internal inline fun locked(
         require(directory)
         return resume(lock)
     } catch (e: IOException) {
-        lock.close()
-        throw cannotWrite(directory, e)
+        lock.use { throw cannotWrite(directory, e) }
     } catch (e: Throwable) {
-        lock.close()
-        throw e
+        lock.use { throw e }
     }
 }
 
@@ -135,11 +131,10 @@ internal fun goingOn(
         // Snapshots after the checkpoint are written again, with the same bits; the summary would be that of a run
         // which has not ended.
         Files.deleteIfExists(directory.summary)
-        Files.createDirectories(directory.snapshots)
+        for (folder in directory.folders) Files.createDirectories(folder)
         return Run(directory, plan, origin, checkpoints, good, lock, notices)
     } catch (e: Throwable) {
-        plan.close()
-        throw e
+        plan.use { throw e }
     }
 }
 
@@ -150,8 +145,8 @@ private fun giveBack(
     directory: RunDirectory,
     notices: MutableList<String>,
 ) {
-    restore(own, checkpoint.outputs, "${directory.path}")
-    for (name in checkpoint.outputs.keys - own.keys - RunOutputs.RESERVED) {
+    restore(own, checkpoint.outputs)
+    for (name in checkpoint.outputs.keys - own.keys - PeriodicOutputs.names) {
         notices += "${directory.path}: output '$name' is no longer there; what it had saved is dropped"
     }
 }
@@ -186,7 +181,7 @@ internal fun endSlack(timeStep: TimeStepSpec): Double =
 internal fun endSlack(step: TimeStep): Double = if (step is FixedTimeStep) step.duration * END_SLACK else 0.0
 
 internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException =
-    RunException("cannot write to ${directory.path}: ${reasonOf(e)}")
+    RunException("cannot write to ${directory.path}: ${reasonOf(e)}", e)
 
 private const val UNTIL = "until"
 private const val END_SLACK = 1e-6

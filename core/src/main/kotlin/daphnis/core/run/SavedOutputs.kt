@@ -66,13 +66,4 @@ internal object SavedOutputs {
             else -> throw IllegalArgumentException("an array of an output is of kind '$kind'")
         }
     }
-
-    /** What the output that writes `transport.csv` keeps, from its place in [meta]. */
-    fun ofTransport(meta: CheckpointMeta): Map<String, OutputState> {
-        if (meta.collisionSums.isEmpty()) return emptyMap()
-        val state = OutputState(RunOutputs.TRANSPORT)
-        state.put(CollisionStatistics.SUMS_SAVED, meta.collisionSums.toDoubleArray())
-        state.put(CollisionStatistics.SPEEDS_SAVED, meta.impactSpeeds.toLongArray())
-        return mapOf(RunOutputs.TRANSPORT to state)
-    }
 }

@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.json.Json
@@ -12,17 +13,17 @@ import kotlinx.serialization.json.JsonObject
  * The differences between the scenario with which a run was made and the one that its directory holds now.
  *
  * @property essential changes that would make another run of it, one line each: all except those that affect no bit of
- *   a state, which are name and description, the end, engine and search, and how often outputs are written @property
- *   harmless the other changes, one line each
+ *   a state, which are name and description, the end, engine and search, and how often outputs are written
+ *
+ * @property harmless the other changes, one line each
  */
-internal class ScenarioChanges private constructor(
-    val essential: MutableList<String>,
-    val harmless: MutableList<String>,
-) {
+internal class ScenarioChanges private constructor(private val then: OutputSpec, private val now: OutputSpec) {
+    val essential = ArrayList<String>()
+    val harmless = ArrayList<String>()
+
     companion object {
         private val FREE = setOf("name", "description", "until", "untilOrbits", "engine", "search")
-        private val CADENCES =
-            setOf("output.seriesEvery", "output.snapshotEvery", "output.checkpointEvery", "output.transportEvery")
+        private val CHECKPOINTS = "output.${OutputSpec::checkpointEvery.name}"
         private const val LONGEST = 60
         private val json = Json
 
@@ -31,15 +32,14 @@ internal class ScenarioChanges private constructor(
          *   no changes
          */
         fun between(then: String?, now: Scenario): ScenarioChanges {
-            if (then == null) return ScenarioChanges(ArrayList(), ArrayList())
+            if (then == null) return ScenarioChanges(now.output, now.output)
             val before = try {
                 ScenarioJson.parse(then, "the checkpoint's scenario")
             } catch (e: InputException) {
-                return ScenarioChanges(ArrayList(), arrayListOf("cannot be compared with ${e.message}"))
+                val problem = "cannot be compared with ${e.message}"
+                return ScenarioChanges(now.output, now.output).apply { harmless += problem }
             }
-            val changes = ScenarioChanges(ArrayList(), ArrayList())
-            changes.compare("", tree(before), tree(now))
-            return changes
+            return ScenarioChanges(before.output, now.output).apply { compare("", tree(before), tree(now)) }
         }
 
         private fun tree(scenario: Scenario) = json.parseToJsonElement(ScenarioJson.write(scenario))
@@ -53,15 +53,14 @@ internal class ScenarioChanges private constructor(
             for (k in then.indices) compare("$path[$k]", then[k], now[k])
         } else {
             val line = "$path: is ${words(now)}; the run was made with ${words(then)}"
-            if (isFree(path, then, now)) harmless += "$line, which changes no state" else essential += line
+            if (isFree(path)) harmless += "$line, which changes no state" else essential += line
         }
     }
 
-    /** Sums for transport that did not begin at the start cannot begin later, and cannot end. */
-    private fun isFree(path: String, then: JsonElement?, now: JsonElement?): Boolean {
-        if (path.substringBefore('.') in FREE) return true
-        if (path !in CADENCES) return false
-        return path != "output.transportEvery" || then.toString() != "0" && now.toString() != "0"
+    private fun isFree(path: String): Boolean {
+        if (path.substringBefore('.') in FREE || path == CHECKPOINTS) return true
+        val output = PeriodicOutputs.all.find { path == "output.${it.key}" } ?: return false
+        return output.mayChange(output.every(then), output.every(now))
     }
 
     private fun words(value: JsonElement?) =

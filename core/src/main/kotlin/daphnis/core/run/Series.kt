@@ -3,12 +3,25 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.population.PopulationSums
+import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
 import kotlin.math.sqrt
+
+/** The declaration of [Series]. Without rows the file has its header: rows may begin at a resume. */
+internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery) {
+    private const val ROW_BYTES = 150
+
+    override val tables: List<TableColumns> get() = listOf(SeriesColumns)
+
+    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost =
+        times(every, steps).let { OutputCost("rows of ${SeriesColumns.file}", it, it * ROW_BYTES) }
+
+    override fun make(every: Int, sums: StepSums, files: RunFiles): Output = Series(every, sums, files)
+}
 
 /** `series.csv`: one row every [every] steps, 0 for none. */
 internal class Series(private val every: Int, private val sums: StepSums, files: RunFiles) : Output {
@@ -28,7 +41,7 @@ internal class SeriesRow(val simulation: Simulation, val sums: PopulationSums) {
 
 /** The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
 public object SeriesColumns : TableColumns {
-    internal val rows = Columns<SeriesRow>(RunDirectory.SERIES)
+    internal val rows = Columns<SeriesRow>("series.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 

@@ -4,6 +4,24 @@ import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
+import daphnis.core.scenario.OutputSpec
+
+/** The declaration of [Snapshots]. The final state is always written. */
+internal object SnapshotsOutput : PeriodicOutput("snapshots", OutputSpec::snapshotEvery) {
+    /** Measured: positions and velocities hardly compress. */
+    private const val SPHERE_BYTES = 63.0
+    private const val HEAD_BYTES = 3100.0
+
+    override val folder: String get() = RunDirectory.SNAPSHOTS
+
+    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost {
+        val isLastDue = every > 0 && steps % every == 0.0
+        val count = times(every, steps) + if (isLastDue) 0 else 1
+        return OutputCost("snapshots", count, count * (SPHERE_BYTES * spheres + HEAD_BYTES))
+    }
+
+    override fun make(every: Int, sums: StepSums, files: RunFiles): Output = Snapshots(every, files.directory)
+}
 
 /** `snapshots/`: the state every [every] steps, 0 for never, and at the end. */
 internal class Snapshots(private val every: Int, private val directory: RunDirectory) : Output {

@@ -6,11 +6,28 @@ import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.force.SelfGravity
 import daphnis.core.population.PopulationSums
+import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
+
+/** The declaration of [Transport]. Its sums cannot begin in the middle of a run, nor end there. */
+internal object TransportOutput : PeriodicOutput("transport", OutputSpec::transportEvery) {
+    private const val ROW_BYTES = 480
+
+    override val tables: List<TableColumns> get() = listOf(TransportColumns, ImpactColumns)
+    override val readsCollisions: Boolean get() = true
+
+    override fun mayChange(then: Int, now: Int): Boolean = (then > 0) == (now > 0)
+
+    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost =
+        times(every, steps).let { OutputCost("rows of ${TransportColumns.file}", it, it * ROW_BYTES) }
+
+    override fun make(every: Int, sums: StepSums, files: RunFiles): Output? =
+        if (every > 0) Transport(every, sums, files) else null
+}
 
 /**
  * `transport.csv`: one row every [every] steps with the data for viscosities, pressure and energy balance. Sums over
@@ -35,7 +52,7 @@ internal class Transport(private val every: Int, private val sums: StepSums, pri
 
     override fun save(state: OutputState) {
         statistics.save(state)
-        files.writeWhole(RunDirectory.IMPACTS, ImpactColumns.table(statistics))
+        files.writeWhole(ImpactColumns.file, ImpactColumns.table(statistics))
     }
 
     override fun restore(state: OutputState) {
@@ -59,7 +76,7 @@ public object TransportColumns : TableColumns {
 
     /** [COMPONENTS] among the nine entries by row; the tensor is symmetric. */
     private val NINE = intArrayOf(0, 4, 8, 1, 2, 5)
-    internal val rows = Columns<TransportRow>(RunDirectory.TRANSPORT)
+    internal val rows = Columns<TransportRow>("transport.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 

@@ -5,6 +5,10 @@ import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.intOrNull
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 
 /**
  * A simulation as a user writes it: a JSON file with comments and trailing commas allowed. `docs/scenario.md` explains
@@ -249,7 +253,8 @@ public class EngineSpec(public val name: String = "islands", public val threads:
 }
 
 /**
- * How often to write, in steps; 0 means never (checkpoints: only at the end).
+ * How often to write, in steps; 0 means never (checkpoints: only at the start and the end). Each key belongs to a
+ * [daphnis.core.run.PeriodicOutput].
  *
  * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and the momentum that
  *   collisions carried
@@ -261,4 +266,12 @@ public class OutputSpec @JvmOverloads constructor(
     public val checkpointEvery: Int = 100,
     public val collisionLog: Boolean = false,
     public val transportEvery: Int = 0,
-)
+) {
+    /** Every number of steps, by its key. */
+    internal fun steps(): Map<String, Int> {
+        val tree = EVERY_KEY.encodeToJsonElement(serializer(), this).jsonObject
+        return buildMap { for ((key, value) in tree) value.jsonPrimitive.intOrNull?.let { put(key, it) } }
+    }
+}
+
+private val EVERY_KEY = Json { encodeDefaults = true }

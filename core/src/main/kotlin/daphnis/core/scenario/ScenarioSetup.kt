@@ -84,18 +84,8 @@ public class ScenarioSetup private constructor(
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
                 "must be in 1..${ThreadHandler.MOST}, or 0 for one per core"
             }
-            val output = scenario.output
-            check.that("output.seriesEvery", output.seriesEvery, output.seriesEvery >= 0) {
-                "must be >= 0 (0 for never)"
-            }
-            check.that("output.snapshotEvery", output.snapshotEvery, output.snapshotEvery >= 0) {
-                "must be >= 0 (0 for never)"
-            }
-            check.that("output.transportEvery", output.transportEvery, output.transportEvery >= 0) {
-                "must be >= 0 (0 for never)"
-            }
-            check.that("output.checkpointEvery", output.checkpointEvery, output.checkpointEvery >= 0) {
-                "must be >= 0 (0 for the end only)"
+            for ((key, steps) in scenario.output.steps()) {
+                check.that("output.$key", steps, steps >= 0) { "must be >= 0 (0 for never)" }
             }
         }
 

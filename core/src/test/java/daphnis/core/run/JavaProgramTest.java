@@ -3,9 +3,11 @@ package daphnis.core.run;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import daphnis.core.Engines;
 import daphnis.core.FixedTimeStep;
 import daphnis.core.Opening;
 import daphnis.core.Output;
@@ -18,11 +20,15 @@ import daphnis.core.engine.CollisionForcing;
 import daphnis.core.force.Kick;
 import daphnis.core.population.Conserved;
 import daphnis.core.population.Population;
+import daphnis.core.scenario.BuiltIn;
 import daphnis.core.scenario.OutputSpec;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -113,6 +119,65 @@ class JavaProgramTest {
         assertEquals(digest, Summary.read(path.resolve("summary.json")).getStateDigest());
     }
 
+    /** Throws in one phase; what is checked, Java only lets through unseen. */
+    static class Failing implements Output {
+        final String phase;
+        final Exception thrown;
+
+        Failing(String phase, Exception thrown) {
+            this.phase = phase;
+            this.thrown = thrown;
+        }
+
+        @SuppressWarnings("unchecked")
+        <E extends Exception> void call(String now) throws E {
+            if (now.equals(phase)) throw (E) thrown;
+        }
+
+        @Override public void open(Simulation simulation, Opening opening) { this.<RuntimeException>call("open"); }
+
+        @Override public void write(Simulation simulation) { this.<RuntimeException>call("write"); }
+
+        @Override public void save(OutputState state) {
+            state.put("one", new double[] {1.0});
+            this.<RuntimeException>call("save");
+        }
+
+        @Override public void restore(OutputState state) { this.<RuntimeException>call("restore"); }
+
+        @Override public void finish(Simulation simulation) { this.<RuntimeException>call("finish"); }
+
+        @Override public void close() { this.<RuntimeException>call("close"); }
+    }
+
+    private static void runWith(Failing failing, Path path) {
+        boolean isStart = !failing.phase.equals("restore");
+        Map<String, Output> first = Map.of("java", isStart ? failing : new Failing("", null));
+        var scenario = BuiltIn.scenario("cooling-gas", List.of("particles.count=20", "until=0.1"));
+        try (Run run = Run.start(scenario, "gas", path, true, Engines.INSTANCE, first)) {
+            run.execute();
+        }
+        if (!isStart) Run.resume(path, null, Engines.INSTANCE, false, Map.of("java", failing)).close();
+    }
+
+    @Test
+    void whatAnOutputThrowsInAnyPhaseEndsTheRunByName() {
+        for (String phase : List.of("open", "write", "save", "finish", "close", "restore")) {
+            Path path = home.resolve(phase);
+            for (var thrown : List.of(new TimeoutException("late"), new IllegalStateException("late"))) {
+                var e = assertThrows(RunException.class, () -> runWith(new Failing(phase, thrown), path), phase);
+                assertTrue(e.getMessage().matches("step \\d+: output 'java'.*: late"), e.getMessage());
+                assertSame(thrown, e.getCause());
+            }
+            var full = new IOException("no room");
+            for (var thrown : List.of(full, new UncheckedIOException(full))) {
+                var e = assertThrows(RunException.class, () -> runWith(new Failing(phase, thrown), path), phase);
+                assertTrue(e.getMessage().startsWith("cannot write to " + path + ": no room"), e.getMessage());
+                assertSame(full, e.getCause());
+            }
+        }
+    }
+
     @Test
     void killedBetweenCheckpointsItGoesOnFromTheLast() {
         String digest = wholeDigest();
@@ -128,7 +193,8 @@ class JavaProgramTest {
 
                 @Override public void close() { calls.add("closed"); }
             };
-            assertEquals("killed", assertThrows(RunException.class, () -> run.execute(killer)).getMessage());
+            RunException e = assertThrows(RunException.class, () -> run.execute(killer));
+            assertEquals("step 25: the watcher: killed", e.getMessage());
         }
         assertEquals(List.of("START", "closed"), calls);
         Springs resumed = new Springs();

@@ -89,6 +89,20 @@ class ExactSumTest {
     }
 
     @Test
+    fun `parts are few, and a sum far beyond the largest number is one infinity`() {
+        val most = Double.MAX_VALUE
+        val everyBit = ExactSum()
+        for (exponent in -1074..1023 step 2) everyBit.add(Math.scalb(1.0, exponent))
+        assertTrue(everyBit.parts().size in 35..40) { "${everyBit.parts().size}" }
+        assertSame(0.0, sumOf(everyBit.parts().map { -it }.toDoubleArray()).apply { add(everyBit) }.value()) { "rest" }
+        fun huge(times: Int) = ExactSum().apply { repeat(times) { add(-most) } }
+        assertEquals(List(64) { -most }, huge(64).parts())
+        assertEquals(listOf(Double.NEGATIVE_INFINITY), huge(65).parts())
+        val doubled = huge(1).apply { repeat(60) { add(this) } }
+        assertEquals(listOf(Double.NEGATIVE_INFINITY), doubled.parts())
+    }
+
+    @Test
     fun `infinities and NaN sum up as they do in plain addition, in any order and through merges`() {
         val inf = Double.POSITIVE_INFINITY
         for (times in listOf(1, 20)) {

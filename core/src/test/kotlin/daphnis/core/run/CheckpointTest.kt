@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.scenario.InputException
 import kotlinx.serialization.json.Json
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -50,9 +51,25 @@ class CheckpointTest {
     }
 
     @Test
+    fun `every bit of the names counts, also of records that need not be there`() {
+        val file = broken().checkpoint
+        val good = Files.readAllBytes(file)
+        val text = String(good, Charsets.ISO_8859_1)
+        for (name in listOf("SCEN", "IDS ", "POSX", "IMGZ", "OUTS", "END.")) {
+            val at = text.lastIndexOf(name)
+            for (bit in 0 until 32) {
+                Files.write(file, good)
+                flip(file, at + bit / 8, bit % 8)
+                val e = assertThrows(CheckpointException::class.java, { Checkpoint.read(file) }) { "$name, bit $bit" }
+                assertTrue("damaged" in e.message.orEmpty() || "cut short" in e.message.orEmpty()) { e.message }
+            }
+        }
+    }
+
+    @Test
     fun `a version that is not known is passed over, with a notice, for the checkpoint before`() {
         val directory = broken()
-        for (version in listOf(2, 99)) {
+        for (version in listOf(1, 2, 99)) {
             val run = RunDirectory(copyOf(directory.path, home.resolve("version-$version")))
             Files.write(run.checkpoint, Files.readAllBytes(run.checkpoint).also { it[11] = version.toByte() })
             Run.resume(run.path).use {
@@ -73,7 +90,7 @@ class CheckpointTest {
             )
         }
         val e = assertThrows(InputException::class.java) { Run.resume(directory.path) }
-        assertTrue("format 99" in e.message.orEmpty()) { e.message }
+        assertTrue("newer version of daphnis, format 99" in e.message.orEmpty()) { e.message }
     }
 
     @Test
@@ -92,23 +109,68 @@ class CheckpointTest {
             Run.resume(directory.path).use {
                 it.notices
             },
-        ) { "the next checkpoint is of format 3" }
+        ) { "the next checkpoint is of the present format" }
         cut(short.series, 20)
         assertTrue("series.csv" in assertThrows(InputException::class.java) { digest(short) }.message.orEmpty())
     }
 
-    /** What the version before wrote: no scenario, lengths of the files only. */
+    /** Written by daphnis of commit ceda0ee, in a run of [tableScenario] until 0.8. */
+    private fun format3(name: String): RunDirectory {
+        val path = Files.createDirectories(home.resolve(name))
+        for (file in listOf("scenario.json", "checkpoint", "series.csv", "transport.csv", "collisions.csv")) {
+            val stream = checkNotNull(javaClass.getResourceAsStream("/daphnis/format3/$file")) { file }
+            stream.use { Files.copy(it, path.resolve(file)) }
+        }
+        return RunDirectory(path)
+    }
+
+    @Test
+    fun `format 3, with sums of transport among the numbers, goes on to the same files`() {
+        val directory = format3("old")
+        val old = Checkpoint.read(directory.checkpoint)
+        assertEquals(setOf("transport"), old.outputs.keys)
+        assertEquals(33.0, old.outputs.getValue("transport").doubles("collisionSums")[0])
+        Run.resume(directory.path, until = 1.2).use {
+            assertEquals(8L, it.resumedFrom)
+            assertEquals(emptyList<String>(), it.notices)
+            assertEquals(whole, it.execute().stateDigest)
+        }
+        val expected = results(home.resolve("whole"))
+        val found = results(directory.path)
+        for (table in listOf("series.csv", "transport.csv", "impacts.csv", "collisions.csv")) {
+            assertEquals(expected.getValue(table), found.getValue(table)) { table }
+        }
+        fun saved(run: RunDirectory) = Checkpoint.read(run.checkpoint).outputs.getValue("transport")
+        val sums = saved(RunDirectory(home.resolve("whole"))).doubles("collisionSums")
+        assertTrue(sums.size > 13) { "remainders of rounding are among them" }
+        assertArrayEquals(sums, saved(directory).doubles("collisionSums"))
+    }
+
+    @Test
+    fun `readers know what format 3 knows of the tables`() {
+        val directory = format3("old")
+        assertEquals(emptyList<String>(), RunRecord.of(directory).problems(directory.series, directory.transport))
+        flip(directory.transport, 700)
+        assertTrue("transport.csv" in RunRecord.of(directory).problems(directory.transport).single())
+    }
+
+    /** What format 2 has: no scenario, lengths of the files only. */
     private fun asFormat2(file: Path): ByteArray {
         val checkpoint = Checkpoint.read(file)
         val m = checkpoint.meta
-        val old = CheckpointMeta2(
+        val transport = checkpoint.outputs.getValue("transport")
+        val old = OlderMeta(
             m.step, m.time, m.collisions, m.wallCollisions, m.guardActivations, m.redoneSteps, m.causalityReplays,
-            m.wallSeconds, m.appended.mapValues { it.value.length }, m.collisionSums, m.impactSpeeds,
+            m.wallSeconds,
+            collisionSums = transport.doubles("collisionSums").asList(),
+            impactSpeeds = transport.longs("impactSpeeds").asList(),
+            fileLengths = m.appended.mapValues { it.value.length },
         )
         val bytes = ByteArrayOutputStream()
-        RecordWriter(DataOutputStream(bytes)).text("META", Json.encodeToString(CheckpointMeta2.serializer(), old))
+        RecordWriter(DataOutputStream(bytes)).text("META", Json.encodeToString(OlderMeta.serializer(), old))
         val head = bytes.toByteArray().also { it[11] = 2 }
         val text = String(Files.readAllBytes(file), Charsets.ISO_8859_1)
-        return head + text.substring(text.indexOf("IDS ")).toByteArray(Charsets.ISO_8859_1)
+        val spheres = text.substring(text.indexOf("IDS "), text.indexOf("OUTS"))
+        return head + (spheres + text.substring(text.indexOf("END."))).toByteArray(Charsets.ISO_8859_1)
     }
 }

@@ -194,7 +194,11 @@ class ProgramTest {
                 },
             )
         }
-        assertTrue("output 'count' cannot continue" in refusal(path, unfit) && "'steps'" in refusal(path, unfit))
+        val before = bytesIn(path)
+        val e = assertThrows(RunException::class.java) { Run.resume(unfit, path).close() }
+        val why = "'steps' in the saved state of output 'count' is not doubles"
+        assertEquals("step 5: output 'count' cannot continue from what it saved: $why", e.message)
+        assertEquals(before, bytesIn(path)) { "a refused resume changes nothing" }
         Run.resume(ShearedGas(), path).toStep(Long.MAX_VALUE)
         assertEquals(whole, results(path)) { "the lock was given back" }
     }

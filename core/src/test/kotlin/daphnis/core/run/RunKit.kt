@@ -1,28 +1,43 @@
 package daphnis.core.run
 
 import daphnis.core.Engines
+import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import kotlinx.serialization.ExperimentalSerializationApi
+import kotlinx.serialization.descriptors.PrimitiveKind
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.name
 
-/** A small run with every table there is: Lees–Edwards, 12 steps, a checkpoint every 3, a snapshot every 4. */
-internal fun tableScenario(vararg settings: String): Scenario = ScenarioJson.parse(
-    """{
-      "name": "tables", "seed": 3,
-      "box": { "lengths": [7, 7, 7] }, "boundary": { "type": "lees-edwards", "shearRate": 0.7 },
-      "particles": { "count": 60, "sizes": { "type": "equal", "radius": 0.5 } },
-      "velocities": { "type": "gaussian", "sigma": 1.0, "shearProfile": true },
-      "restitution": { "type": "constant", "coefficient": 0.6 },
-      "engine": { "name": "serial" },
-      "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1.2,
-      "output": { "snapshotEvery": 4, "checkpointEvery": 3, "collisionLog": true, "transportEvery": 2 }
-    }""",
-    "test",
-    settings.toList(),
-)
+private const val TABLES = """{
+    "name": "tables", "seed": 3,
+    "box": { "lengths": [7, 7, 7] }, "boundary": { "type": "lees-edwards", "shearRate": 0.7 },
+    "particles": { "count": 60, "sizes": { "type": "equal", "radius": 0.5 } },
+    "velocities": { "type": "gaussian", "sigma": 1.0, "shearProfile": true },
+    "restitution": { "type": "constant", "coefficient": 0.6 },
+    "engine": { "name": "serial" },
+    "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1.2,
+    "output": { "snapshotEvery": 4, "checkpointEvery": 3, "collisionLog": true, "transportEvery": 2 }
+}"""
+
+/**
+ * A small run with every output there is: Lees–Edwards, 12 steps, a checkpoint every 3, a snapshot every 4. An output
+ * that is off by default and not in the text is due every 2.
+ */
+internal fun tableScenario(vararg settings: String): Scenario {
+    val others = PeriodicOutputs.all.filter { it.every(OutputSpec()) == 0 && "\"${it.key}\"" !in TABLES }
+    return ScenarioJson.parse(TABLES, "test", others.map { setting(it, 2) } + settings)
+}
+
+/** The setting by which [output] is due every [steps] steps, 0 for never; a log is due after each step or never. */
+@OptIn(ExperimentalSerializationApi::class)
+internal fun setting(output: PeriodicOutput, steps: Int): String {
+    val keys = OutputSpec.serializer().descriptor
+    val kind = keys.getElementDescriptor(keys.getElementIndex(output.key)).kind
+    return "output.${output.key}=${if (kind == PrimitiveKind.BOOLEAN) "${steps > 0}" else "$steps"}"
+}
 
 /** The process is killed: nothing after it happens. */
 internal class Killed : Error("killed")
@@ -48,13 +63,9 @@ internal fun Run.toStep(step: Long): Summary = use { it.execute(cancelled = { it
 
 /** Tables and states of a run by name, but for what says how long it took. */
 internal fun results(directory: Path): Map<String, String> = buildMap {
-    for (name in listOf(
-        "series.csv",
-        "transport.csv",
-        "impacts.csv",
-        "collisions.csv",
-    )) {
-        put(name, Files.readString(directory.resolve(name)))
+    for (name in PeriodicOutputs.all.flatMap { it.files }) {
+        val file = directory.resolve(name)
+        if (Files.exists(file)) put(name, Files.readString(file))
     }
     val run = RunDirectory(directory)
     for (step in run.snapshotSteps()) put("snapshot $step", run.readSnapshot(step).let { f -> H5Sum.of(f) })

@@ -102,7 +102,7 @@ class RunOutputsTest {
         val spec = OutputSpec(seriesEvery = 1, transportEvery = 1, collisionLog = true)
         val files = listOf(directory.series, directory.transport, directory.collisions)
         RunFiles(directory, clock = { now }).use { tables ->
-            val usual = RunOutputs.of(spec, StepSums(PopulationSums(null)), tables, directory)
+            val usual = PeriodicOutputs.make(spec, StepSums(PopulationSums(null)), tables)
             val outputs = RunOutputs(usual, Output { tables.flushIfDue() })
             outputs.open(s, Opening.START)
             fun step(nanoseconds: Long) {

@@ -1,8 +1,7 @@
 package daphnis.core.table
 
 import daphnis.core.Repository
-import daphnis.core.run.CollisionColumns
-import daphnis.core.run.ImpactColumns
+import daphnis.core.run.PeriodicOutputs
 import daphnis.core.run.Run
 import daphnis.core.run.SeriesColumns
 import daphnis.core.run.TransportColumns
@@ -19,7 +18,7 @@ class TableColumnsTest {
     @TempDir
     lateinit var home: Path
 
-    private val tables = listOf(SeriesColumns, TransportColumns, ImpactColumns, CollisionColumns)
+    private val tables = PeriodicOutputs.all.flatMap { it.tables }
 
     @Test
     fun `the files of a run have the declared columns and as many numbers in every row`() {

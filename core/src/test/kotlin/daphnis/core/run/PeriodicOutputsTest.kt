@@ -1,0 +1,140 @@
+package daphnis.core.run
+
+import daphnis.core.Repository
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.OutputSpec
+import daphnis.core.scenario.ScenarioJson
+import kotlinx.serialization.ExperimentalSerializationApi
+import kotlinx.serialization.descriptors.elementNames
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonObject
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+private val EVERY_KEY = Json { encodeDefaults = true }
+
+/** What is true of every output that a key asks for, and what the docs say of it. */
+@OptIn(ExperimentalSerializationApi::class)
+class PeriodicOutputsTest {
+    @TempDir
+    lateinit var home: Path
+
+    private val all = PeriodicOutputs.all
+
+    private val defaults = EVERY_KEY.encodeToJsonElement(OutputSpec.serializer(), OutputSpec()).jsonObject
+
+    private fun scenario(steps: Int) = tableScenario(*all.map { setting(it, steps) }.toTypedArray())
+
+    /** The rows of the first table below [heading] in [doc], by what the first column has between backticks. */
+    private fun rows(doc: String, heading: String): Map<String, List<String>> = Repository.read(doc).lines()
+        .dropWhile { it != heading }.dropWhile { !it.startsWith("|") }.drop(2).takeWhile { it.startsWith("|") }
+        .map { row -> row.split('|').map { it.trim() } }
+        .flatMap { cells -> Regex("`([^`]+)`").findAll(cells[1]).map { it.groupValues[1] to cells } }.toMap()
+
+    @Test
+    fun `the list is in the order of the keys, and every key but that of checkpoints has its output`() {
+        assertEquals(listOf("series", "snapshots", "collisions", "transport"), all.map { it.name }.take(4))
+        val keys = OutputSpec.serializer().descriptor.elementNames.toList()
+        assertEquals(keys - "checkpointEvery", all.map { it.key })
+        assertEquals(all.size, all.map { it.name }.toSet().size)
+        val files = all.flatMap { it.files + listOfNotNull(it.folder) }
+        assertEquals(files.size, files.toSet().size) { "$files" }
+    }
+
+    @Test
+    fun `the reference has a row for every key of output, with its default`() {
+        val rows = rows("docs/scenario.md", "## Output")
+        assertEquals(defaults.keys, rows.keys)
+        for ((key, cells) in rows) assertEquals("${defaults[key]}", cells[3]) { key }
+    }
+
+    @Test
+    fun `the guide has a row for every file and folder`() {
+        val told = rows("docs/guide.md", "## The run directory").keys
+        for (file in all.flatMap { it.files }) assertTrue(file in told) { "docs/guide.md: no row for $file" }
+        for (folder in PeriodicOutputs.folders) assertTrue(told.any { it.startsWith("$folder/") }) { folder }
+    }
+
+    @Test
+    fun `a run writes what its outputs declare and nothing more, and a new run removes it`() {
+        val path = home.resolve("run")
+        startIn(path, scenario(1)).toStep(Long.MAX_VALUE)
+        val run = setOf("scenario.json", "checkpoint", "checkpoint.previous", "summary.json", ".lock")
+        val declared = all.flatMap { it.files }.toSet() + PeriodicOutputs.folders
+        assertEquals(run + declared, path.listDirectoryEntries().map { it.name }.toSet())
+        for (folder in PeriodicOutputs.folders) assertTrue(path.resolve(folder).listDirectoryEntries().isNotEmpty())
+        Files.createDirectories(path.resolve("plots"))
+        startIn(path, tableScenario(), force = true).close()
+        val left = setOf("scenario.json", ".lock", "plots") + PeriodicOutputs.folders
+        assertEquals(left, path.listDirectoryEntries().map { it.name }.toSet())
+        for (folder in PeriodicOutputs.folders) assertEquals(0, path.resolve(folder).listDirectoryEntries().size)
+    }
+
+    @Test
+    fun `with every key at 0, what is written is headers and the final state`() {
+        val path = home.resolve("none")
+        startIn(path, scenario(0)).toStep(Long.MAX_VALUE)
+        for (file in all.flatMap { it.files }.filter { Files.exists(path.resolve(it)) }) {
+            assertEquals(1, Files.readAllLines(path.resolve(file)).size) { file }
+        }
+        assertTrue(Files.exists(path.resolve("series.csv")))
+        assertFalse(Files.exists(path.resolve("transport.csv")))
+        assertEquals(listOf(12L), RunDirectory(path).snapshotSteps())
+        for (output in all) {
+            val cost = output.cost(0, 12.0, 60)
+            assertEquals(if (output.name == "snapshots") 1.0 else 0.0, cost?.count ?: 0.0) { output.name }
+        }
+    }
+
+    @Test
+    fun `costs are those of what a run writes`() {
+        assertEquals(listOf(5.0, 5.0, null, 5.0), all.take(4).map { it.cost(3, 12.0, 60)?.count })
+        val snapshots = all.first { it.name == "snapshots" }
+        assertEquals(4.0, snapshots.cost(5, 12.0, 60)?.count) { "0, 5, 10 and the last" }
+        assertEquals(4.0 * (63 * 60 + 3100), snapshots.cost(5, 12.0, 60)?.bytes)
+    }
+
+    @Test
+    fun `a number of steps below 0 is refused by its key, in a scenario and in a program`() {
+        for (key in defaults.keys - "collisionLog") {
+            val refused = assertThrows(InputException::class.java) {
+                startIn(home.resolve("refused"), tableScenario("output.$key=-1"))
+            }
+            assertEquals("test: output.$key: is -1; must be >= 0 (0 for never)", refused.message)
+            val spec = Json.decodeFromString(OutputSpec.serializer(), """{"$key":-1}""")
+            val program = object : Program by FailingOutputTest.Gas(emptyMap()) {
+                override val output = spec
+            }
+            val e = assertThrows(IllegalArgumentException::class.java) { Run.start(program, home.resolve("refused")) }
+            assertEquals("output.$key is -1; it must be >= 0", e.message)
+            assertFalse(Files.exists(home.resolve("refused")))
+        }
+    }
+
+    @Test
+    fun `a resume may write rows and states more or less often, and log and transport neither begin nor end`() {
+        for (output in all) {
+            val path = home.resolve(output.name)
+            for ((then, now) in listOf(0 to 2, 2 to 0, 1 to 2)) {
+                startIn(path, tableScenario(setting(output, then)), force = true).toStep(4)
+                val edited = ScenarioJson.read(path.resolve("scenario.json"), listOf(setting(output, now)))
+                Files.writeString(path.resolve("scenario.json"), ScenarioJson.write(edited))
+                val isOneOrOther = then > 0 != now > 0
+                if (output.name in setOf("collisions", "transport") && isOneOrOther) {
+                    val e = assertThrows(InputException::class.java) { Run.resume(path).close() }
+                    assertTrue("output.${output.key}" in e.message.orEmpty()) { e.message }
+                } else {
+                    Run.resume(path).use { it.execute() }
+                }
+            }
+        }
+    }
+}
