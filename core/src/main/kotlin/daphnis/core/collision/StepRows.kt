@@ -74,6 +74,7 @@ public class StepRows {
      * Takes over [population] in the given [order] (index by slot) for a step of [duration]; every local time is 0.
      * Allocates only when the population grew.
      */
+    @JvmOverloads
     public fun load(
         population: Population,
         order: IntArray,
@@ -130,6 +131,7 @@ public class StepRows {
      * is slot k from now on. When this throws, the population is as it was. Allocates at the first store, and when the
      * population has lost spheres.
      */
+    @JvmOverloads
     public fun store(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
         val columns = population.columnsToWrite(tracksLastCollision)
         loop.run(size) { _, from, to -> storeRange(columns, duration, from, to) }

@@ -9,7 +9,10 @@ import kotlin.math.floor
  *
  * @param closer bounds on other spheres which are closer than the reach for which the grid was built; null for none
  */
-public class CellRuns(private val grid: Grid, private val closer: RowBounds? = null) : SlotRuns() {
+public class CellRuns @JvmOverloads constructor(
+    private val grid: Grid,
+    private val closer: RowBounds? = null) : SlotRuns(,
+) {
     private val levels = grid.levels
 
     // The present class of sizes.
@@ -93,6 +96,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
      *
      * @return number of runs
      */
+    @JvmOverloads
     public fun around(
         x: Double,
         y: Double,

@@ -11,7 +11,7 @@ import daphnis.core.population.Population
  *
  * @param structure whether sizes are kept apart, which finds fewer pairs that are not near
  */
-public class NearPairs(
+public class NearPairs @JvmOverloads constructor(
     @PublishedApi internal val population: Population,
     boundary: BoundaryConditions,
     time: Double,

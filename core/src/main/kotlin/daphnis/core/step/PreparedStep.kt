@@ -25,7 +25,7 @@ import daphnis.core.search.RowBounds
  * @param sort how the grid is built; affects only the time it takes
  */
 @EngineApi
-public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
+public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) {
     /** Puts the spheres in cell order. */
     public val grid: Grid = Grid(sort)
 
@@ -57,6 +57,7 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
      *
      * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
      */
+    @JvmOverloads
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
         this.step = step
         duration = step.duration
@@ -65,6 +66,7 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     }
 
     /** Sorts the spheres into the grid and copies them, as they are at the start of the step. */
+    @JvmOverloads
     public fun prepare(loop: RangeLoop = InlineLoop) {
         val population = step.population
         grid.build(population, step.boundary, step.start, duration, reach.bound, loop, step.search)
@@ -99,6 +101,7 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     }
 
     /** Moves every sphere to the end of the step and writes all to the population, see [StepRows.store]. */
+    @JvmOverloads
     public fun store(loop: RangeLoop = InlineLoop) {
         rows.store(step.population, duration, loop)
     }

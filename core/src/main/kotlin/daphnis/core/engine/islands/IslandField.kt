@@ -48,7 +48,7 @@ import daphnis.core.step.PreparedStep
  * [IslandBoard].
  */
 @EngineApi
-public class IslandField(workers: Int, internal val prepared: PreparedStep = PreparedStep()) {
+public class IslandField @JvmOverloads constructor(workers: Int, internal val prepared: PreparedStep = PreparedStep()) {
     /** The grid of this step. */
     public val grid: Grid get() = prepared.grid
 
@@ -92,6 +92,7 @@ public class IslandField(workers: Int, internal val prepared: PreparedStep = Pre
      *
      * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
      */
+    @JvmOverloads
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
         enlarged = 0
         prepared.measure(step, loop)
@@ -123,6 +124,7 @@ public class IslandField(workers: Int, internal val prepared: PreparedStep = Pre
     }
 
     /** Sorts the spheres into the grid and copies them; then none belongs to an island. */
+    @JvmOverloads
     public fun prepare(loop: RangeLoop = InlineLoop) {
         isOutrun = false
         stopped = false
@@ -132,6 +134,7 @@ public class IslandField(workers: Int, internal val prepared: PreparedStep = Pre
     }
 
     /** Moves every sphere to the end of the step and writes all back. */
+    @JvmOverloads
     public fun store(loop: RangeLoop = InlineLoop) {
         prepared.store(loop)
         board.leaveClean()

@@ -49,7 +49,7 @@ import java.util.concurrent.atomic.AtomicReference
  * @param strategy of the loops over spheres; the first search is always dynamic, as in the paper
  * @param gridSort how the grid is built
  */
-public class ThreadPoolEngine(
+public class ThreadPoolEngine @JvmOverloads constructor(
     private val handler: ThreadHandler,
     strategy: LoopStrategy = LoopStrategy.CHUNKS,
     gridSort: GridSort = GridSort.ROW_LOCKS,
