@@ -11,8 +11,8 @@ import kotlin.math.floor
  */
 public class CellRuns @JvmOverloads constructor(
     private val grid: Grid,
-    private val closer: RowBounds? = null) : SlotRuns(,
-) {
+    private val closer: RowBounds? = null,
+) : SlotRuns() {
     private val levels = grid.levels
 
     // The present class of sizes.
