@@ -84,6 +84,16 @@ class AnalysisTest {
     }
 
     @Test
+    fun `the guide has the keys of all numbers`() = NumberKeys.assertDocumented()
+
+    @Test
+    fun `a patch with self-gravity has the numbers of gravity`() {
+        val path = run("self-gravity-wakes", "untilOrbits=0.05", "box.lengths=[60,60,20]", "output.transportEvery=5")
+        Analysis(AnalysisInput.ofRun(path)).write(path)
+        assertEquals(NumberKeys.RING.toSet() + NumberKeys.SELF_GRAVITY, NumberKeys.of(path).toSet())
+    }
+
+    @Test
     fun `a sheared box has its mean flow, an open gas what an open gas has`() {
         val sheared = run("shear-cell", "until=1", "output.snapshotEvery=10", "output.transportEvery=2")
         Analysis(AnalysisInput.ofRun(sheared)).write(sheared)

@@ -3,7 +3,7 @@ package daphnis.core.collision
 import daphnis.core.api.EngineApi
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Columns
+import daphnis.core.population.PopulationColumns
 import daphnis.core.population.Population
 
 /**
@@ -138,7 +138,7 @@ public class StepRows {
         population.take(columns)
     }
 
-    private fun storeRange(columns: Columns, duration: Double, from: Int, to: Int) {
+    private fun storeRange(columns: PopulationColumns, duration: Double, from: Int, to: Int) {
         val state = state
         val x = columns.x
         val y = columns.y
@@ -253,6 +253,17 @@ public class StepRows {
 
         /** Offset of the local time in a row. */
         public const val TIME: Int = 6
+
+        /**
+         * The local time of a sphere whose path is known elsewhere only, because an island has a copy of it. The rest
+         * of its row is out of date. Every time that is computed from it is [UNKNOWN] too, which is NaN: no comparison
+         * with it holds, so it is asked for by [isUnknown].
+         */
+        public const val UNKNOWN: Double = Double.NaN
+
+        /** Whether [time] is that of a sphere which is [UNKNOWN], or was computed from it. */
+        @JvmStatic
+        public fun isUnknown(time: Double): Boolean = time.isNaN()
 
         /** Offset of the radius in a row. */
         public const val RADIUS: Int = 7

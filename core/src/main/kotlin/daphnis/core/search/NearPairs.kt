@@ -49,7 +49,8 @@ public class NearPairs @JvmOverloads constructor(
         val p = population
         val images = grid.images
         val k = order[slot]
-        val count = runs.ahead(slot, p.x[k], p.y[k], p.z[k], 0.0, 0.0, 0.0, radius)
+        runs.path.set(p.x[k], p.y[k], p.z[k], radius)
+        val count = runs.ahead(slot)
         for (r in 0 until count) {
             val image = runs.image[r]
             val sx = images.shift(image, 0)

@@ -54,7 +54,7 @@ public class IslandField @JvmOverloads constructor(workers: Int, internal val pr
 
     /**
      * The state at the start of the window. Written by [prepare] and when islands are committed; read by all. The local
-     * time of a sphere that has been taken into an island is NaN.
+     * time of a sphere that has been taken into an island is [StepRows.UNKNOWN].
      */
     public val rows: StepRows = prepared.rows
 

@@ -128,7 +128,7 @@ public class ThreadPoolEngine @JvmOverloads constructor(
         busy.prepare(step.population)
         queue.reset(step.duration, rows.id, rows.size)
         trails.reset(rows.size)
-        for (worker in workers) worker.begin(if (step.record == null) null else worker.record)
+        for (worker in workers) worker.beginStep(step)
         dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to -> workers[worker].searchStart(from, to) }
         for (worker in workers) queue.addAll(worker.found.events)
         handler.run { worker -> processSafe(worker) }
