@@ -1,18 +1,20 @@
 package daphnis.core.step
 
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.gas
+import daphnis.core.randomSpheres
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
 
 class PreparedStepTest {
     private val prepared = PreparedStep()
-    private val step = gas(20, 1).let { (population, boundary) ->
-        CollisionStep(population, boundary, CollisionLaw(ConstantRestitution(0.9)), CollisionCounters())
-    }
+    private val boundary = Periodic(Box.centred(9.0, 9.0, 9.0))
+    private val law = CollisionLaw(ConstantRestitution(0.9))
+    private val step = CollisionStep(randomSpheres(20, boundary, 1, 1.0) { 0.3 }, boundary, law, CollisionCounters())
 
     init {
         step.duration = 1e-3

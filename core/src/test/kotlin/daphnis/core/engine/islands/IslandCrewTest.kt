@@ -1,15 +1,18 @@
 package daphnis.core.engine.islands
 
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.gas
+import daphnis.core.randomSpheres
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class IslandCrewTest {
-    private val field = gas(300, 1).let { (population, boundary) -> fieldOf(population, boundary) }
-    private val crew = IslandCrew(field, 1)
+    private val boundary = Periodic(Box.centred(12.0, 12.0, 12.0))
+    private val field = fieldOf(randomSpheres(300, boundary, 1, 1.0) { 0.3 }, boundary, workers = 1)
+    private val crew = IslandCrew(field, 1).apply { window = WindowLength(0.0, 0.0, leastSeeds = 1) }
 
     private fun assertOutOfTurn(vararg calls: () -> Unit) {
         for (call in calls) assertThrows(IllegalStateException::class.java, call)
