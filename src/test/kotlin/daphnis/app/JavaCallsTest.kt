@@ -67,7 +67,10 @@ class JavaCallsTest {
 
     /** Public methods that [holder] has neither from its supertypes nor from serialization. */
     private fun ownMembers(holder: Class<*>): List<Method> = holder.declaredMethods.filter { method ->
-        method.isPublic && !method.isSynthetic && !method.isMangled && method.name != "serializer" &&
+        method.isPublic &&
+            !method.isSynthetic &&
+            !method.isMangled &&
+            method.name != "serializer" &&
             (listOfNotNull(holder.superclass) + holder.interfaces).none { above ->
                 above.methods.any { it.isLike(method) }
             }
@@ -108,11 +111,13 @@ class JavaCallsTest {
 
         fun Method.isLike(other: Method) = name == other.name && parameterTypes.contentEquals(other.parameterTypes)
 
-        fun Executable.isShorter(other: Executable) = isPublic && !isSynthetic && parameterCount == other.parameterCount - 1
+        fun Executable.isShorter(other: Executable) =
+            isPublic && !isSynthetic && parameterCount == other.parameterCount - 1
 
         fun nameOf(member: Executable): String {
             val name = if (member is Method) member.name else "<init>"
-            return "${member.declaringClass.name.substringAfterLast('.')}.$name(${member.parameterTypes.joinToString { it.simpleName }})"
+            val types = member.parameterTypes.joinToString { it.simpleName }
+            return "${member.declaringClass.name.substringAfterLast('.')}.$name($types)"
         }
 
         /** The text of each source file, by its path behind the folder of sources. */

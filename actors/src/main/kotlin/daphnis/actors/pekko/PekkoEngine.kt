@@ -37,8 +37,7 @@ public class PekkoEngine @JvmOverloads constructor(
     override val threads: Int,
     layout: RegionLayout? = null,
     host: ActorSystem<*>? = null,
-) :
-    CollisionEngine {
+) : CollisionEngine {
     override val name: String get() = "pekko"
 
     init {

@@ -24,8 +24,7 @@ public class PairCorrelation @JvmOverloads constructor(
     public val farthest: Double,
     public val bins: Int,
     public val nearest: Double = 0.0,
-) :
-    Measure {
+) : Measure {
     init {
         require(nearest >= 0 && farthest > nearest && farthest.isFinite() && bins >= 1) {
             "$bins bins from $nearest to $farthest; there must be one at least, of a width > 0, from a distance >= 0 on"

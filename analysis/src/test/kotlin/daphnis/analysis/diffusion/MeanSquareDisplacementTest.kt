@@ -3,8 +3,8 @@ package daphnis.analysis.diffusion
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
-import daphnis.analysis.report.NumberKeys
 import daphnis.analysis.report.DiffusionSection
+import daphnis.analysis.report.NumberKeys
 import daphnis.analysis.report.ReportPage
 import daphnis.analysis.report.Study
 import daphnis.core.boundary.BoundaryConditions

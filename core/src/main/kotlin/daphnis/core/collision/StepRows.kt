@@ -3,8 +3,8 @@ package daphnis.core.collision
 import daphnis.core.api.EngineApi
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.PopulationColumns
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
 
 /**
  * The population during one step: a packed copy in cell order with eight doubles per sphere. A sphere in a collision is

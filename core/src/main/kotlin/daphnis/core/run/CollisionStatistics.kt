@@ -13,9 +13,8 @@ import daphnis.core.population.ExactSum
  *
  * @property from collisions of steps that end at or before this time are left out
  */
-public class CollisionStatistics @JvmOverloads constructor(
-    public val from: Double = Double.NEGATIVE_INFINITY,
-) : Output {
+public class CollisionStatistics @JvmOverloads constructor(public val from: Double = Double.NEGATIVE_INFINITY) :
+    Output {
     /** Collisions summed. */
     public var count: Long = 0
         private set

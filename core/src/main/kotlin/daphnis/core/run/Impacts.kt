@@ -24,6 +24,7 @@ public object ImpactColumns : TableColumns {
     @JvmField
     public val SPEED_TO: Column =
         rows.number("speed_to", Dimension.SPEED, Need.NEEDED) { CollisionStatistics.binEdge(it.k + 1) }
+
     @JvmField
     public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.statistics.speeds[it.k] }
 

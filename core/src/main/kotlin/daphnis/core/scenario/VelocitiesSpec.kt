@@ -17,8 +17,7 @@ public sealed interface VelocitiesSpec {
     public class Rest @JvmOverloads constructor(
         override val shearProfile: Boolean = false,
         override val zeroMomentum: Boolean = true,
-    ) :
-        VelocitiesSpec
+    ) : VelocitiesSpec
 
     /** Every component uniform in ±[halfWidth]. */
     @Serializable

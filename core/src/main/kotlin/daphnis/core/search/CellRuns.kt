@@ -9,10 +9,8 @@ import kotlin.math.floor
  *
  * @param closer bounds on other spheres which are closer than the reach for which the grid was built; null for none
  */
-public class CellRuns @JvmOverloads constructor(
-    private val grid: Grid,
-    private val closer: RowBounds? = null,
-) : SlotRuns() {
+public class CellRuns @JvmOverloads constructor(private val grid: Grid, private val closer: RowBounds? = null) :
+    SlotRuns() {
     private val levels = grid.levels
 
     /** The path of the sphere to search for; to be set before each query. */

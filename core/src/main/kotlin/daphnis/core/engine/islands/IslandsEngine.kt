@@ -30,8 +30,7 @@ import daphnis.core.step.PreparedStep
 public class IslandsEngine @JvmOverloads constructor(
     private val handler: ThreadHandler,
     private val fewest: Int = WORTH_SPHERES,
-) :
-    CollisionEngine {
+) : CollisionEngine {
     public constructor(threads: Int) : this(FixedPool(threads))
 
     override val name: String get() = "islands"
