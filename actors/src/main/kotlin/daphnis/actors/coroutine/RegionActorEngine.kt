@@ -46,7 +46,7 @@ import java.util.concurrent.atomic.AtomicInteger
  * @param layout regions; chosen from the number of spheres and threads at the first step when null
  * @param dispatcher where regions run; not closed with the engine
  */
-public class RegionActorEngine(
+public class RegionActorEngine @JvmOverloads constructor(
     override val threads: Int,
     layout: RegionLayout? = null,
     dispatcher: CoroutineDispatcher? = null,

@@ -33,8 +33,11 @@ import java.util.concurrent.CancellationException
  * @param host an actor system to run in; the engine's actors are system actors there and run on its default dispatcher.
  *   When null, the engine starts its own at the first step
  */
-public class PekkoEngine(override val threads: Int, layout: RegionLayout? = null, host: ActorSystem<*>? = null) :
-    CollisionEngine {
+public class PekkoEngine @JvmOverloads constructor(
+    override val threads: Int,
+    layout: RegionLayout? = null,
+    host: ActorSystem<*>? = null,
+) : CollisionEngine {
     override val name: String get() = "pekko"
 
     init {

@@ -40,6 +40,7 @@ public sealed class RegionLayout {
          * A layout that suits [spheres] and [threads]: several regions per thread, so that a region with less work is
          * no loss, but none too small.
          */
+        @JvmStatic
         public fun of(spheres: Int, threads: Int): RegionLayout = Stretches(
             minOf(
                 threads * REGIONS_A_THREAD,

@@ -31,7 +31,7 @@ public enum class Phase {
  * @property islands roots of the islands of a [Phase.GRANT], the batch; not changed after sending
  * @property locked by region: whether its spheres may be touched in a [Phase.GRANT]; not changed after sending
  */
-public class RegionCommand(
+public class RegionCommand @JvmOverloads constructor(
     public val region: Int,
     public val phase: Phase,
     public val islands: IntArray = NOTHING,
@@ -50,7 +50,7 @@ public class RegionCommand(
  *   own nor locked for it: alternately root and slot of that sphere
  * @property failure what the region threw, null when all went well
  */
-public class RegionReply(
+public class RegionReply @JvmOverloads constructor(
     public val region: Int,
     public val phase: Phase,
     public val border: IntArray = NOTHING,

@@ -28,7 +28,10 @@ import daphnis.core.step.PreparedStep
  *
  * Single-threaded: calls come one after the other, and each happens after the one before.
  */
-public class StepCoordinator(public val map: RegionMap, private val loop: RangeLoop = InlineLoop) {
+public class StepCoordinator @JvmOverloads constructor(
+    public val map: RegionMap,
+    private val loop: RangeLoop = InlineLoop,
+) {
     /** The present step; for the serial engine too, once no region is at work. */
     internal val prepared: PreparedStep = PreparedStep()
     private val field = IslandField(map.count, prepared)

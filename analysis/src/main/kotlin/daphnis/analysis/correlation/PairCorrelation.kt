@@ -20,8 +20,11 @@ import kotlin.math.sqrt
  * @param farthest largest distance; at most half the shortest edge of the box along the axes in which distances are
  *   counted
  */
-public class PairCorrelation(public val farthest: Double, public val bins: Int, public val nearest: Double = 0.0) :
-    Measure {
+public class PairCorrelation @JvmOverloads constructor(
+    public val farthest: Double,
+    public val bins: Int,
+    public val nearest: Double = 0.0,
+) : Measure {
     init {
         require(nearest >= 0 && farthest > nearest && farthest.isFinite() && bins >= 1) {
             "$bins bins from $nearest to $farthest; there must be one at least, of a width > 0, from a distance >= 0 on"
@@ -87,12 +90,14 @@ public class PairCorrelation(public val farthest: Double, public val bins: Int, 
 
     public companion object {
         /** Whether distances are counted in the x-y plane: where [boundary] has no images along z. */
+        @JvmStatic
         public fun isInPlane(boundary: BoundaryConditions): Boolean = !boundary.hasImages(2)
 
         /**
          * The largest distance that [boundary] has room for: half the shortest edge along the axes in which distances
          * are counted.
          */
+        @JvmStatic
         public fun farthest(boundary: BoundaryConditions): Double =
             (0..if (isInPlane(boundary)) 1 else 2).minOf { boundary.box.length(it) } / 2
 

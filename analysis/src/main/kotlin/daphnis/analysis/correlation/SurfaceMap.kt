@@ -103,6 +103,7 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
 
     public companion object {
         /** The map of [state] in cells of about [cell]. */
+        @JvmStatic
         public fun of(state: State, cell: Double): SurfaceMap {
             require(cell > 0) { "cell is $cell; it must be > 0" }
             val box = state.boundary.box

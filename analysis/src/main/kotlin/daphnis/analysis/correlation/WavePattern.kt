@@ -34,6 +34,7 @@ public class WavePattern private constructor(
          * single state. More states lower the bound only as far as they differ: states with the same noise do not
          * reduce its scatter.
          */
+        @JvmStatic
         public fun of(maps: List<DoubleArray>, lagX: Int, lagY: Int, dx: Double, dy: Double): WavePattern? {
             if (maps.isEmpty() || lagX < FEWEST_LAGS || lagY < FEWEST_LAGS) return null
             val size = (2 * lagX + 1) * (2 * lagY + 1)

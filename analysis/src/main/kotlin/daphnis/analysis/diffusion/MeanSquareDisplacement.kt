@@ -84,6 +84,7 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
      *
      * @param from shortest lag of the fit, such as that found for the mean of more coordinates; null to find it
      */
+    @JvmOverloads
     public fun diffusion(vararg coordinates: Int, from: Double? = null): Diffusion? {
         require(coordinates.isNotEmpty()) { "no coordinate" }
         val byGroup = Array(groups) { g ->

@@ -38,6 +38,7 @@ public class FlowField(public val nx: Int, public val ny: Int) : Measure {
      * The line of the flow through ([x], [y]), both in cells, as pairs x, y: steps of half a cell by the midpoint rule,
      * until it leaves the grid, comes to an empty cell or has [steps] points.
      */
+    @JvmOverloads
     public fun line(vx: DoubleArray, vy: DoubleArray, x: Double, y: Double, steps: Int = 4 * (nx + ny)): DoubleArray {
         val points = ArrayList<Double>()
         var a = x

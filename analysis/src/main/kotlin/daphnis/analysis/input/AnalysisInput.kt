@@ -93,6 +93,8 @@ public class AnalysisInput internal constructor(
          * @throws InputException when there is no run, it has no snapshot, or a file is not what the run wrote
          * @throws FormatException when a file cannot be read
          */
+        @JvmStatic
+        @JvmOverloads
         public fun ofRun(path: Path, acceptLoss: Boolean = false): AnalysisInput {
             val run = RunDirectory(path)
             run.requireRun()
@@ -183,6 +185,7 @@ public class AnalysisInput internal constructor(
          * @param scenario what the box, its faces and the frame are; without one they are the file's, and open where it
          *   does not say
          */
+        @JvmStatic
         public fun ofFile(path: Path, scenario: Scenario?, source: String): AnalysisInput {
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
             val snapshots = SnapshotFormats.read(path)

@@ -16,7 +16,7 @@ import kotlin.math.abs
  * @param every steps between samples when used as an output
  * @param omega angular speed of Hill's frame, or null
  */
-public class Averages(
+public class Averages @JvmOverloads constructor(
     private val measure: Measure,
     private val from: Double = Double.NEGATIVE_INFINITY,
     private val every: Long = 1,

@@ -13,7 +13,7 @@ import daphnis.core.population.Population
  * @property firstBody spheres with ids from this on are bodies, such as moonlets, which most quantities leave out;
  *   [Int.MAX_VALUE] for none
  */
-public class State(
+public class State @JvmOverloads constructor(
     public val population: Population,
     public val boundary: BoundaryConditions,
     public val time: Double,
@@ -41,6 +41,8 @@ public class State(
 
     public companion object {
         /** The state of [simulation] between two steps. */
+        @JvmStatic
+        @JvmOverloads
         public fun of(simulation: Simulation, omega: Double? = null): State =
             State(simulation.population, simulation.boundary, simulation.time, omega)
     }

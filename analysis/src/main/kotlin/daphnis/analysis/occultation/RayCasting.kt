@@ -21,7 +21,11 @@ import kotlin.math.tan
  * @param azimuth A, direction in the plane in which the rays climb, from x toward y, in radians
  * @param rays rays along the longer edge of the patch, at most; rays along x and y are as far apart
  */
-public class RayCasting(public val elevation: Double, public val azimuth: Double = 0.0, private val rays: Int = 1024) {
+public class RayCasting @JvmOverloads constructor(
+    public val elevation: Double,
+    public val azimuth: Double = 0.0,
+    private val rays: Int = 1024,
+) {
     init {
         require(elevation > 0 && elevation <= PI / 2) { "elevation is $elevation; it must be in (0, π/2]" }
         require(azimuth.isFinite()) { "azimuth is $azimuth; it must be finite" }

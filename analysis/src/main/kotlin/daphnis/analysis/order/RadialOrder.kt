@@ -27,7 +27,10 @@ public enum class RadialKey {
  * @param planetDistance distance of the frame's origin from the planet, for [RadialKey.DISTANCE]
  * @param loop threads to use
  */
-public class RadialOrder(public val planetDistance: Double = Double.NaN, private val loop: RangeLoop = InlineLoop) {
+public class RadialOrder @JvmOverloads constructor(
+    public val planetDistance: Double = Double.NaN,
+    private val loop: RangeLoop = InlineLoop,
+) {
     /** Index in the population by rank, innermost first; the first [size] entries. */
     public var order: IntArray = IntArray(0)
         private set

@@ -28,7 +28,7 @@ import org.jetbrains.letsPlot.themes.themeMinimal
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /** A named curve; [error] is one standard error by point, or null. Points that are NaN are left out. */
-public class Curve(
+public class Curve @JvmOverloads constructor(
     public val name: String,
     public val x: DoubleArray,
     public val y: DoubleArray,

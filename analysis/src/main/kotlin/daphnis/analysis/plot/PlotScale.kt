@@ -27,6 +27,7 @@ public class PlotScale(public val units: UnitNames, omega: Double?, meanRadius: 
 
     public companion object {
         /** Of the [scenario] of a run, with the spheres it began with. */
+        @JvmStatic
         public fun of(scenario: ResolvedScenario, population: Population): PlotScale {
             val particles = (0 until population.size).filter { !scenario.isBody(population.id[it]) }
             val radius = if (particles.isEmpty()) 1.0 else particles.map { population.radius[it] }.average()

@@ -19,6 +19,7 @@ public object RunPlot {
      * @throws IllegalArgumentException when the series has fewer than two rows
      * @throws daphnis.core.format.FormatException when the file is no time series
      */
+    @JvmStatic
     public fun write(series: Path, directory: Path, title: String, scale: PlotScale) {
         val table = SeriesTable.read(series)
         require(table.size >= 2) { "the time series has ${table.size} rows; two are needed" }
@@ -35,6 +36,7 @@ public object RunPlot {
      * Draws a picture of nothing and forgets it. The first picture takes ten times as long as another, for all that
      * Java loads; another thread can do that while a run begins.
      */
+    @JvmStatic
     public fun prepare() {
         val curve = Curve("", doubleArrayOf(0.0, 1.0), doubleArrayOf(1.0, 2.0))
         val axis = Time("time", 0.0, 1.0)

@@ -103,6 +103,7 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
     }
 
     public companion object {
+        @JvmField
         public val COLUMNS: List<String> = listOf("count", "mean_radius", "c_xx", "c_yy", "c_zz", "c2", "h2")
         private val WIDTH = COLUMNS.size
         private const val C2 = 5
@@ -113,6 +114,8 @@ public class DispersionBySize(private val edges: DoubleArray) : Measure {
          * Classes for the particles of [sample]: one for each radius when there are at most [most], else [most] of
          * equal width in ln r. Null for one size.
          */
+        @JvmStatic
+        @JvmOverloads
         public fun of(sample: State, most: Int = 8): DispersionBySize? {
             val p = sample.population
             val radii = (0 until p.size).filter { sample.isParticle(it) }.map { p.radius[it] }.sorted()

@@ -133,6 +133,7 @@ public class Profile(public val axis: Int, public val from: Double, public val t
     }
 
     public companion object {
+        @JvmField
         public val COLUMNS: List<String> =
             listOf("count", "surface_density", "optical_depth", "filling_factor") +
                 listOf("mean_vx", "mean_vy", "mean_vz", "c_xx", "c_yy", "c_zz", "c_xy")

@@ -21,6 +21,7 @@ public class VelocityEllipsoid private constructor(
 
     public companion object {
         /** From ⟨c_x²⟩, ⟨c_y²⟩, ⟨c_z²⟩ and ⟨c_x c_y⟩. */
+        @JvmStatic
         public fun of(xx: Double, yy: Double, zz: Double, xy: Double): VelocityEllipsoid {
             val mean = (xx + yy) / 2
             val half = sqrt((xx - yy) * (xx - yy) / 4 + xy * xy)

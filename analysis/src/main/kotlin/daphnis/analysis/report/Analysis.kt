@@ -13,7 +13,10 @@ import java.nio.file.Path
  *
  * @throws InputException when averages are to begin after the last state, or that holds no particle
  */
-public class Analysis(private val input: AnalysisInput, private val options: AnalysisOptions = AnalysisOptions()) {
+public class Analysis @JvmOverloads constructor(
+    private val input: AnalysisInput,
+    private val options: AnalysisOptions = AnalysisOptions(),
+) {
     init {
         require(options.frames >= 1) { "${options.frames} frames; there must be one at least" }
         checkFrom()
@@ -34,6 +37,7 @@ public class Analysis(private val input: AnalysisInput, private val options: Ana
      *
      * @throws daphnis.core.format.FormatException when a state cannot be read
      */
+    @JvmOverloads
     public fun write(directory: Path, progress: AnalysisProgress = AnalysisProgress { _, _, _ -> }) {
         val from = options.from ?: steady()
         if (input.snapshot(input.size - 1).size == 0) {

@@ -10,7 +10,7 @@ package daphnis.analysis.report
  * @property frames states that are averaged at most, evenly spread
  * @property azimuth direction in which the rays climb, from x toward y, in degrees
  */
-public class AnalysisOptions(
+public class AnalysisOptions @JvmOverloads constructor(
     public val from: Double? = null,
     public val slabs: Int = 0,
     public val groups: Int = 0,

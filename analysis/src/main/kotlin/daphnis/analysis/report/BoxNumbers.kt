@@ -15,18 +15,19 @@ internal class BoxNumbers(private val study: Study) {
 
     fun rows(): List<NumberRow> {
         val transport = motion.transport
-        rows.exact("filling factor φ", bulk.fillingFactor, "")
-        rows.exact("mean radius", bulk.meanRadius, units.length)
+        rows.exact("filling_factor", "filling factor φ", bulk.fillingFactor, "")
+        rows.exact("mean_radius", "mean radius", bulk.meanRadius, units.length)
         val isOld = flow != null && transport?.isPeculiar == false
         rows.average(
+            "granular_temperature",
             "granular temperature ⟨c²⟩/3",
             motion.temperature,
             units.temperature,
             if (isOld) "around the boundary's straight flow: transport.csv is of an older version" else "",
         )
         if (transport == null) return rows.list()
-        rows.average("collisions of a particle", transport.collisionRate, units.rate)
-        rows.average("compressibility p V / (M T)", transport.compressibility, "")
+        rows.average("collisions_per_particle", "collisions of a particle", transport.collisionRate, units.rate)
+        rows.average("compressibility", "compressibility p V / (M T)", transport.compressibility, "")
         if (flow != null && flow.rate != 0.0) sheared(transport, flow.rate)
         return rows.list()
     }
@@ -45,13 +46,19 @@ internal class BoxNumbers(private val study: Study) {
         val stress =
             mass / study.last.boundary.box.volume /
                 (population.mass.average() / (PI / 6 * diameter * diameter * diameter) * gamma2)
-        rows.average("temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "")
-        rows.average("pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
+        rows.average("reduced_temperature", "temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "")
+        rows.average("reduced_pressure", "pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
         val shearStress = transport.pressure("xy") * (-stress * Math.signum(rate))
-        rows.average("shear stress τ* = −P_xy/(ρ_p σ²γ²)", shearStress, "")
-        rows.average("viscosity, translational", transport.translational, units.viscosity)
-        rows.average("viscosity, collisional", transport.collisional, units.viscosity)
-        rows.average("viscosity, total", transport.viscosity, units.viscosity)
-        rows.average("γ² ν over dissipation", transport.energyBalance, "", "1 in a steady state")
+        rows.average("reduced_shear_stress", "shear stress τ* = −P_xy/(ρ_p σ²γ²)", shearStress, "")
+        rows.average("viscosity_translational", "viscosity, translational", transport.translational, units.viscosity)
+        rows.average("viscosity_collisional", "viscosity, collisional", transport.collisional, units.viscosity)
+        rows.average("viscosity_total", "viscosity, total", transport.viscosity, units.viscosity)
+        rows.average(
+            "shear_work_over_dissipation",
+            "γ² ν over dissipation",
+            transport.energyBalance,
+            "",
+            "1 in a steady state",
+        )
     }
 }

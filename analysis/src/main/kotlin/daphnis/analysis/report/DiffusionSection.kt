@@ -53,6 +53,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         if (omega != null) {
             return listOfNotNull(
                 row(
+                    "guiding_centre_diffusion",
                     "self-diffusion of guiding centres D_X",
                     d.diffusion(0),
                     "r² Ω",
@@ -63,18 +64,25 @@ internal class DiffusionSection(private val study: Study) : Section {
         val all = coordinates.indices.toList().toIntArray()
         val mean = d.diffusion(*all) ?: return emptyList()
         val along = all.map {
-            row("self-diffusion D_${coordinates[it].name}", d.diffusion(it, from = mean.from), units.viscosity, 1.0)
+            val axis = coordinates[it].name
+            row(
+                "self_diffusion_$axis",
+                "self-diffusion D_$axis",
+                d.diffusion(it, from = mean.from),
+                units.viscosity,
+                1.0,
+            )
         }
-        val whole = if (all.size == 1) null else row("self-diffusion D", mean, units.viscosity, 1.0)
+        val whole = if (all.size == 1) null else row("self_diffusion", "self-diffusion D", mean, units.viscosity, 1.0)
         return (listOf(whole) + along).filterNotNull()
     }
 
-    private fun row(what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {
+    private fun row(key: String, what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {
         if (d == null) return null
         val orbit = if (omega != null) 2 * PI / omega else 1.0
         val time = study.scale.timeName
         val lags = "slope over lags from ${ReportText.short(d.from / orbit)} to ${ReportText.short(d.to / orbit)} $time"
-        return NumberRow(what, d.value / scale, d.error / scale, unit, note = lags)
+        return NumberRow(what, d.value / scale, d.error / scale, unit, note = lags, key = key)
     }
 
     override fun write(page: ReportPage) {

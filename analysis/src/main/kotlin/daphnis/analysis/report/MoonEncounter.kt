@@ -27,39 +27,43 @@ internal object MoonEncounter {
     }
 
     fun rows(e: Encounter, box: Box, units: UnitNames): List<NumberRow> {
-        val rows = NumberRows()
+        val rows = ArrayList<NumberRow>()
         val moonX = (box.lowerX + box.upperX) / 2 - e.distance
         val swings = "${ReportText.short(e.moonE)} ${units.length}"
         val swing = "of the guiding centres; the moon swings $swings to either side"
-        rows.exact(
+        rows.number(
             "distance from the moon's orbit, middle of the patch",
             e.distance,
             units.length,
             if (e.moonE > 0) swing else "",
         )
-        rows.exact("wavelength 3π|Δa|", e.wavelength, units.length)
+        rows.number("wavelength 3π|Δa|", e.wavelength, units.length)
         amplitudes(rows, e, units)
-        rows.exact("time between passages", e.synodicOrbits, "orbits")
+        rows.number("time between passages", e.synodicOrbits, "orbits")
         val resonances = e.resonances(box.lowerX - moonX, box.upperX - moonX).size.toDouble()
-        rows.exact("resonances (m+1):m in the patch", resonances, "")
-        return rows.list()
+        rows.number("resonances (m+1):m in the patch", resonances, "")
+        return rows
     }
 
-    private fun amplitudes(rows: NumberRows, e: Encounter, units: UnitNames) {
+    private fun amplitudes(rows: MutableList<NumberRow>, e: Encounter, units: UnitNames) {
         val name = "amplitude a·e of one passage"
         val crossing = "streamlines cross without damping after"
         val place = "by the moon's place on its epicycle at the passage"
         if (e.moonE == 0.0) {
-            rows.exact(name, e.amplitude, units.length)
-            rows.exact(crossing, e.crossing(e.amplitude), units.length)
+            rows.number(name, e.amplitude, units.length)
+            rows.number(crossing, e.crossing(e.amplitude), units.length)
         } else if (e.largestAmplitude.isNaN()) {
             val why = "not known: the moon's epicycle reaches the middle of the patch"
-            rows.exact(name, Double.NaN, units.length, why)
+            rows.number(name, Double.NaN, units.length, why)
         } else {
-            rows.exact("$name, least", e.leastAmplitude, units.length, place)
-            rows.exact("$name, largest", e.largestAmplitude, units.length, place)
-            rows.exact(crossing, e.crossing(e.largestAmplitude), units.length, "where the amplitude is largest")
+            rows.number("$name, least", e.leastAmplitude, units.length, place)
+            rows.number("$name, largest", e.largestAmplitude, units.length, place)
+            rows.number(crossing, e.crossing(e.largestAmplitude), units.length, "where the amplitude is largest")
         }
+    }
+
+    private fun MutableList<NumberRow>.number(name: String, value: Double, unit: String, note: String = "") {
+        this += NumberRow(name, value, Double.NaN, unit, note = note)
     }
 
     private const val METRES_PER_KM = 1000

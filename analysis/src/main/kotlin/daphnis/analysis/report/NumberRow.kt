@@ -5,10 +5,11 @@ import daphnis.analysis.statistics.BlockAverage
 /**
  * A quantity with its value.
  *
- * @property name what it is called in the report, in `tables/numbers.csv` and among the [References]: it stays as it is
- *   from version to version
+ * @property name what it is called on the page
  * @property error one standard error; NaN for none, either because there is none or, [isUncertain], because too few
  *   independent states tell it
+ * @property key what it is called in `tables/numbers.csv` and among the [References]: lower case, and the same in every
+ *   version, whatever the [name]; null for a number that stands on the page only
  */
 internal class NumberRow(
     val name: String,
@@ -18,20 +19,22 @@ internal class NumberRow(
     val reference: Reference? = null,
     val note: String = "",
     val isUncertain: Boolean = false,
+    val key: String? = null,
 )
 
-/** A list of quantities in the making; each gets the one of [references] that has its name. */
+/** A list of quantities in the making; each gets the one of [references] that has its key. */
 internal class NumberRows(private val references: Map<String, Reference> = emptyMap()) {
     private val rows = ArrayList<NumberRow>()
 
     /** The average [a] in [unit]. */
-    fun average(name: String, a: BlockAverage, unit: String, note: String = "") {
-        rows += NumberRow(name, a.mean, a.error, unit, references[name], note, !a.isLevelled && !a.mean.isNaN())
+    fun average(key: String, name: String, a: BlockAverage, unit: String, note: String = "") {
+        val isUncertain = !a.isLevelled && !a.mean.isNaN()
+        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, isUncertain, key)
     }
 
     /** A [value] without error, which follows from the particles themselves. */
-    fun exact(name: String, value: Double, unit: String, note: String = "") {
-        rows += NumberRow(name, value, Double.NaN, unit, references[name], note)
+    fun exact(key: String, name: String, value: Double, unit: String, note: String = "") {
+        rows += NumberRow(name, value, Double.NaN, unit, references[key], note, key = key)
     }
 
     fun list(): List<NumberRow> = rows

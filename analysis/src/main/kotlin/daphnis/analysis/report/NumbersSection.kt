@@ -26,7 +26,7 @@ internal class NumbersSection(private val study: Study, private val others: List
         val lines = rows.map {
             val error = if (it.error.isNaN()) "" else it.error
             val remark = if (it.isUncertain) "too few independent states" else ""
-            "${it.name.replace(',', ';')},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
+            "${checkNotNull(it.key) { it.name }},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
         }
         val header = "quantity,value,standard_error,unit,reference,remark"
         Files.write(study.tables.resolve("numbers.csv"), listOf(header) + lines)

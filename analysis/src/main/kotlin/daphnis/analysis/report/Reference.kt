@@ -12,7 +12,7 @@ internal class Reference(val value: Double, val source: String)
 
 /**
  * Numbers that are known for some scenarios: steady ring patches and sheared gases measured with an independent
- * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By [NumberRow.name].
+ * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By [NumberRow.key].
  */
 internal object References {
     private const val INDEPENDENT = "docs/validation.md"
@@ -27,17 +27,17 @@ internal object References {
         doubleArrayOf(1.0, 2.95, 2.10, 1.38, 1.54, 2.16, 18.95, 0.670, 0.859, 0.22),
         doubleArrayOf(2.0, 2.45, 1.62, 1.28, 1.31, 2.49, 44.3, 0.487, 1.859, 0.35),
     )
-    private val PATCH_NAMES = listOf(
+    private val PATCH_KEYS = listOf(
         "",
-        "velocity dispersion c",
-        "σ_x",
-        "σ_y",
-        "σ_z",
-        "scale height H",
-        "collisions of a particle",
-        "viscosity, translational",
-        "viscosity, collisional",
-        "filling factor in the middle plane",
+        "velocity_dispersion",
+        "sigma_x",
+        "sigma_y",
+        "sigma_z",
+        "scale_height",
+        "collisions_per_particle",
+        "viscosity_translational",
+        "viscosity_collisional",
+        "midplane_filling_factor",
     )
 
     /** e, φ, then T*, p*, τ*. */
@@ -68,7 +68,7 @@ internal object References {
                 abs(speed / 0.01948 - 1) < 0.02
         if (!same) return emptyMap()
         val row = PATCHES.find { abs(opticalDepth / it[0] - 1) < 0.01 } ?: return emptyMap()
-        return (1 until row.size).associate { PATCH_NAMES[it] to Reference(row[it], INDEPENDENT) }
+        return (1 until row.size).associate { PATCH_KEYS[it] to Reference(row[it], INDEPENDENT) }
     }
 
     /** Of a Lees–Edwards box, in the units of its table. */
@@ -79,9 +79,9 @@ internal object References {
         }
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
         return mapOf(
-            "temperature T* = T/(γσ)²" to Reference(row[2], INDEPENDENT),
-            "pressure p* = p/(ρ_p σ²γ²)" to Reference(row[3], INDEPENDENT),
-            "shear stress τ* = −P_xy/(ρ_p σ²γ²)" to Reference(row[4], INDEPENDENT),
+            "reduced_temperature" to Reference(row[2], INDEPENDENT),
+            "reduced_pressure" to Reference(row[3], INDEPENDENT),
+            "reduced_shear_stress" to Reference(row[4], INDEPENDENT),
         )
     }
 
@@ -98,12 +98,12 @@ internal object References {
         val contact = (1 - filling / 2) / ((1 - filling) * (1 - filling) * (1 - filling))
         val diameter = 2 * radius
         return mapOf(
-            "collisions of a particle" to
+            "collisions_per_particle" to
                 Reference(
                     4 * Math.sqrt(PI * temperature) * numberDensity * contact * diameter * diameter,
                     "Carnahan & Starling 1969",
                 ),
-            "compressibility p V / (M T)" to Reference(1 + 4 * filling * contact, "Carnahan & Starling 1969"),
+            "compressibility" to Reference(1 + 4 * filling * contact, "Carnahan & Starling 1969"),
         )
     }
 }

@@ -38,6 +38,7 @@ public class SeriesTable private constructor(private val columns: Map<String, Do
          * @throws daphnis.core.format.FormatException when it is no such file or damaged; the message names file and
          * line
          */
+        @JvmStatic
         public fun read(path: Path): SeriesTable = SeriesTable(NumberColumns.read(path, SeriesColumns))
     }
 }

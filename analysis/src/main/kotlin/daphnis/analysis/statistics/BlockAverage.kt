@@ -20,7 +20,7 @@ import kotlin.math.sqrt
  * @property count numbers in the series
  * @property independent independent blocks that the series is worth, at most [MOST_BLOCKS]; NaN where this is not known
  */
-public class BlockAverage(
+public class BlockAverage @JvmOverloads constructor(
     public val mean: Double,
     public val error: Double,
     public val count: Int,
@@ -69,6 +69,7 @@ public class BlockAverage(
         private const val ROUNDING = 1e-13
 
         /** Of [series], in order of time. */
+        @JvmStatic
         public fun of(series: DoubleArray): BlockAverage {
             val n = series.size
             if (n == 0) return BlockAverage(Double.NaN, Double.NaN, 0, 0.0)
@@ -80,6 +81,7 @@ public class BlockAverage(
          * Its error is that of the series of its jackknife pseudovalues n θ − (n − 1) θ₋ᵢ (Tukey 1958; Miller 1974,
          * Biometrika 61, 1), which includes what the columns have in common.
          */
+        @JvmStatic
         public fun of(columns: Array<DoubleArray>, function: OfMeans): BlockAverage {
             val n = columns[0].size
             for (column in columns) {

@@ -49,6 +49,7 @@ public class Steadiness private constructor(
         private const val BATCH = 5
 
         /** Of [series], evenly spaced in time. */
+        @JvmStatic
         public fun of(series: DoubleArray): Steadiness {
             if (series.size < FEWEST || series.any { !it.isFinite() }) {
                 return Steadiness(Double.NaN, Double.NaN, Verdict.TOO_SHORT)
@@ -78,6 +79,7 @@ public class Steadiness private constructor(
          * rest smallest (MSER-5: White 1997, Simulation 69, 323; White, Cobb & Spratt 2000). At most half of the series
          * is left out; −1 if that is not enough, or for fewer than 50 numbers.
          */
+        @JvmStatic
         public fun steadyFrom(series: DoubleArray): Int {
             val y = batches(series, BATCH)
             if (y.size < 2 * BATCH || series.any { !it.isFinite() }) return -1

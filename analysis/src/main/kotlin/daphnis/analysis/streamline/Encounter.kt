@@ -15,7 +15,7 @@ import kotlin.math.sqrt
  * @param semiMajorAxis of the moon, same unit of length
  * @param moonE amplitude of the moon's epicycle, a length: its eccentricity times its semi-major axis
  */
-public class Encounter(
+public class Encounter @JvmOverloads constructor(
     public val distance: Double,
     public val massRatio: Double,
     public val semiMajorAxis: Double,

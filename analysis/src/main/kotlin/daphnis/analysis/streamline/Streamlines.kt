@@ -245,6 +245,8 @@ public class Streamlines private constructor(
          * @param key what to sort by; the guiding centre needs Hill's frame
          * @param order an order to be reused; it contains the ranks afterwards
          */
+        @JvmStatic
+        @JvmOverloads
         public fun of(
             state: State,
             slabs: Int,

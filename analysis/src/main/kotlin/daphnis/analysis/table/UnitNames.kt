@@ -59,6 +59,7 @@ public class UnitNames(units: UnitsSpec?) {
         }
 
         /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `5 m`. */
+        @JvmStatic
         public fun amount(number: String, unit: String): String = if (number == "1" && unit.startsWith(UNITS_OF)) {
             "1 unit of ${unit.removePrefix(UNITS_OF)}"
         } else {
@@ -66,9 +67,11 @@ public class UnitNames(units: UnitsSpec?) {
         }
 
         /** Powers raised: `m^2/s` reads m²/s. */
+        @JvmStatic
         public fun raised(unit: String): String = unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹")
 
         /** What stands at an axis: [quantity] with its [unit] in brackets, or alone for a pure number. */
+        @JvmStatic
         public fun axis(quantity: String, unit: String): String =
             if (unit.isEmpty()) quantity else "$quantity [${raised(unit)}]"
     }

@@ -24,6 +24,7 @@ public class ImpactTable private constructor(
 
     public companion object {
         /** Reads [path]. @throws FormatException naming file and line when it is no such file or damaged */
+        @JvmStatic
         public fun read(path: Path): ImpactTable {
             val lines = try {
                 Files.readString(path).lines().drop(1).dropLastWhile { it.isEmpty() }

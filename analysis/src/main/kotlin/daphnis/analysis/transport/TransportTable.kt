@@ -28,6 +28,7 @@ public class TransportTable private constructor(private val columns: Map<String,
          *
          * @throws daphnis.core.format.FormatException when it is no such file
          */
+        @JvmStatic
         public fun read(path: Path): TransportTable = TransportTable(NumberColumns.read(path, TransportColumns))
     }
 }

@@ -73,14 +73,24 @@ class AnalysisTest {
                 path.resolve("tables/profile-radial.csv"),
             )[0].startsWith("centre [m],count,count_error,surface_density [kg/m^2]"),
         )
-        NumberNames.assertNamed(NumberNames.RING, path)
+        assertEquals(NumberKeys.RING, NumberKeys.of(path))
         val known = References.ofPatch(BuiltIn.scenario("ring-patch", emptyList()), 1.314e-4, 0.5).keys
         assertEquals(9, known.size)
-        assertTrue(NumberNames.RING.containsAll(known.map { it.replace(',', ';') })) { "$known" }
+        assertTrue(NumberKeys.RING.containsAll(known)) { "$known" }
         for (plot in listOf("patch-above", "patch-side", "streamlines", "velocity-ellipsoid")) {
             assertTrue(Files.size(path.resolve("plots/$plot.png")) > 1000)
             assertTrue(Files.readString(path.resolve("plots/$plot.svg")).startsWith("<svg"))
         }
+    }
+
+    @Test
+    fun `the guide has the keys of all numbers`() = NumberKeys.assertDocumented()
+
+    @Test
+    fun `a patch with self-gravity has the numbers of gravity`() {
+        val path = run("self-gravity-wakes", "untilOrbits=0.05", "box.lengths=[60,60,20]", "output.transportEvery=5")
+        Analysis(AnalysisInput.ofRun(path)).write(path)
+        assertEquals(NumberKeys.RING.toSet() + NumberKeys.SELF_GRAVITY, NumberKeys.of(path).toSet())
     }
 
     @Test
@@ -102,14 +112,14 @@ class AnalysisTest {
             1e-9,
         )
         assertTrue(pairs[0][1] > 1.5) { "g at contact is ${pairs[0][1]}" }
-        NumberNames.assertNamed(NumberNames.SHEARED, sheared)
+        assertEquals(NumberKeys.SHEARED, NumberKeys.of(sheared))
         val known = References.ofShear(BuiltIn.scenario("shear-cell", emptyList()), 0.3).keys
-        assertTrue(known.size == 3 && NumberNames.SHEARED.containsAll(known)) { "$known" }
+        assertTrue(known.size == 3 && NumberKeys.SHEARED.containsAll(known)) { "$known" }
         val gas = References.ofElastic(BuiltIn.scenario("elastic-gas", emptyList()), 0.1, 1.0, 0.2).keys
-        assertTrue(gas.size == 2 && NumberNames.GAS.containsAll(gas)) { "$gas" }
+        assertTrue(gas.size == 2 && NumberKeys.GAS.containsAll(gas)) { "$gas" }
         val open = run("cooling-gas", "until=0.2", "boundary={\"type\":\"open\"}", "particles.count=200")
         Analysis(AnalysisInput.ofRun(open)).write(open)
-        assertTrue("granular temperature" in Files.readString(open.resolve("tables/numbers.csv")))
+        assertTrue("granular_temperature" in NumberKeys.of(open))
     }
 
     @Test
@@ -122,7 +132,7 @@ class AnalysisTest {
         }
         assertTrue("fewer than eight independent ones" in html)
         val row = Files.readAllLines(cooling.resolve("tables/numbers.csv")).first {
-            it.startsWith("granular temperature")
+            it.startsWith("granular_temperature,")
         }
         assertTrue(row.endsWith(",too few independent states")) { row }
     }

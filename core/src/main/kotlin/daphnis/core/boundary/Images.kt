@@ -80,9 +80,11 @@ public class Images {
         public fun code(x: Int, y: Int, z: Int): Int = (x and 0xff) or ((y and 0xff) shl 8) or ((z and 0xff) shl 16)
 
         /** Boxes away along [axis]. */
+        @JvmStatic
         public fun component(code: Int, axis: Int): Int = (code shl (24 - 8 * axis)) shr 24
 
         /** The code seen from the other sphere of the pair. */
+        @JvmStatic
         public fun negated(code: Int): Int = code(-component(code, 0), -component(code, 1), -component(code, 2))
     }
 }

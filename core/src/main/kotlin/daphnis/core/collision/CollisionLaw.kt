@@ -13,7 +13,10 @@ import kotlin.math.sqrt
  *
  * A law is immutable, and the outcome is a pure function of the two states, so any number of workers can share one law.
  */
-public class CollisionLaw(public val restitution: Restitution, public val guard: CollapseGuard = NoGuard) {
+public class CollisionLaw @JvmOverloads constructor(
+    public val restitution: Restitution,
+    public val guard: CollapseGuard = NoGuard,
+) {
     /**
      * Processes the collision of slots [first] and [second] at [time] (from the start of the step) and describes it in
      * [outcome].

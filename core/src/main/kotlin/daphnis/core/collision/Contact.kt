@@ -93,7 +93,7 @@ public fun timeToContact(
  *
  * For c > 0 the contact comes c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time
  * τ has c ≤ −2bτ. In floating-point numbers this holds when τ is larger by a few units of rounding; see
- * [closingWithin]. A pair with an unknown number, NaN, is never dismissed, since b and c are NaN then.
+ * [closingWithin]. A pair with a number that is [StepRows.UNKNOWN] is never dismissed, since b and c are NaN then.
  *
  * @param closing −2τ, from [closingWithin]; −∞ for no limit of time
  */

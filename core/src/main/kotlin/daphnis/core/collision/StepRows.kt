@@ -3,8 +3,8 @@ package daphnis.core.collision
 import daphnis.core.api.EngineApi
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Columns
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
 
 /**
  * The population during one step: a packed copy in cell order with eight doubles per sphere. A sphere in a collision is
@@ -74,6 +74,7 @@ public class StepRows {
      * Takes over [population] in the given [order] (index by slot) for a step of [duration]; every local time is 0.
      * Allocates only when the population grew.
      */
+    @JvmOverloads
     public fun load(
         population: Population,
         order: IntArray,
@@ -130,13 +131,14 @@ public class StepRows {
      * is slot k from now on. When this throws, the population is as it was. Allocates at the first store, and when the
      * population has lost spheres.
      */
+    @JvmOverloads
     public fun store(population: Population, duration: Double, loop: RangeLoop = InlineLoop) {
         val columns = population.columnsToWrite(tracksLastCollision)
         loop.run(size) { _, from, to -> storeRange(columns, duration, from, to) }
         population.take(columns)
     }
 
-    private fun storeRange(columns: Columns, duration: Double, from: Int, to: Int) {
+    private fun storeRange(columns: PopulationColumns, duration: Double, from: Int, to: Int) {
         val state = state
         val x = columns.x
         val y = columns.y
@@ -251,6 +253,17 @@ public class StepRows {
 
         /** Offset of the local time in a row. */
         public const val TIME: Int = 6
+
+        /**
+         * The local time of a sphere whose path is known elsewhere only, because an island has a copy of it. The rest
+         * of its row is out of date. Every time that is computed from it is [UNKNOWN] too, which is NaN: no comparison
+         * with it holds, so it is asked for by [isUnknown].
+         */
+        public const val UNKNOWN: Double = Double.NaN
+
+        /** Whether [time] is that of a sphere which is [UNKNOWN], or was computed from it. */
+        @JvmStatic
+        public fun isUnknown(time: Double): Boolean = time.isNaN()
 
         /** Offset of the radius in a row. */
         public const val RADIUS: Int = 7

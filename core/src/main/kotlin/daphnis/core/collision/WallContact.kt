@@ -64,9 +64,11 @@ public class WallContact {
         public const val FACES: Int = 6
 
         /** The partner number of [face]. */
+        @JvmStatic
         public fun partner(face: Int): Int = -1 - face
 
         /** The face of a partner number. */
+        @JvmStatic
         public fun face(partner: Int): Int = -1 - partner
     }
 }

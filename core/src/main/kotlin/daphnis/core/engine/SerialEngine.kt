@@ -33,7 +33,7 @@ import daphnis.core.step.StepLimits
  *
  * @param prepared the structures in which the step is prepared; an engine which falls back to this one shares its own
  */
-public class SerialEngine(
+public class SerialEngine @JvmOverloads constructor(
     private val queue: EventQueue = BucketEventQueue(),
     private val prepared: PreparedStep = PreparedStep(),
 ) : CollisionEngine {

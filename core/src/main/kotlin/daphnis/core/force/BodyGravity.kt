@@ -19,7 +19,7 @@ import kotlin.math.sqrt
  * @param constant G, in length³/(mass · time²)
  * @param softening ε in 1/(r² + ε²), length
  */
-public class BodyGravity(
+public class BodyGravity @JvmOverloads constructor(
     private val bodies: IntArray,
     private val boundary: BoundaryConditions,
     private val constant: Double,

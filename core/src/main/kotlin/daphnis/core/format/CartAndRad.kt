@@ -40,6 +40,7 @@ public object CartAndRad : ReadableFormat, WritableFormat {
     }
 
     /** Writes [population] to [path], replacing it. */
+    @JvmStatic
     public fun write(population: Population, path: Path) {
         val order = population.indicesById()
         Files.newOutputStream(path).buffered(1 shl 16).use { stream ->
@@ -67,6 +68,8 @@ public object CartAndRad : ReadableFormat, WritableFormat {
      * @throws FormatException when the length does not agree with N, a number is not finite, or a radius is not
      *   positive
      */
+    @JvmStatic
+    @JvmOverloads
     public fun population(path: Path, density: Double = 1.0): Population {
         val size = Files.size(path)
         if (size < 4 || size > Int.MAX_VALUE) throw FormatException("$path: $size bytes is no CartAndRad file")

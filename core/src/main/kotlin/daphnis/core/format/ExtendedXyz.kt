@@ -29,6 +29,8 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
      * that all lie in about [−½, ½] as reduced ones and stretches them to the cell, so small boxes are better given in
      * particle radii.
      */
+    @JvmStatic
+    @JvmOverloads
     public fun write(snapshot: Snapshot, out: Writer, scale: Double = 1.0) {
         out.append(snapshot.size.toString()).append('\n')
         val l = DoubleArray(3) { snapshot.lengths[it] * scale }
@@ -54,6 +56,7 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
      * A scale with which OVITO does not interpret lengths as reduced coordinates: 1 for boxes longer than 4, else 1 /
      * mean radius.
      */
+    @JvmStatic
     public fun suitableScale(snapshot: Snapshot): Double {
         val longest =
             snapshot.lengths.filter { !it.isNaN() }.maxOrNull()

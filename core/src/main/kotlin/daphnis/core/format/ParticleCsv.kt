@@ -25,6 +25,8 @@ public object ParticleCsv : ReadableFormat {
      * @param density mass per volume where the table has no masses
      * @throws FormatException that names the line and column of the error
      */
+    @JvmStatic
+    @JvmOverloads
     public fun population(path: Path, density: Double = 1.0): Population = snapshot(path, density).population()
 
     /** Reads [path] as a state at step and time 0, masses from density 1 where it has none. */

@@ -14,7 +14,7 @@ import daphnis.core.population.Population
  *   @property hasRadius the same for [radius]
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  */
-public class Snapshot(
+public class Snapshot @JvmOverloads constructor(
     public val step: Long,
     public val time: Double,
     public val lengths: DoubleArray,

@@ -23,7 +23,7 @@ public interface SnapshotFormat {
  * @property severalStates whether a file can hold more than one state
  * @property changingParticles whether the states of one export may be of different particles
  */
-public class Kept(
+public class Kept @JvmOverloads constructor(
     public val masses: Presence,
     public val velocities: Presence,
     public val ids: Presence,
@@ -82,7 +82,7 @@ public interface WritableFormat : SnapshotFormat {
  * @property scale factor on lengths and velocities; null for the default of the format
  * @property units the scenario's units in SI units; then numbers are written in SI units
  */
-public class ExportOptions(
+public class ExportOptions @JvmOverloads constructor(
     public val version: String,
     public val scale: Double? = null,
     public val units: SiUnits? = null,
@@ -95,4 +95,8 @@ public class ExportOptions(
  * @property scale factor by which lengths and velocities were multiplied
  * @property remark one line on what a user should know about the files; null when there is nothing
  */
-public class Exported(public val path: Path, public val scale: Double = 1.0, public val remark: String? = null)
+public class Exported @JvmOverloads constructor(
+    public val path: Path,
+    public val scale: Double = 1.0,
+    public val remark: String? = null,
+)

@@ -6,6 +6,7 @@ import kotlin.io.path.name
 
 /** The list of formats from which a scenario starts, which are analysed, and to which snapshots are exported. */
 public object SnapshotFormats {
+    @JvmStatic
     public val all: List<SnapshotFormat> = listOf(
         ExtendedXyz,
         Vtp,
@@ -14,11 +15,14 @@ public object SnapshotFormats {
         ParticleCsv,
     )
 
+    @JvmStatic
     public val readable: List<ReadableFormat> = all.filterIsInstance<ReadableFormat>()
 
+    @JvmStatic
     public val writable: List<WritableFormat> = all.filterIsInstance<WritableFormat>()
 
     /** All formats that are read and their endings, for help and messages. */
+    @JvmStatic
     public val known: String = readable.joinToString { format ->
         "${format.extensions.joinToString(" ") { ".$it" }} (${format.title})"
     }
@@ -29,6 +33,7 @@ public object SnapshotFormats {
      *
      * @throws FormatException when no format has such a name
      */
+    @JvmStatic
     public fun of(path: Path): ReadableFormat {
         val name = path.name.lowercase()
         val ending = name.substringAfterLast('.', "")
@@ -44,6 +49,7 @@ public object SnapshotFormats {
      *
      * @throws FormatException for what is wrong, in one line
      */
+    @JvmStatic
     public fun read(path: Path): List<Snapshot> = try {
         of(path).read(path)
     } catch (e: IOException) {

@@ -33,6 +33,7 @@ public object Vtp : WritableFormat {
      * Writes one [snapshot]: points, one vertex per sphere, point data radius, velocity, mass, id, and the time as
      * field data.
      */
+    @JvmStatic
     public fun write(snapshot: Snapshot, path: Path) {
         val n = snapshot.size
         val blocks = ArrayList<ByteBuffer>()
@@ -93,6 +94,7 @@ public object Vtp : WritableFormat {
     }
 
     /** Writes the index of [files], given as file name and time. */
+    @JvmStatic
     public fun writeIndex(files: List<Pair<String, Double>>, path: Path) {
         val entries = files.joinToString("") { (name, time) ->
             "<DataSet timestep=\"$time\" group=\"\" part=\"0\" file=\"$name\"/>\n"

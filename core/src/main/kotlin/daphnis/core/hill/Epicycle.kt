@@ -20,7 +20,7 @@ import kotlin.math.sqrt
  * @property phase φ, radians; 0 when e is 0
  * @property verticalPhase ζ, radians
  */
-public class Epicycle(
+public class Epicycle @JvmOverloads constructor(
     public val guidingX: Double,
     public val guidingY: Double,
     public val e: Double,
@@ -29,6 +29,7 @@ public class Epicycle(
     public val verticalPhase: Double = 0.0,
 ) {
     /** Position x y z and velocity v_x v_y v_z in a frame of angular speed [omega]. */
+    @JvmOverloads
     public fun state(omega: Double, verticalFactor: Double = 1.0): DoubleArray {
         val s = StrictMath.sin(phase)
         val c = StrictMath.cos(phase)
@@ -43,6 +44,7 @@ public class Epicycle(
     }
 
     /** The elements after [time], on the free path. */
+    @JvmOverloads
     public fun after(time: Double, omega: Double, verticalFactor: Double = 1.0): Epicycle = Epicycle(
         guidingX,
         guidingY - 1.5 * omega * guidingX * time,
@@ -58,6 +60,7 @@ public class Epicycle(
          * [omega]. Allocates.
          */
         @JvmStatic
+        @JvmOverloads
         public fun of(
             x: Double,
             y: Double,
@@ -84,9 +87,11 @@ public class Epicycle(
         }
 
         /** X = 4x + 2 v_y/Ω. */
+        @JvmStatic
         public fun guidingX(x: Double, vy: Double, omega: Double): Double = 4 * x + 2 * vy / omega
 
         /** Y = y − 2 v_x/Ω. */
+        @JvmStatic
         public fun guidingY(y: Double, vx: Double, omega: Double): Double = y - 2 * vx / omega
     }
 }

@@ -19,7 +19,7 @@ import kotlin.math.sqrt
  * @param omega angular speed of the frame
  * @param softening ε, length
  */
-public class Satellite(
+public class Satellite @JvmOverloads constructor(
     public val gravitationalParameter: Double,
     private val orbit: Epicycle,
     private val omega: Double,

@@ -9,7 +9,8 @@ import kotlin.math.sqrt
  * vacancies, if there are more sites than spheres, are spread evenly. Face-centred cubic reaches a filling factor of
  * 0.6 and more in boxes that take whole cells.
  */
-public class LatticePlacement(private val lattice: Lattice = Lattice.FACE_CENTRED_CUBIC) : Placement {
+public class LatticePlacement @JvmOverloads constructor(private val lattice: Lattice = Lattice.FACE_CENTRED_CUBIC) :
+    Placement {
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         val n = radii.size
         val largest = radii.max()

@@ -30,6 +30,7 @@ public class RandomPlacement internal constructor(
     private val leastForThreads: Int,
     private val vainPerSphere: Long = VAIN_PER_SPHERE,
 ) : Placement {
+    @JvmOverloads
     public constructor(mostTries: Int = MOST_TRIES, obstacles: List<Obstacle> = emptyList(), threads: Int = 1) :
         this(mostTries, obstacles, threads, null, LEAST_FOR_THREADS)
 

@@ -9,7 +9,12 @@ public interface RangeLoop {
      * Calls [body] for ranges that together cover `0 until size` once, from several threads at once; returns when all
      * are done. Pieces have about [grain] indices; a loop no longer than that runs on the caller's thread.
      */
-    public fun run(size: Int, grain: Int = GRAIN, body: RangeBody)
+    public fun run(size: Int, grain: Int, body: RangeBody)
+
+    /** The same in pieces of about [GRAIN] indices. */
+    public fun run(size: Int, body: RangeBody) {
+        run(size, GRAIN, body)
+    }
 
     public companion object {
         /** Indices per piece: some ten microseconds of light work. */

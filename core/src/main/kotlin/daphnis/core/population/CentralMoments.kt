@@ -1,7 +1,10 @@
 package daphnis.core.population
 
 import daphnis.core.population.FlowFit.Companion.FIRST
+import daphnis.core.population.FlowFit.Companion.MASS
+import daphnis.core.population.FlowFit.Companion.MOMENTUM
 import daphnis.core.population.FlowFit.Companion.MOST_SLABS
+import daphnis.core.population.FlowFit.Companion.OFFSET
 import daphnis.core.population.FlowFit.Companion.SECOND
 import daphnis.core.population.FlowFit.Companion.SLAB_WIDTH
 
@@ -102,9 +105,9 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
         val from = order.start(slab)
         val to = order.start(slab + 1)
         val s = slab * SLAB_WIDTH
-        slabs[s].addAll(m, from, to)
-        slabs[s + 1].addAll(terms, from, to)
-        for (axis in 0..2) slabs[s + 2 + axis].addAll(momentum[axis], from, to)
+        slabs[s + MASS].addAll(m, from, to)
+        slabs[s + OFFSET].addAll(terms, from, to)
+        for (axis in 0..2) slabs[s + MOMENTUM + axis].addAll(momentum[axis], from, to)
     }
 
     private fun addProducts(sum: Int, a: DoubleArray, b: DoubleArray) {

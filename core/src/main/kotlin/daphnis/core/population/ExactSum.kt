@@ -60,6 +60,7 @@ public class ExactSum {
     }
 
     /** Adds the entries [from] until [to] of [terms], a few times faster than one by one. */
+    @JvmOverloads
     public fun addAll(terms: DoubleArray, from: Int = 0, to: Int = terms.size) {
         var start = from
         while (start < to) {

@@ -27,7 +27,7 @@ internal class FlowFit(private val flowAxis: Int) {
     /** Σ m y w_a. */
     val slopes = DoubleArray(3)
 
-    /** By slab: Σ m, Σ m y, Σ m w_x, Σ m w_y, Σ m w_z. */
+    /** By slab, [SLAB_WIDTH] numbers: Σ m at [MASS], Σ m y at [OFFSET], Σ m w_x, Σ m w_y, Σ m w_z from [MOMENTUM] on. */
     val slabs = DoubleArray(MOST_SLABS * SLAB_WIDTH)
 
     /** ⟨c_a c_b⟩: xx, yy, zz, xy, xz, yz. */
@@ -36,8 +36,8 @@ internal class FlowFit(private val flowAxis: Int) {
     /** Fills [moments] from the sums over [count] spheres of [mass] together, in [slabCount] slabs. */
     fun solve(count: Int, mass: Double, slabCount: Int) {
         squares.copyInto(moments)
-        var taken = 1.0
-        if (flowAxis >= 0 && count > 2 && across > 0) taken = takeOutFlow(slabCount)
+        val isFitted = flowAxis >= 0 && count > 2 && across > 0
+        val taken = if (isFitted) takeOutFlow(slabCount) else 1.0
         for (e in 0 until 6) {
             val left = count - if (FIRST[e] == flowAxis || SECOND[e] == flowAxis) taken else 1.0
             moments[e] = if (left < LEAST_LEFT) 0.0 else moments[e] / mass * (count / left)
@@ -45,48 +45,50 @@ internal class FlowFit(private val flowAxis: Int) {
         }
     }
 
-    /** @return degrees of freedom that the fit has taken from the component along the flow */
+    /**
+     * Takes the line s y and then the means of the slabs out of the velocity along the flow.
+     *
+     * @return degrees of freedom that the fit has taken from the component along the flow
+     */
     private fun takeOutFlow(slabCount: Int): Double {
         val slope = slopes[flowAxis] / across
-        for (e in 0 until 6) {
-            // Twice in the square of the component itself, of which one half comes back: Σ m (w − s y)² = Σ m w² − s Σ
-            // m y w.
-            val other = otherThanFlow(e)
-            if (other >= 0) moments[e] -= slope * slopes[other]
-        }
+        // Σ m (w_a − s y) w_b = Σ m w_a w_b − s Σ m y w_b, and as much for the square, since s Σ m y² = Σ m y w_a.
+        reduce { slope * slopes[it] }
         var filled = 0
         var between = 0.0
         for (slab in 0 until slabCount) {
             val s = slab * SLAB_WIDTH
-            val mass = slabs[s]
+            val mass = slabs[s + MASS]
             if (mass == 0.0) continue
             filled++
-            between += slabs[s + 1] * slabs[s + 1] / mass
-            val rest = slabs[s + 2 + flowAxis] - slope * slabs[s + 1]
-            for (e in 0 until 6) {
-                val other = otherThanFlow(e)
-                if (other >= 0) moments[e] -= rest / mass * (if (other == flowAxis) rest else slabs[s + 2 + other])
-            }
+            between += slabs[s + OFFSET] * slabs[s + OFFSET] / mass
+            val rest = slabs[s + MOMENTUM + flowAxis] - slope * slabs[s + OFFSET]
+            reduce { rest / mass * (if (it == flowAxis) rest else slabs[s + MOMENTUM + it]) }
         }
         return 1.0 + filled - between / across
     }
 
     /**
-     * The component that moment [e] has beside that of the flow, which is the flow's own in its square; −1 when the
-     * flow's component is not in it.
+     * Takes from each moment that has the flow's component what [amount] gives for its other component, which in the
+     * square is the flow's own.
      */
-    private fun otherThanFlow(e: Int): Int = if (FIRST[e] == flowAxis) {
-        SECOND[e]
-    } else if (SECOND[e] == flowAxis) {
-        FIRST[e]
-    } else {
-        -1
+    private inline fun reduce(amount: (other: Int) -> Double) {
+        for (e in 0 until 6) {
+            if (FIRST[e] == flowAxis) {
+                moments[e] -= amount(SECOND[e])
+            } else if (SECOND[e] == flowAxis) {
+                moments[e] -= amount(FIRST[e])
+            }
+        }
     }
 
     companion object {
         const val SPHERES_A_SLAB = 100
         const val MOST_SLABS = 20
         const val SLAB_WIDTH = 5
+        const val MASS = 0
+        const val OFFSET = 1
+        const val MOMENTUM = 2
 
         /** Axes of xx, yy, zz, xy, xz, yz. */
         val FIRST = intArrayOf(0, 1, 2, 0, 0, 1)

@@ -10,5 +10,6 @@ package daphnis.core.population
  *
  * @param firstBody spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
  */
+@JvmOverloads
 public fun granularTemperature(population: Population, flow: MeanFlow?, firstBody: Int = Int.MAX_VALUE): Double =
     PopulationSums(flow, null, firstBody).apply { take(population) }.granularTemperature

@@ -29,13 +29,14 @@ public class Population @JvmOverloads constructor(
     mass: DoubleArray,
     id: IntArray = IntArray(x.size) { it },
 ) {
-    private var now = Columns(x, y, z, vx, vy, vz, radius, mass, id, DoubleArray(x.size) { Double.NEGATIVE_INFINITY })
+    private var now =
+        PopulationColumns(x, y, z, vx, vy, vz, radius, mass, id, DoubleArray(x.size) { Double.NEGATIVE_INFINITY })
 
     /** The second set of columns, for the next step to be written to. */
-    private var spare: Columns? = null
+    private var spare: PopulationColumns? = null
 
     /** The columns at the start of the step under way, while it can be taken back. */
-    private var before: Columns? = null
+    private var before: PopulationColumns? = null
 
     public val x: DoubleArray get() = now.x
     public val y: DoubleArray get() = now.y
@@ -206,8 +207,8 @@ public class Population @JvmOverloads constructor(
      *
      * @param tracksLastCollision whether the step writes [lastCollision]
      */
-    internal fun columnsToWrite(tracksLastCollision: Boolean): Columns {
-        val columns = spare?.takeIf { it.size == size } ?: Columns(size, lastCollision)
+    internal fun columnsToWrite(tracksLastCollision: Boolean): PopulationColumns {
+        val columns = spare?.takeIf { it.size == size } ?: PopulationColumns(size, lastCollision)
         spare = null
         if (tracksLastCollision) {
             columns.separateLastCollision(now)
@@ -219,7 +220,7 @@ public class Population @JvmOverloads constructor(
     }
 
     /** Makes [columns] the columns of the population. Cannot fail. */
-    internal fun take(columns: Columns) {
+    internal fun take(columns: PopulationColumns) {
         if (now !== before) spare = now
         now = columns
         indexIsCurrent = false

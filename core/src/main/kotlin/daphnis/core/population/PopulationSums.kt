@@ -18,7 +18,7 @@ import kotlin.math.sqrt
  * @param firstBody spheres with this id or a higher one are bodies, such as moonlets: they contribute to mass, momentum
  *   and energy, and to nothing else; [Int.MAX_VALUE] for none
  */
-public class PopulationSums(
+public class PopulationSums @JvmOverloads constructor(
     flow: MeanFlow?,
     private val omega: Double? = null,
     private val firstBody: Int = Int.MAX_VALUE,
@@ -85,6 +85,7 @@ public class PopulationSums(
         private set
 
     /** Takes the sums of the present state of [population] on the threads of [loop]. All are 0 for an empty one. */
+    @JvmOverloads
     public fun take(population: Population, loop: RangeLoop = InlineLoop) {
         count = population.size
         this.population = population

@@ -39,6 +39,7 @@ public class VelocityMoments private constructor(
         public const val YZ: Int = 5
 
         /** The components of the moments in their order. */
+        @JvmField
         public val COMPONENTS: List<String> = listOf("xx", "yy", "zz", "xy", "xz", "yz")
 
         /**
@@ -47,6 +48,8 @@ public class VelocityMoments private constructor(
          * @param omega angular speed of Hill's frame, or null
          * @param leastId spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
          */
+        @JvmStatic
+        @JvmOverloads
         public fun of(
             population: Population,
             flow: MeanFlow?,

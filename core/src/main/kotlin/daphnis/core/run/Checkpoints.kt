@@ -53,35 +53,42 @@ internal class Checkpoints(private val directory: RunDirectory) {
             requireUnbegun(acceptLoss, notices)
             return null
         }
-        // Nothing could replace it.
-        found.find {
-            !Files.isRegularFile(it)
-        }?.let { throw InputException("$it", null, "is not a file; remove it and resume again") }
+        for (file in found) requireFile(file)
         val problems = ArrayList<String>()
-        val whole = ArrayList<Pair<Path, Checkpoint>>()
+        val readable = ArrayList<Readable>()
         for (file in found) {
-            val checkpoint = try {
-                Checkpoint.read(file)
-            } catch (e: CheckpointException) {
-                problems += e.message.orEmpty()
-                continue
-            }
-            whole += file to checkpoint
-            val appended = AppendedCheck(directory, checkpoint.meta)
-            problems += appended.problems
-            if (appended.problems.isNotEmpty()) continue
-            return taken(file, GoodCheckpoint(checkpoint, appended.beginnings), problems, notices)
+            val one = read(file, problems) ?: continue
+            if (one.appended.problems.isEmpty()) return taken(one, emptyList(), problems, notices)
+            problems += one.appended.problems
+            readable += one
         }
-        if (whole.isEmpty()) {
+        val last = readable.firstOrNull()
+        if (last == null) {
             val mend = "no usable checkpoint is left, run the scenario again"
             throw InputException("", null, "${problems.joinToString("; ")}; $mend")
         }
-        if (!acceptLoss) {
-            throw InputException("", null, problems.first(), WayOut.RESUME_WITH_LOSS)
+        if (!acceptLoss) throw InputException("", null, problems.first(), WayOut.RESUME_WITH_LOSS)
+        return taken(last, last.appended.acceptLoss(), emptyList(), notices)
+    }
+
+    /** An intact checkpoint, and how it agrees with the appended files. */
+    private class Readable(val file: Path, val checkpoint: Checkpoint, val appended: AppendedCheck)
+
+    /** Nothing could replace what is no file. */
+    private fun requireFile(path: Path) {
+        if (Files.isRegularFile(path)) return
+        throw InputException("$path", null, "is not a file; remove it and resume again")
+    }
+
+    /** The checkpoint in [file]; null when it is damaged, and [problems] get the reason. */
+    private fun read(file: Path, problems: MutableList<String>): Readable? {
+        val checkpoint = try {
+            Checkpoint.read(file)
+        } catch (e: CheckpointException) {
+            problems += e.message.orEmpty()
+            return null
         }
-        val (file, checkpoint) = whole.first()
-        val appended = AppendedCheck(directory, checkpoint.meta)
-        return taken(file, GoodCheckpoint(checkpoint, appended.beginnings, appended.acceptLoss()), emptyList(), notices)
+        return Readable(file, checkpoint, AppendedCheck(directory, checkpoint.meta))
     }
 
     /**
@@ -99,17 +106,18 @@ internal class Checkpoints(private val directory: RunDirectory) {
     }
 
     private fun taken(
-        file: Path,
-        good: GoodCheckpoint,
+        one: Readable,
+        accepted: List<String>,
         problems: List<String>,
         notices: MutableList<String>,
     ): GoodCheckpoint {
+        val good = GoodCheckpoint(one.checkpoint, one.appended.beginnings, accepted)
         notices += problems + good.losses.map { "${directory.path}/$it" }
-        if (notices.isNotEmpty()) notices += "going on from $file, step ${good.checkpoint.meta.step}"
+        if (notices.isNotEmpty()) notices += "going on from ${one.file}, step ${good.checkpoint.meta.step}"
         if (good.checkpoint.scenario == null) {
-            notices += "$file: is of format 2, without checksums of scenario and tables; they are not checked"
+            notices += "${one.file}: is of format 2, without checksums of scenario and tables; they are not checked"
         }
-        isLastGood = file == directory.checkpoint
+        isLastGood = one.file == directory.checkpoint
         return good
     }
 }

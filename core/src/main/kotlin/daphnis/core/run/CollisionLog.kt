@@ -52,13 +52,28 @@ public object CollisionColumns : TableColumns {
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 
+    @JvmField
     public val STEP: Column = rows.whole("step") { it.step }
+
+    @JvmField
     public val TIME_IN_STEP: Column = rows.number("time_in_step", Dimension.TIME) { it.record.time[it.k] }
+
+    @JvmField
     public val ID_LOWER: Column = rows.whole("id_lower") { it.record.lower[it.k].toLong() }
+
+    @JvmField
     public val ID_HIGHER: Column = rows.whole("id_higher") { it.record.higher[it.k].toLong() }
+
+    @JvmField
     public val IMPACT_SPEED: Column = rows.number("impact_speed", Dimension.SPEED) { it.record.impactSpeed(it.k) }
+
+    @JvmField
     public val COEFFICIENT: Column = rows.number("coefficient") { it.record.coefficient(it.k) }
+
+    @JvmField
     public val IMPULSE: Column = rows.number("impulse", Dimension.MOMENTUM) { it.record.impulse(it.k) }
+
+    @JvmField
     public val SEPARATION: List<Column> =
         rows.each(listOf("separation_x", "separation_y", "separation_z"), Dimension.LENGTH) { row, axis ->
             row.record.separation(row.k, axis)

@@ -13,7 +13,8 @@ import daphnis.core.population.ExactSum
  *
  * @property from collisions of steps that end at or before this time are left out
  */
-public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFINITY) : Output {
+public class CollisionStatistics @JvmOverloads constructor(public val from: Double = Double.NEGATIVE_INFINITY) :
+    Output {
     /** Collisions summed. */
     public var count: Long = 0
         private set
@@ -148,6 +149,7 @@ public class CollisionStatistics(public val from: Double = Double.NEGATIVE_INFIN
         private const val BINS = (MOST_DECADE - LEAST_DECADE) * BINS_A_DECADE
 
         /** Lower edge of bin [k] of [speeds]. */
+        @JvmStatic
         public fun binEdge(k: Int): Double = StrictMath.pow(10.0, LEAST_DECADE + k / BINS_A_DECADE.toDouble())
     }
 }

@@ -16,12 +16,16 @@ public object ImpactColumns : TableColumns {
     override val columns: List<Column> get() = rows.columns
 
     /** Lower edge of the bin, > 0. */
+    @JvmField
     public val SPEED_FROM: Column =
         rows.number("speed_from", Dimension.SPEED, Need.NEEDED) { CollisionStatistics.binEdge(it.k) }
 
     /** Upper edge of the bin. */
+    @JvmField
     public val SPEED_TO: Column =
         rows.number("speed_to", Dimension.SPEED, Need.NEEDED) { CollisionStatistics.binEdge(it.k + 1) }
+
+    @JvmField
     public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.statistics.speeds[it.k] }
 
     /** The whole file: from the first bin with a collision to the last. */

@@ -3,4 +3,5 @@ package daphnis.core.run
 import daphnis.core.format.oneLine
 
 /** Thrown when a run failed and the input is not the cause; the message is one line. */
-public class RunException(message: String, cause: Throwable? = null) : RuntimeException(oneLine(message), cause)
+public class RunException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
+    RuntimeException(oneLine(message), cause)

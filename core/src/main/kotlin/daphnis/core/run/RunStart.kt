@@ -6,6 +6,7 @@ import daphnis.core.TimeStep
 import daphnis.core.engine.EngineFactory
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.RunTimes
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
@@ -92,28 +93,35 @@ private fun resumed(
     own: Map<String, Output>,
     lock: AutoCloseable,
 ): Run {
-    val read = ScenarioJson.read(directory.scenario)
-    val scenario = read.atHome(directory.path).let { it.copy(until = until ?: it.until) }
-    if (until != null && !(until > read.startTime && until.isFinite())) {
-        throw wrongArgument(UNTIL, null, "is $until; it must be > ${read.startTime}")
-    }
+    val written = ScenarioJson.read(directory.scenario)
+    val scenario = withEnd(until, written.atHome(directory.path))
     val notices = ArrayList<String>()
     val checkpoints = Checkpoints(directory)
     val good = checkpoints.lastGood(acceptLoss, notices)
     val checkpoint = good?.checkpoint
-    val changes = checkSame(directory, checkpoint, read, notices)
-    val now = checkpoint?.meta?.time ?: 0.0
+    val changes = checkSame(directory, checkpoint, written, notices)
     val source = directory.scenario.toString()
-    val times = FrameSetup.times(scenario, source)
+    requireLaterEnd(until, changes, FrameSetup.times(scenario, source), checkpoint?.meta?.time ?: 0.0, source)
+    val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
+    val plan = planOf(setup, checkpoint?.meta, source, engines, own)
+    return goingOn(directory, plan, ScenarioJson.write(written), checkpoints, good, lock, notices)
+}
+
+/** [scenario] with the end [until] in place of its own, unless that is null. */
+private fun withEnd(until: Double?, scenario: Scenario): Scenario {
+    if (until == null) return scenario
+    if (until > scenario.startTime && until.isFinite()) return scenario.copy(until = until)
+    throw wrongArgument(UNTIL, null, "is $until; it must be > ${scenario.startTime}")
+}
+
+/** Refuses an end that has passed, whether it is given now or has been written into the scenario since. */
+private fun requireLaterEnd(until: Double?, changes: ScenarioChanges, times: RunTimes, now: Double, source: String) {
     val slack = endSlack(times.timeStep)
     if (until != null) {
         checkLater(until, now, slack) { wrongArgument(UNTIL, null, it) }
-    } else if (changes.harmless.any { it.startsWith("until") }) {
-        checkLater(times.end, now, slack) { InputException(source, "until", it) }
+    } else if (changes.harmless.any { it.startsWith(UNTIL) }) {
+        checkLater(times.end, now, slack) { InputException(source, UNTIL, it) }
     }
-    val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
-    val plan = planOf(setup, checkpoint?.meta, source, engines, own)
-    return goingOn(directory, plan, ScenarioJson.write(read), checkpoints, good, lock, notices)
 }
 
 /** A run of [plan] that continues from [good]. Closes the plan when it throws, but not the [lock]. */

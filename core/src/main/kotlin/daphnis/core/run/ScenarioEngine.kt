@@ -12,6 +12,7 @@ import daphnis.core.scenario.ScenarioParts
  *
  * @throws InputException when [engines] has none of that name and number of threads
  */
+@JvmOverloads
 public fun engineOf(scenario: ScenarioParts, source: String, engines: EngineFactory = Engines): CollisionEngine {
     val spec = scenario.engine
     val engine = engines.create(spec.name, spec.threads)

@@ -45,22 +45,43 @@ public object SeriesColumns : TableColumns {
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 
+    @JvmField
     public val STEP: Column = rows.whole("step") { it.simulation.step }
+
+    @JvmField
     public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
+
+    @JvmField
     public val PARTICLES: Column = rows.whole("particles", Need.NEEDED) { it.sums.count.toLong() }
+
+    @JvmField
     public val COLLISIONS: Column =
         rows.whole("collisions", Need.NEEDED) { it.simulation.collisions?.counters?.collisions ?: 0 }
+
+    @JvmField
     public val KINETIC_ENERGY: Column = rows.number("kinetic_energy", Dimension.ENERGY) { it.sums.kineticEnergy }
+
+    @JvmField
     public val GRANULAR_TEMPERATURE: Column =
         rows.number("granular_temperature", Dimension.SPEED_SQUARED) { it.sums.granularTemperature }
+
+    @JvmField
     public val RMS_COMPONENT_SPEED: Column = rows.number("rms_component_speed", Dimension.SPEED) {
         if (it.sums.mass > 0) sqrt(2 * it.sums.kineticEnergy / it.sums.mass / 3) else 0.0
     }
+
+    @JvmField
     public val MOMENTUM: List<Column> =
         rows.each(listOf("momentum_x", "momentum_y", "momentum_z"), Dimension.MOMENTUM) { row, axis ->
             row.sums.momentum(axis)
         }
+
+    @JvmField
     public val POTENTIAL_ENERGY: Column = rows.number("potential_energy", Dimension.ENERGY) { it.energies.potential }
+
+    @JvmField
     public val TOTAL_ENERGY: Column = rows.number("total_energy", Dimension.ENERGY) { it.energies.total }
+
+    @JvmField
     public val HILL_ENERGY: Column = rows.number("hill_energy", Dimension.ENERGY) { it.energies.hill }
 }

@@ -80,35 +80,61 @@ public object TransportColumns : TableColumns {
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 
+    @JvmField
     public val STEP: Column = rows.whole("step") { it.simulation.step }
+
+    @JvmField
     public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
+
+    @JvmField
     public val PARTICLES: Column = rows.whole("particles", Need.NEEDED) { it.sums.count.toLong() }
+
+    @JvmField
     public val MASS: Column = rows.number("mass", Dimension.MASS, Need.NEEDED) { it.sums.particleMass }
     private val moments =
         tensor("c_", Dimension.SPEED_SQUARED, setOf("xx", "yy", "zz", "xy")) { row, k -> row.sums.moments[k] }
+
+    @JvmField
     public val MEAN_VELOCITY: List<Column> =
         rows.each(listOf("mean_vx", "mean_vy", "mean_vz"), Dimension.SPEED) { row, axis -> row.sums.mean[axis] }
+
+    @JvmField
     public val CENTRE_Z: Column = rows.number("centre_z", Dimension.LENGTH) { it.sums.centreZ }
+
+    @JvmField
     public val SCALE_HEIGHT: Column =
         rows.number("scale_height", Dimension.LENGTH, Need.NEEDED) { it.sums.scaleHeight }
+
+    @JvmField
     public val GUIDING_X: Column = rows.number("guiding_x", Dimension.LENGTH) { it.sums.guidingX }
+
+    @JvmField
     public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.collisions.count }
+
+    @JvmField
     public val SUM_IMPACT_SPEED: Column = rows.number("sum_impact_speed", Dimension.SPEED) { it.collisions.sumSpeed }
+
+    @JvmField
     public val DISSIPATED: Column = rows.number("dissipated", Dimension.ENERGY, Need.NEEDED) {
         it.collisions.dissipated
     }
     private val virials =
         tensor("virial_", Dimension.ACTION, setOf("xy")) { row, k -> row.collisions.virial[NINE[k]] }
+
+    @JvmField
     public val GRAVITY_XY: Column = rows.number("gravity_xy", Dimension.ENERGY) { it.gravityXY }
     private val kinetics = tensor("kinetic_", Dimension.SPEED_SQUARED) { row, k -> row.sums.kinetic[k] }
 
     /** ⟨c_a c_b⟩ by component, such as `xx`. */
+    @JvmStatic
     public fun moment(component: String): Column = moments.getValue(component)
 
     /** Σ Δp_a δ_b over all collisions since the start, by component. */
+    @JvmStatic
     public fun virial(component: String): Column = virials.getValue(component)
 
     /** ⟨w_a w_b⟩ by component. */
+    @JvmStatic
     public fun kinetic(component: String): Column = kinetics.getValue(component)
 
     private fun tensor(

@@ -48,7 +48,10 @@ public sealed interface BoundarySpec {
     /** Reflecting walls across the axes named in [axes]; the other axes are periodic. */
     @Serializable
     @SerialName("walls")
-    public class Walls(public val axes: String = "xyz", public val restitution: Double = 1.0) : BoundarySpec {
+    public class Walls @JvmOverloads constructor(
+        public val axes: String = "xyz",
+        public val restitution: Double = 1.0,
+    ) : BoundarySpec {
         override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
             val known = axes.isNotEmpty() && axes.all { it in AXES } && axes.toSet().size == axes.length
             val check = ValueCheck(source)
@@ -90,7 +93,7 @@ public sealed interface BoundarySpec {
     /** The shearing sheet of Hill's frame, or with [radiallyOpen] a ringlet that repeats along the orbit only. */
     @Serializable
     @SerialName("hill-sheet")
-    public class HillSheet(public val radiallyOpen: Boolean = false) : BoundarySpec {
+    public class HillSheet @JvmOverloads constructor(public val radiallyOpen: Boolean = false) : BoundarySpec {
         override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
             val speed = omega ?: ValueCheck(source).fail("boundary", "is a hill-sheet; it needs a frame of type hill")
             return daphnis.core.hill.HillSheet(box, speed, radiallyOpen)

@@ -3,6 +3,7 @@ package daphnis.core.scenario
 /** The scenarios that come with daphnis, as the JSON text a user would start from. */
 public object BuiltIn {
     /** The names, those of the paper first. The very first is what `daphnis run` runs when nothing is named. */
+    @JvmStatic
     public val names: List<String> =
         listOf(
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "shear-cell",
@@ -10,6 +11,7 @@ public object BuiltIn {
         )
 
     /** The text of the scenario [name], with its comments; null when there is none. */
+    @JvmStatic
     public fun text(name: String): String? {
         if (name !in names) return null
         val stream =

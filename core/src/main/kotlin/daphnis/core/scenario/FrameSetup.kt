@@ -10,6 +10,7 @@ public object FrameSetup {
      * @param source what to call the scenario in messages
      * @throws InputException when the frame is not determined
      */
+    @JvmStatic
     public fun angularSpeed(scenario: ScenarioParts, source: String): Double? {
         val check = ValueCheck(source)
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
@@ -55,6 +56,7 @@ public object FrameSetup {
      *
      * @throws InputException when they are not determined
      */
+    @JvmStatic
     public fun times(scenario: Scenario, source: String): RunTimes {
         val check = ValueCheck(source)
         val omega = angularSpeed(scenario, source)

@@ -11,7 +11,7 @@ import daphnis.core.format.oneLine
  * @property wayOut what the caller can do about it with other arguments; null when the message is complete
  * @property isArgument whether [source] is an argument of the call, for which a caller may have another name
  */
-public class InputException(
+public class InputException @JvmOverloads constructor(
     public val source: String,
     public val key: String?,
     private val problem: String,

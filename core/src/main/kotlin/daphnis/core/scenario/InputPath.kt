@@ -10,6 +10,7 @@ import java.nio.file.Path
  * @throws InputException when no file can have that name here: it holds a NUL, or letters that the locale's encoding
  *   does not have
  */
+@JvmOverloads
 public fun inputPath(word: String, source: String, key: String? = null): Path = try {
     Path.of(word)
 } catch (e: InvalidPathException) {

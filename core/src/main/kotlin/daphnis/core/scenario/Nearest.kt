@@ -6,6 +6,7 @@ public object Nearest {
      * The one of [known] nearest to [word], ignoring case; null when even that differs by more than two changes and
      * half its length.
      */
+    @JvmStatic
     public fun to(word: String, known: List<String>): String? {
         val given = word.take(LONGEST)
         val nearest = known.minByOrNull { distance(given, it) } ?: return null
@@ -13,6 +14,7 @@ public object Nearest {
     }
 
     /** The beginning of a message about [word]: "did you mean 'run'? ", or nothing. */
+    @JvmStatic
     public fun question(word: String, known: List<String>): String =
         to(word, known)?.let { "did you mean '$it'? " }.orEmpty()
 

@@ -12,7 +12,7 @@ public sealed interface PlacementSpec {
     /** @property lattice `fcc` or `cubic` */
     @Serializable
     @SerialName("lattice")
-    public class Lattice(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
+    public class Lattice @JvmOverloads constructor(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
 
     /**
      * Positions, velocities, radii, masses and ids from a file of any [daphnis.core.format.SnapshotFormat]; [path] is
@@ -24,7 +24,7 @@ public sealed interface PlacementSpec {
      */
     @Serializable
     @SerialName("file")
-    public data class File(
+    public data class File @JvmOverloads constructor(
         public val path: String,
         public val time: Double? = null,
         public val step: Long? = null,

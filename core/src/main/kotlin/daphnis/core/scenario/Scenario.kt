@@ -20,7 +20,7 @@ import kotlinx.serialization.json.jsonPrimitive
  * @property until time at which the run ends; when it is given, [untilOrbits] is ignored. One of the two is needed
  */
 @Serializable
-public data class Scenario(
+public data class Scenario @JvmOverloads constructor(
     override val name: String = "unnamed",
     override val description: String = "",
     override val seed: Long = 1,
@@ -60,7 +60,7 @@ public sealed interface FrameSpec {
      */
     @Serializable
     @SerialName("hill")
-    public class Hill(
+    public class Hill @JvmOverloads constructor(
         public val angularSpeed: Double? = null,
         public val distanceInKm: Double? = null,
         public val planet: Planet = Planet.SATURN,
@@ -77,7 +77,7 @@ public class BoxSpec(public val lengths: List<Double>)
  * per area). Masses come from [density] unless [mass] gives every sphere the same.
  */
 @Serializable
-public class ParticlesSpec(
+public class ParticlesSpec @JvmOverloads constructor(
     public val count: Int? = null,
     public val fillingFactor: Double? = null,
     public val opticalDepth: Double? = null,
@@ -92,7 +92,7 @@ public class ParticlesSpec(
  * follows from [density]. It moves with the mean flow unless [velocity] is given.
  */
 @Serializable
-public class BodySpec(
+public class BodySpec @JvmOverloads constructor(
     public val radius: Double,
     public val position: List<Double>,
     public val density: Double? = null,
@@ -133,7 +133,10 @@ public sealed interface RestitutionSpec {
 
     @Serializable
     @SerialName("bridges")
-    public class Bridges(public val prefactor: Double = 0.34, public val exponent: Double = -0.234) : RestitutionSpec
+    public class Bridges @JvmOverloads constructor(
+        public val prefactor: Double = 0.34,
+        public val exponent: Double = -0.234,
+    ) : RestitutionSpec
 
     /** @property criticalSpeed in cm/s */
     @Serializable
@@ -152,7 +155,10 @@ public sealed interface GuardSpec {
      */
     @Serializable
     @SerialName("floor-speed")
-    public class FloorSpeed(public val speed: Double? = null, public val relative: Double? = null) : GuardSpec
+    public class FloorSpeed @JvmOverloads constructor(
+        public val speed: Double? = null,
+        public val relative: Double? = null,
+    ) : GuardSpec
 
     /** The TC rule: ε = 1 within [duration], in units of time, of a sphere's last collision. */
     @Serializable
@@ -179,7 +185,7 @@ public sealed interface ForceSpec {
      */
     @Serializable
     @SerialName("satellite")
-    public class Satellite(
+    public class Satellite @JvmOverloads constructor(
         public val massRatio: Double? = null,
         public val mass: Double? = null,
         public val x: Double,
@@ -200,7 +206,7 @@ public sealed interface ForceSpec {
      */
     @Serializable
     @SerialName("self-gravity")
-    public class SelfGravity(
+    public class SelfGravity @JvmOverloads constructor(
         public val openingAngle: Double = 0.5,
         public val softening: Double = 0.0,
         public val images: Int = 1,
@@ -213,7 +219,10 @@ public sealed interface ForceSpec {
      */
     @Serializable
     @SerialName("body-gravity")
-    public class BodyGravity(public val softening: Double = 0.0, public val constant: Double? = null) : ForceSpec
+    public class BodyGravity @JvmOverloads constructor(
+        public val softening: Double = 0.0,
+        public val constant: Double? = null,
+    ) : ForceSpec
 }
 
 @Serializable
@@ -233,7 +242,7 @@ public sealed interface TimeStepSpec {
      */
     @Serializable
     @SerialName("cell-crossing")
-    public class CellCrossing(
+    public class CellCrossing @JvmOverloads constructor(
         public val fraction: Double = 0.5,
         public val cell: Double? = null,
         public val longest: Double,
@@ -241,7 +250,7 @@ public sealed interface TimeStepSpec {
 }
 
 @Serializable
-public class EngineSpec(public val name: String = "islands", public val threads: Int = 0) {
+public class EngineSpec @JvmOverloads constructor(public val name: String = "islands", public val threads: Int = 0) {
     /**
      * Number of threads that make and check the initial state: that of the engine, which is one for the serial engine.
      */

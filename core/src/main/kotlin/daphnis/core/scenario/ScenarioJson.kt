@@ -27,6 +27,8 @@ public object ScenarioJson {
      * @param source what to call it in messages
      * @param settings `path=value` pairs that replace keys, as on the command line, see [Settings]
      */
+    @JvmStatic
+    @JvmOverloads
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
         val tree = Settings.apply(parseTree(text, source), settings)
         SchemaCheck(source).check(tree, Scenario.serializer().descriptor)

@@ -26,6 +26,7 @@ public class Surroundings private constructor(
          * @param source what to call the scenario in messages
          * @throws InputException for anything that is wrong
          */
+        @JvmStatic
         public fun of(scenario: Scenario, source: String): Surroundings {
             val check = ValueCheck(source)
             checkUnits(scenario.units, check)

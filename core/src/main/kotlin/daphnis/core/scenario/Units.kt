@@ -14,7 +14,7 @@ import kotlin.math.sqrt
  * @property massInKg how many kilograms one unit of mass is
  */
 @Serializable
-public class UnitsSpec(
+public class UnitsSpec @JvmOverloads constructor(
     public val speedInCmPerSecond: Double = 1.0,
     public val lengthInMetres: Double? = null,
     public val massInKg: Double = 1.0,

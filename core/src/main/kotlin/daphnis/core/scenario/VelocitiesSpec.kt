@@ -14,13 +14,15 @@ public sealed interface VelocitiesSpec {
 
     @Serializable
     @SerialName("rest")
-    public class Rest(override val shearProfile: Boolean = false, override val zeroMomentum: Boolean = true) :
-        VelocitiesSpec
+    public class Rest @JvmOverloads constructor(
+        override val shearProfile: Boolean = false,
+        override val zeroMomentum: Boolean = true,
+    ) : VelocitiesSpec
 
     /** Every component uniform in ±[halfWidth]. */
     @Serializable
     @SerialName("uniform")
-    public class Uniform(
+    public class Uniform @JvmOverloads constructor(
         public val halfWidth: Double,
         override val shearProfile: Boolean = false,
         override val zeroMomentum: Boolean = true,
@@ -35,7 +37,7 @@ public sealed interface VelocitiesSpec {
      */
     @Serializable
     @SerialName("gaussian")
-    public class Gaussian(
+    public class Gaussian @JvmOverloads constructor(
         public val sigma: Double? = null,
         override val shearProfile: Boolean = false,
         override val zeroMomentum: Boolean = true,

@@ -9,8 +9,12 @@ import kotlin.math.floor
  *
  * @param closer bounds on other spheres which are closer than the reach for which the grid was built; null for none
  */
-public class CellRuns(private val grid: Grid, private val closer: RowBounds? = null) : SlotRuns() {
+public class CellRuns @JvmOverloads constructor(private val grid: Grid, private val closer: RowBounds? = null) :
+    SlotRuns() {
     private val levels = grid.levels
+
+    /** The path of the sphere to search for; to be set before each query. */
+    public val path: SpherePath = SpherePath()
 
     // The present class of sizes.
     private var layout = GridLayout()
@@ -22,8 +26,7 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private val least = IntArray(3)
     private val most = IntArray(3)
 
-    // For closer bounds: where the sphere is and where it will be at the end of the step, along these axes, its radius,
-    // and the time now.
+    // Where the sphere is and where it will be at the end of the step, along these axes, its radius, and the time now.
     private val here = DoubleArray(3)
     private val there = DoubleArray(3)
     private var radius = 0.0
@@ -36,39 +39,34 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     private var closeTo = 0
 
     /**
-     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its path in
-     * this step, from its place ([x], [y], [z]) at the start by ([wayX], [wayY], [wayZ]). Only at the start, when no
-     * sphere has collided.
+     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its [path] in
+     * this step. Only at the start, when no sphere has collided.
      *
      * @return number of runs
      */
-    public fun ahead(
-        slot: Int,
-        x: Double,
-        y: Double,
-        z: Double,
-        wayX: Double,
-        wayY: Double,
-        wayZ: Double,
-        radius: Double,
-    ): Int {
-        count = 0
-        time = 0.0
-        starts = grid.cellStart
+    public fun ahead(slot: Int): Int {
+        begin(0.0)
         val own = if (levels.count == 1) 0 else levels.of(radius)
-        cover(own, x, y, z, wayX, wayY, wayZ, radius)
-        addAhead(slot, x, y, z)
+        cover(own)
+        addAhead(slot)
         // Smaller spheres find this one from their side.
         for (level in own + 1 until levels.count) {
-            cover(level, x, y, z, wayX, wayY, wayZ, radius)
+            cover(level)
             addAll()
         }
         return count
     }
 
-    private fun addAhead(slot: Int, x: Double, y: Double, z: Double) {
-        val c1 = layout.cellAt(layout.pick(1, x, y, z), 1)
-        val c2 = layout.cellAt(layout.pick(2, x, y, z), 2)
+    private fun begin(time: Double) {
+        count = 0
+        this.time = time
+        radius = path.radius
+        starts = grid.cellStart
+    }
+
+    private fun addAhead(slot: Int) {
+        val c1 = layout.cellAt(here[1], 1)
+        val c2 = layout.cellAt(here[2], 2)
         // The rest of the own row, which is later slots and then cells ahead; then the rows ahead, of the own layer and
         // of the layers above.
         val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
@@ -87,27 +85,15 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
     }
 
     /**
-     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its path, from its present
-     * place ([x], [y], [z]) by ([wayX], [wayY], [wayZ]). They hold the sphere itself too. [time] is the present time
-     * from the start of the step, which closer bounds need.
+     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its [path], which it begins
+     * at [time] from the start of the step. They hold the sphere itself too.
      *
      * @return number of runs
      */
-    public fun around(
-        x: Double,
-        y: Double,
-        z: Double,
-        wayX: Double,
-        wayY: Double,
-        wayZ: Double,
-        radius: Double,
-        time: Double = 0.0,
-    ): Int {
-        count = 0
-        this.time = time
-        starts = grid.cellStart
+    public fun around(time: Double): Int {
+        begin(time)
         for (level in 0 until levels.count) {
-            cover(level, x, y, z, wayX, wayY, wayZ, radius)
+            cover(level)
             addAll()
         }
         return count
@@ -119,25 +105,16 @@ public class CellRuns(private val grid: Grid, private val closer: RowBounds? = n
         }
     }
 
-    private fun cover(
-        level: Int,
-        x: Double,
-        y: Double,
-        z: Double,
-        wayX: Double,
-        wayY: Double,
-        wayZ: Double,
-        radius: Double,
-    ) {
+    /** Makes the box of cells of [level] in which the path can meet a sphere the present one. */
+    private fun cover(level: Int) {
         layout = levels[level]
         cells = layout.cells
         periodic = layout.periodic
-        this.radius = radius
         isRound = radius > ROUND_FROM * Math.max(layout.widths[1], layout.widths[2])
         bounds = if (closer != null && closer.isInUse) closer else null
         for (k in 0..2) {
-            val from = layout.pick(k, x, y, z)
-            val to = from + layout.pick(k, wayX, wayY, wayZ)
+            val from = path.from[layout.axes[k]]
+            val to = from + path.way[layout.axes[k]]
             here[k] = from
             there[k] = to
             val margin = radius + layout.margin[k]

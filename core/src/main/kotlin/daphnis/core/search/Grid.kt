@@ -37,7 +37,7 @@ import daphnis.core.population.Population
  * All memory is kept from step to step. Once [build] has returned, any number of threads may read, each through
  * its own [CellRuns].
  */
-public class Grid(sort: GridSort = GridSort.COUNTING) {
+public class Grid @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) {
     private val sorting = if (sort == GridSort.ROW_LOCKS) RowLockedSort() else CountingSort()
     private val sorted = CellOrder()
 
@@ -59,9 +59,11 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
     public fun largestRadius(of: Int): Double = levels[of].largest
 
     /** Cells along [axis]. */
+    @JvmOverloads
     public fun cellsAlong(axis: Int, of: Int = 0): Int = levels[of].cells[levels[of].axes.indexOf(axis)]
 
     /** Width of a cell along [axis]. */
+    @JvmOverloads
     public fun cellWidth(axis: Int, of: Int = 0): Double = levels[of].widths[levels[of].axes.indexOf(axis)]
 
     /**
@@ -98,6 +100,7 @@ public class Grid(sort: GridSort = GridSort.COUNTING) {
      * @throws IllegalArgumentException when a periodic box is so thin compared with the range that images beyond
      *   ±[ImageRange.MOST_BOXES] would matter
      */
+    @JvmOverloads
     public fun build(
         population: Population,
         boundary: BoundaryConditions,

@@ -11,7 +11,7 @@ import daphnis.core.population.Population
  *
  * @param structure whether sizes are kept apart, which finds fewer pairs that are not near
  */
-public class NearPairs(
+public class NearPairs @JvmOverloads constructor(
     @PublishedApi internal val population: Population,
     boundary: BoundaryConditions,
     time: Double,
@@ -49,7 +49,8 @@ public class NearPairs(
         val p = population
         val images = grid.images
         val k = order[slot]
-        val count = runs.ahead(slot, p.x[k], p.y[k], p.z[k], 0.0, 0.0, 0.0, radius)
+        runs.path.set(p.x[k], p.y[k], p.z[k], radius)
+        val count = runs.ahead(slot)
         for (r in 0 until count) {
             val image = runs.image[r]
             val sx = images.shift(image, 0)

@@ -22,6 +22,8 @@ public class Overlap private constructor(public val first: Int, public val secon
          * grid. Of equally deep pairs it returns the first in the order of the grid, for any number of [threads], which
          * end before it returns.
          */
+        @JvmStatic
+        @JvmOverloads
         public fun deepest(
             population: Population,
             boundary: BoundaryConditions,

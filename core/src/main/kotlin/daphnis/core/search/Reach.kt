@@ -37,6 +37,7 @@ public class Reach {
      * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are searched,
      *   when a number of the population is not finite, or when sizes, speeds and duration are beyond what can be computed
      */
+    @JvmOverloads
     public fun measure(
         population: Population,
         boundary: BoundaryConditions,

@@ -46,6 +46,7 @@ public class RowBounds {
      *
      * @param fewest the least number of candidates of a search with which the bounds are used
      */
+    @JvmOverloads
     public fun measure(
         grid: Grid,
         rows: StepRows,

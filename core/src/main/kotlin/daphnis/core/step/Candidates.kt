@@ -25,8 +25,9 @@ public interface Candidates {
      * sphere except slot [except] and with walls. `first` is [place] there, `second` a slot of the step, or the partner
      * number of a wall.
      *
-     * No other local time may be later. A sphere whose local time is NaN, which means unknown, is added with NaN as
-     * time, once for each image that it may be. So is the sphere itself, if its own slot has local time NaN.
+     * No other local time may be later. A sphere which an island has taken, so that its local time is
+     * [StepRows.UNKNOWN], is added at the time UNKNOWN, once for each image that it may be: whether the two touch is
+     * for the caller to find out. So is the sphere itself, if its own slot is UNKNOWN.
      */
     public fun around(own: StepRows, place: Int, except: Int, sink: EventSink)
 

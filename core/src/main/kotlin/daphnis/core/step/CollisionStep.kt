@@ -18,7 +18,7 @@ import daphnis.core.search.SearchStructure
  * @property record where collisions are to be written in order, or null when they are not wanted
  */
 @EngineApi
-public class CollisionStep(
+public class CollisionStep @JvmOverloads constructor(
     public val population: Population,
     public val boundary: BoundaryConditions,
     public val law: CollisionLaw,

@@ -29,12 +29,9 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
 
     private fun startFrom(slot: Int, sink: EventSink) {
         val state = rows.state
-        val duration = step.duration
         val p = slot * STRIDE
-        val wayX = state[p + VX] * duration
-        val wayY = state[p + VX + 1] * duration
-        val wayZ = state[p + VX + 2] * duration
-        val runs = near.ahead(slot, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS])
+        near.path.set(state, p, step.duration)
+        val runs = near.ahead(slot)
         forEachApproaching(runs, state, p, 0.0, hasMoved = false) { other, image, a, b, c ->
             addIfInTime(sink, 0.0, slot, other, image, a, b, c)
         }
@@ -54,11 +51,8 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
 
     private fun runsAround(own: DoubleArray, p: Int): Int {
         val time = own[p + TIME]
-        val rest = step.duration - time
-        val wayX = own[p + VX] * rest
-        val wayY = own[p + VX + 1] * rest
-        val wayZ = own[p + VX + 2] * rest
-        return near.around(own[p], own[p + 1], own[p + 2], wayX, wayY, wayZ, own[p + RADIUS], time)
+        near.path.set(own, p, step.duration - time)
+        return near.around(time)
     }
 
     /**
@@ -110,7 +104,7 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         }
     }
 
-    /** For the few candidates that are near and approach. An unknown time is NaN, which no comparison dismisses. */
+    /** For the few candidates that are near and approach. No comparison dismisses a time that is [StepRows.UNKNOWN]. */
     private fun addIfInTime(
         sink: EventSink,
         time: Double,

@@ -12,6 +12,14 @@ import daphnis.core.queue.Schedule
  * and changes their velocities, counts, records, drops what the two had queued, checks the limits and the bounds of the
  * step, and queues what the two can touch now. Each worker has its own object.
  *
+ * Engines differ in two things after a collision, and override the functions for them:
+ *
+ * | engine | [slotOf] a place | [search] from a place |
+ * |---|---|---|
+ * | serial | the place itself | always goes on |
+ * | thread pool | the place itself | ends when the collision may have come too late |
+ * | islands | the slot that was copied there | ends when the island needs a sphere that it may not have |
+ *
  * @param rows the rows of the colliding spheres, addressed by place: those of the step, or a worker's copies
  * @param schedule where potential collisions are queued, by place
  */
@@ -27,7 +35,7 @@ internal open class Impact(
         /** One of the two went beyond the bound: the step is to be redone, see [PreparedStep.enlarge]. */
         OUTRUN,
 
-        /** The search could not go on. */
+        /** A [search] ended the attempt. */
         VOID,
     }
 
@@ -39,7 +47,7 @@ internal open class Impact(
     private var record: CollisionRecord? = null
 
     /** Begins a new attempt at a step, whose collisions are written to [record]; null when they are not wanted. */
-    open fun begin(record: CollisionRecord?) {
+    fun begin(record: CollisionRecord?) {
         this.record = record
         record?.clear()
         counted.clear()
@@ -64,7 +72,7 @@ internal open class Impact(
         prepared.limits.checkWork(counted.collisions + counted.wallCollisions)
         if (prepared.isOutrun(rows, first) || !isWall && prepared.isOutrun(rows, second)) return End.OUTRUN
         // The pair itself is searched once, from the first sphere; the second leaves it out.
-        val isDone = goOn(first, NOBODY) && (isWall || goOn(second, slot(first)))
+        val isDone = goOn(first, NOBODY) && (isWall || goOn(second, slotOf(first)))
         return if (isDone) End.DONE else End.VOID
     }
 
@@ -76,17 +84,17 @@ internal open class Impact(
     }
 
     private fun goOn(place: Int, except: Int): Boolean {
-        prepared.bounds.include(slot(place), rows, place)
+        prepared.bounds.include(slotOf(place), rows, place)
         return search(place, except)
     }
 
     /** The slot of the step whose sphere is at [place] of the rows. */
-    protected open fun slot(place: Int): Int = place
+    protected open fun slotOf(place: Int): Int = place
 
     /**
      * Queues what the sphere at [place] can touch now, except slot [except].
      *
-     * @return false when the engine cannot continue
+     * @return false to end the attempt at the step or island, see [End.VOID]
      */
     protected open fun search(place: Int, except: Int): Boolean {
         candidates.around(rows, place, except, schedule)

@@ -16,16 +16,22 @@ import daphnis.core.search.RowBounds
  * A step made ready for its collisions: the single owner of the spheres' order, their rows, the bounds on how far they
  * may go, the walls and the limits. An engine and its serial fallback use the same one, one after the other.
  *
- * Call [measure] once per step and then [prepare]; when a sphere goes beyond the bound, [enlarge] and [prepare] again;
- * at the end [store]. Between [prepare] and [store] any number of threads may read, each with its own [candidates].
- * Which thread may write rows is up to the engine.
+ * ```
+ *   measure ─▶ prepare ─▶ collisions ─▶ store
+ *                 ▲           │
+ *                 └─ enlarge ─┘   when a sphere goes beyond the bound
+ * ```
+ *
+ * [measure] may begin a step at any time; another call out of turn throws an IllegalStateException. Between [prepare]
+ * and [store] any number of threads may read, each with its own [candidates]. Which thread may write rows is up to the
+ * engine.
  *
  * All memory is kept from step to step.
  *
  * @param sort how the grid is built; affects only the time it takes
  */
 @EngineApi
-public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
+public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) {
     /** Puts the spheres in cell order. */
     public val grid: Grid = Grid(sort)
 
@@ -40,6 +46,8 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     /** The step that is prepared. */
     internal lateinit var step: CollisionStep
         private set
+
+    private var stage = Stage.UNMEASURED
 
     /** Length of the present step; later contacts are not potential collisions of it. */
     public var duration: Double = 0.0
@@ -57,21 +65,31 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
      *
      * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
      */
+    @JvmOverloads
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
+        stage = Stage.UNMEASURED
         this.step = step
         duration = step.duration
         reach.measure(step.population, step.boundary, duration, loop)
         walls.prepare(step.boundary)
+        stage = Stage.MEASURED
     }
 
     /** Sorts the spheres into the grid and copies them, as they are at the start of the step. */
+    @JvmOverloads
     public fun prepare(loop: RangeLoop = InlineLoop) {
+        requireStage(Stage.MEASURED, "prepare() follows measure() or enlarge()")
         val population = step.population
         grid.build(population, step.boundary, step.start, duration, reach.bound, loop, step.search)
         rows.load(population, grid.order, duration, step.law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, duration, loop)
         limits.start(rows.size, step.start)
         version++
+        stage = Stage.PREPARED
+    }
+
+    private fun requireStage(required: Stage, rule: String) {
+        check(stage == required) { "the step is $stage: $rule" }
     }
 
     /** Finds potential collisions of this and all later steps, for one thread. */
@@ -86,7 +104,10 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
      * @throws IllegalArgumentException when it cannot be enlarged, see [Reach.enlarge]
      */
     public fun enlarge(rows: StepRows, first: Int, second: Int) {
+        requireStage(Stage.PREPARED, "enlarge() follows prepare()")
+        stage = Stage.UNMEASURED
         reach.enlarge(rows, first, second, step.population, duration)
+        stage = Stage.MEASURED
     }
 
     /** Queues the potential collisions of the sphere at [place] of [rows] with walls. */
@@ -99,7 +120,12 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     }
 
     /** Moves every sphere to the end of the step and writes all to the population, see [StepRows.store]. */
+    @JvmOverloads
     public fun store(loop: RangeLoop = InlineLoop) {
+        requireStage(Stage.PREPARED, "store() follows prepare()")
+        stage = Stage.UNMEASURED
         rows.store(step.population, duration, loop)
     }
+
+    private enum class Stage { UNMEASURED, MEASURED, PREPARED }
 }

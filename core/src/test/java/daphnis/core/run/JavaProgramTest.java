@@ -18,14 +18,21 @@ import daphnis.core.boundary.Periodic;
 import daphnis.core.collision.ConstantRestitution;
 import daphnis.core.engine.CollisionForcing;
 import daphnis.core.force.Kick;
+import daphnis.core.hill.Epicycle;
+import daphnis.core.parallel.InlineLoop;
 import daphnis.core.population.Conserved;
+import daphnis.core.population.GranularTemperatureKt;
 import daphnis.core.population.Population;
+import daphnis.core.population.PopulationSums;
 import daphnis.core.scenario.BuiltIn;
 import daphnis.core.scenario.OutputSpec;
+import daphnis.core.search.NearPairs;
+import daphnis.core.search.Overlap;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeoutException;
@@ -203,5 +210,23 @@ class JavaProgramTest {
             assertEquals(digest, run.execute().getStateDigest());
         }
         assertArrayEquals(whole.energies.array(), resumed.energies.array());
+    }
+
+    @Test
+    void constantsFactoriesAndDefaultsAreCalledAsThoseOfJava() {
+        Population population = whole.population();
+        var boundary = new Periodic(Box.centred(10.0, 10.0, 10.0));
+        PopulationSums sums = new PopulationSums(null);
+        sums.take(population);
+        assertEquals(GranularTemperatureKt.granularTemperature(population, null), sums.getGranularTemperature());
+        var pairs = new NearPairs(population, boundary, 0.0);
+        int[] indices = {pairs.index(0), pairs.index(1), pairs.index(2)};
+        Arrays.sort(indices);
+        assertArrayEquals(new int[] {0, 1, 2}, indices);
+        assertEquals(0.0, Overlap.deepest(population, boundary, 0.0).getDepth());
+        assertEquals("time", SeriesColumns.TIME.getName());
+        assertEquals(1.0, Epicycle.of(1.0, 0.0, 0.0, 0.0, -1.5, 0.0, 1.0).getGuidingX());
+        assertEquals(1.0, Epicycle.guidingX(1.0, -1.5, 1.0));
+        InlineLoop.INSTANCE.run(3, (worker, from, to) -> assertEquals(3, to - from));
     }
 }

@@ -1,13 +1,8 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Box
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
-import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
-import daphnis.core.boundary.Periodic
-import daphnis.core.boundary.Walls
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
@@ -35,18 +30,7 @@ class GridTest {
     fun `both kinds of runs hold every pair within range, in every boundary, once`() {
         for (seed in 1L..100L) {
             val random = SeededRandom(seed)
-            val box = Box.centred(
-                random.nextDouble(4.0, 12.0),
-                random.nextDouble(4.0, 12.0),
-                random.nextDouble(2.1, 12.0),
-            )
-            val boundary = listOf(
-                Open,
-                Periodic(box),
-                Periodic(box, true, true, false),
-                Walls(box),
-                LeesEdwards(box, random.nextDouble(-1.0, 1.0)),
-            )[random.nextInt(5)]
+            val boundary = drawnBoundary(random, longest = 12.0)
             val p = randomSpheres(1 + random.nextInt(30), boundary, seed, 1.0) { it.nextDouble(0.1, 0.9) }
             val reach = DoubleArray(3) { random.nextDouble(0.0, 2.0) }
             compare(
@@ -83,10 +67,10 @@ class GridTest {
         for (slot in 0 until p.size) {
             val k = grid.order[slot]
             fun name(other: Int) = p.id[grid.order[other]]
-            val ahead = runs.ahead(slot, p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
-            each(runs, ahead) { other, code -> forward += canonical(p.id[k], name(other), code) }
-            val around = runs.around(p.x[k], p.y[k], p.z[k], way[0][k], way[1][k], way[2][k], p.radius[k])
-            each(runs, around) { other, code -> all += Pair(p.id[k], name(other), code) }
+            val start = doubleArrayOf(p.x[k], p.y[k], p.z[k])
+            runs.path.set(start, DoubleArray(3) { way[it][k] }, p.radius[k])
+            each(runs, runs.ahead(slot)) { other, code -> forward += canonical(p.id[k], name(other), code) }
+            each(runs, runs.around(0.0)) { other, code -> all += Pair(p.id[k], name(other), code) }
         }
         val once = forward.filter { it.a != it.b }
         assertEquals(once.size, once.toSet().size) { "$story: a pair is named twice" }
@@ -139,21 +123,10 @@ class GridTest {
     }
 
     private inline fun eachImage(p: Population, boundary: BoundaryConditions, action: (Int, Int, Int) -> Unit) {
-        val far = IntArray(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) 6 else 0 }
+        val codes = imagesWithin(6, boundary)
         for (i in 0 until p.size) {
             for (j in 0 until p.size) {
-                if (i == j) continue
-                for (x in -far[0]..far[0]) {
-                    for (y in -far[1]..far[1]) {
-                        for (z in -far[2]..far[2]) {
-                            action(
-                                i,
-                                j,
-                                Images.code(x, y, z),
-                            )
-                        }
-                    }
-                }
+                if (i != j) for (code in codes) action(i, j, code)
             }
         }
     }
@@ -177,7 +150,8 @@ class GridTest {
         }
         val grid = Grid().apply { build(p, Open, 0.0, 0.1, DoubleArray(3)) }
         val near = CellRuns(grid)
-        assertEquals(1, near.ahead(0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.1))
+        near.path.set(1.0, 2.0, 3.0, radius = 0.1)
+        assertEquals(1, near.ahead(0))
         assertEquals(4, near.to[0] - near.from[0])
     }
 }

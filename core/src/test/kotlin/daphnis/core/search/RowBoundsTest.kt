@@ -1,12 +1,6 @@
 package daphnis.core.search
 
-import daphnis.core.boundary.Box
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
-import daphnis.core.boundary.LeesEdwards
-import daphnis.core.boundary.Open
-import daphnis.core.boundary.Periodic
-import daphnis.core.boundary.Walls
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
@@ -25,18 +19,7 @@ class RowBoundsTest {
         var met = 0
         for (seed in 1L..120L) {
             val random = SeededRandom(seed)
-            val box = Box.centred(
-                random.nextDouble(4.0, 14.0),
-                random.nextDouble(4.0, 14.0),
-                random.nextDouble(2.1, 14.0),
-            )
-            val boundary = listOf(
-                Open,
-                Periodic(box),
-                Periodic(box, true, true, false),
-                Walls(box),
-                LeesEdwards(box, random.nextDouble(-1.0, 1.0)),
-            )[random.nextInt(5)]
+            val boundary = drawnBoundary(random, longest = 14.0)
             val p = randomSpheres(2 + random.nextInt(40), boundary, seed, 1.0) { it.nextDouble(0.1, 0.9) }
             // A mean flow on top, which close bounds follow.
             for (k in 0 until p.size) p.vx[k] += 2 * p.y[k] / 10
@@ -46,7 +29,7 @@ class RowBoundsTest {
             val rows = StepRows().apply { load(p, grid.order, duration, false) }
             val bounds = RowBounds().apply { measure(grid, rows, duration, InlineLoop, fewest = 0.0) }
             val near = CellRuns(grid, bounds)
-            val codes = codes(boundary.contactFaces(0), boundary.contactFaces(1), boundary.contactFaces(2))
+            val codes = imagesWithin(3, boundary)
             val story = "seed $seed, ${boundary.javaClass.simpleName}, ${p.size} spheres"
 
             val named = HashSet<Triple<Int, Int, Int>>()
@@ -98,32 +81,8 @@ class RowBoundsTest {
         duration: Double,
         ahead: Boolean,
     ): List<Triple<Int, Int, Int>> {
-        val s = rows.state
-        val p = i * STRIDE
-        val rest = duration - now
-        val runs = if (ahead) {
-            near.ahead(
-                i,
-                s[p],
-                s[p + 1],
-                s[p + 2],
-                s[p + VX] * rest,
-                s[p + VX + 1] * rest,
-                s[p + VX + 2] * rest,
-                s[p + RADIUS],
-            )
-        } else {
-            near.around(
-                s[p],
-                s[p + 1],
-                s[p + 2],
-                s[p + VX] * rest,
-                s[p + VX + 1] * rest,
-                s[p + VX + 2] * rest,
-                s[p + RADIUS],
-                now,
-            )
-        }
+        near.path.set(rows.state, i * STRIDE, duration - now)
+        val runs = if (ahead) near.ahead(i) else near.around(now)
         return (0 until runs).flatMap { r -> (near.from[r] until near.to[r]).map { Triple(i, it, near.image[r]) } }
     }
 
@@ -137,13 +96,6 @@ class RowBoundsTest {
                 fun at(k: Int) = s[k * STRIDE + axis] + s[k * STRIDE + VX + axis] * (t - s[k * STRIDE + TIME])
                 abs(at(j) + images.shift(code, axis) + images.slide(code, axis) * t - at(i)) <= touch
             }
-        }
-    }
-
-    private fun codes(vararg faces: ContactFaces): List<Int> {
-        val far = IntArray(3) { if (faces[it] == ContactFaces.PERIODIC) 3 else 0 }
-        return (-far[0]..far[0]).flatMap { x ->
-            (-far[1]..far[1]).flatMap { y -> (-far[2]..far[2]).map { z -> Images.code(x, y, z) } }
         }
     }
 

@@ -48,7 +48,7 @@ internal class Grower(private val field: IslandField, private val stores: Worker
         return true
     }
 
-    override fun slot(place: Int): Int = members.slot(place)
+    override fun slotOf(place: Int): Int = members.slot(place)
 
     override fun search(place: Int, except: Int): Boolean {
         // The marks on this island's spheres, and the bounds that were widened for them.

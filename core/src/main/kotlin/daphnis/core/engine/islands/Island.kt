@@ -1,5 +1,7 @@
 package daphnis.core.engine.islands
 
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.StepRows.Companion.isUnknown
 import daphnis.core.collision.contactTime
 import daphnis.core.engine.islands.IslandBoard.Companion.FREE
 import daphnis.core.queue.EventHeap
@@ -59,31 +61,41 @@ internal class Island(private val field: IslandField, private val number: Int, p
     }
 
     /**
-     * Notes that the sphere at place [first] can touch [second], a slot or a wall's partner number, at [time]. The time
-     * is NaN when [second] belongs to an island.
+     * Notes that the sphere at place [first] can touch [second], a slot or a wall's partner number, at [time], which is
+     * [UNKNOWN][StepRows.UNKNOWN] when an island, perhaps this one, has the sphere in that slot.
      */
     override fun add(time: Double, first: Int, second: Int, image: Int) {
-        if (time.isNaN()) {
-            addOwned(first, second, image)
-        } else if (time > field.windowEnd) {
-            hints.add(time, members.slot(first), second, image)
-        } else if (second < 0) {
-            queue.add(time, first, second, image)
-        } else if (claimRule?.mayClaim(second) == false) {
-            refused = second
-        } else if (board.claim(second, root)) {
-            queue.add(time, first, join(second), image)
-        } else {
-            stores.suspects.add(members.slot(first), second, image, index)
+        when {
+            isUnknown(time) -> addTaken(first, second, image)
+            time > field.windowEnd -> hints.add(time, members.slot(first), second, image)
+            second < 0 -> queue.add(time, first, second, image)
+            else -> addFree(time, first, second, image)
         }
     }
 
-    /** The same for a sphere that belongs to an island, perhaps to this one. */
-    private fun addOwned(first: Int, slot: Int, image: Int) {
-        if (board.owner(slot) != root) {
-            stores.suspects.add(members.slot(first), slot, image, index)
-            return
+    /** A sphere that an island has. */
+    private fun addTaken(first: Int, slot: Int, image: Int) {
+        if (board.owner(slot) == root) addOwn(first, slot, image) else suspect(first, slot, image)
+    }
+
+    /** A sphere that no island had: it joins, unless that is refused or another island is quicker. */
+    private fun addFree(time: Double, first: Int, slot: Int, image: Int) {
+        if (claimRule?.mayClaim(slot) == false) {
+            refused = slot
+        } else if (board.claim(slot, root)) {
+            queue.add(time, first, join(slot), image)
+        } else {
+            suspect(first, slot, image)
         }
+    }
+
+    /** A sphere of another island: what it does in this window is not known yet. */
+    private fun suspect(first: Int, slot: Int, image: Int) {
+        stores.suspects.add(members.slot(first), slot, image, index)
+    }
+
+    /** A sphere of this island, which is at its own place among the members. */
+    private fun addOwn(first: Int, slot: Int, image: Int) {
         val second = board.place(slot)
         val t = contactTime(members.rows, first, second, image, field.grid.images)
         if (t <= field.windowEnd) {

@@ -3,6 +3,7 @@ package daphnis.core.engine.islands
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
+import daphnis.core.collision.StepRows.Companion.UNKNOWN
 import daphnis.core.queue.EventStore
 import java.lang.invoke.MethodHandles
 import java.lang.invoke.VarHandle
@@ -109,11 +110,11 @@ internal class IslandBoard(private val rows: StepRows, private val workers: Int)
 
     /**
      * Notes that the island of [root] has its copy of [slot] at [place] of the rows of [attempt]. From then on the
-     * sphere's local time, NaN, tells other workers that they cannot know where it is.
+     * sphere's local time is [UNKNOWN], which tells other workers that they cannot know where it is.
      */
     fun take(slot: Int, root: Int, attempt: Int, place: Int) {
         assert(owner(slot) == root) { "slot $slot is owned by ${owner(slot)}, not by $root" }
-        rows.state[slot * STRIDE + TIME] = Double.NaN
+        rows.state[slot * STRIDE + TIME] = UNKNOWN
         columns[slot * WIDTH + ATTEMPT] = attempt
         columns[slot * WIDTH + PLACE] = place
     }

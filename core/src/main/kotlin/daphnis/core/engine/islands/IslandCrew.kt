@@ -7,16 +7,25 @@ import daphnis.core.engine.islands.IslandBoard.Companion.FREE
 import java.util.function.IntConsumer
 
 /**
- * The workers on one [IslandField], and what one thread alone does between their phases. A step consists of
+ * The workers on one [IslandField], and what one thread alone does between their phases:
  *
- * 1. `field.measure`, `field.prepare`, [prepare]; then *in parallel* [IslandWorker.searchStart];
- * 2. for each window: [openWindow]; *in parallel* [IslandWorker.propose]; *in parallel* [IslandWorker.group];
- *    [collectRoots]; *in parallel* [IslandWorker.process] for each [root]; *in parallel* [IslandWorker.check];
- *    while [mergeConflicts] finds any: process those and check again; *in parallel* [IslandWorker.commit]; *in
- *    parallel* [IslandWorker.hintSuspects] unless it was the last window; [closeWindow];
- * 3. `field.store`, [finish].
+ * | of a | one thread alone | all workers, side by side |
+ * |---|---|---|
+ * | step | [IslandField.measure] | |
+ * | attempt | [IslandField.prepare], [prepare] | [IslandWorker.searchStart] |
+ * | window | [openWindow] | [propose] |
+ * | window | with claim rules [joinBorders] | [IslandWorker.group] |
+ * | window | without them [collectRoots] | [IslandWorker.process] of every island |
+ * | window | | [IslandWorker.check] |
+ * | window | [mergeConflicts] | if it found any, [IslandWorker.process] and [IslandWorker.check] of those again |
+ * | window | | [IslandWorker.commit] |
+ * | window | | [IslandWorker.hintSuspects], unless [isLastWindow] |
+ * | window | [closeWindow] | |
+ * | step | [writeTo], [IslandField.store], [addTo] | |
  *
- * Between any two of these is a barrier or a message.
+ * Between two phases is a barrier or a message. A window without potential collisions is over when it has been opened.
+ * A call of the one thread out of turn throws an IllegalStateException, except that [prepare] may begin an attempt at
+ * any time.
  *
  * @param size number of workers
  */
@@ -47,6 +56,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     public var lastSlice: Int = -1
         private set
     private var firstSlice = 0
+    private var stage = Stage.UNPREPARED
 
     /** Whether the window at hand ends the step. */
     public val isLastWindow: Boolean get() = lastSlice == Hints.SLICES - 1
@@ -66,6 +76,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         for (worker in workers) worker.prepare()
         counted.clear()
         lastSlice = -1
+        stage = Stage.BETWEEN_WINDOWS
     }
 
     /**
@@ -75,6 +86,8 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
      * @return how many potential collisions it holds at most
      */
     public fun openWindow(): Int {
+        requireStage(Stage.BETWEEN_WINDOWS, "openWindow() follows prepare() or closeWindow()")
+        check(!isLastWindow) { "the step has no window after the last" }
         firstSlice = lastSlice + 1
         val most = window.seeds(field.size)
         var total = 0
@@ -91,6 +104,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         board.seeds.reset(total)
         redoneInWindow = 0
         windows++
+        if (total > 0) stage = Stage.PROPOSING
         return total
     }
 
@@ -104,6 +118,8 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
      * To be called between [propose] and [IslandWorker.group], where workers use only their own spheres.
      */
     public fun joinBorders() {
+        requireStage(Stage.PROPOSING, "joinBorders() follows openWindow()")
+        stage = Stage.GROWING
         roots.clear()
         val seeds = board.seeds.store
         forEachBorderSeed { if (seeds.second(it) >= 0) board.union(seeds.first(it), seeds.second(it)) }
@@ -144,6 +160,8 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
 
     /** Makes the islands that the workers found the next to be processed. */
     public fun collectRoots() {
+        requireStage(Stage.PROPOSING, "collectRoots() follows openWindow()")
+        stage = Stage.GROWING
         roots.clear()
         for (worker in workers) roots.addAll(worker.seeder.roots)
     }
@@ -154,6 +172,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
      * @return false when there were none
      */
     public fun mergeConflicts(): Boolean {
+        requireStage(Stage.GROWING, "mergeConflicts() follows collectRoots() or joinBorders()")
         roots.clear()
         dropped.clear()
         for (worker in workers) {
@@ -166,7 +185,10 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
                 board.union(a, b)
             }
         }
-        if (dropped.size == 0) return false
+        if (dropped.size == 0) {
+            stage = Stage.COMMITTING
+            return false
+        }
         redoneInWindow += dropped.size
         for (k in 0 until dropped.size) giveBack(dropped[k])
         for (k in 0 until dropped.size) board.moveSeeds(dropped[k])
@@ -195,6 +217,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
      * @throws IllegalArgumentException when the step has too many collisions
      */
     public fun closeWindow() {
+        requireStage(Stage.COMMITTING, "closeWindow() follows a mergeConflicts() that found none")
         var islandsInWindow = 0
         for (worker in workers) {
             worker.stores.attempts.addTo(counted)
@@ -204,10 +227,12 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
         islands += islandsInWindow
         redone += redoneInWindow
         window.learn(islandsInWindow, redoneInWindow)
+        stage = Stage.BETWEEN_WINDOWS
     }
 
     /** Adds the counts of the step to [counters]. To be called last, when nothing can fail any more. */
     public fun addTo(counters: CollisionCounters) {
+        requireEnd()
         counters.add(counted)
     }
 
@@ -216,9 +241,21 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
      * may need memory.
      */
     public fun writeTo(record: CollisionRecord?) {
+        requireEnd()
         if (record == null) return
         record.clear()
         for (worker in workers) record.addAll(worker.committer.record, 0, worker.committer.record.size)
         record.sort()
     }
+
+    private fun requireEnd() {
+        requireStage(Stage.BETWEEN_WINDOWS, "results follow closeWindow()")
+        check(isLastWindow) { "results follow the last window" }
+    }
+
+    private fun requireStage(required: Stage, rule: String) {
+        check(stage == required) { "the crew is $stage: $rule" }
+    }
+
+    private enum class Stage { UNPREPARED, BETWEEN_WINDOWS, PROPOSING, GROWING, COMMITTING }
 }

@@ -48,13 +48,13 @@ import daphnis.core.step.PreparedStep
  * [IslandBoard].
  */
 @EngineApi
-public class IslandField(workers: Int, internal val prepared: PreparedStep = PreparedStep()) {
+public class IslandField @JvmOverloads constructor(workers: Int, internal val prepared: PreparedStep = PreparedStep()) {
     /** The grid of this step. */
     public val grid: Grid get() = prepared.grid
 
     /**
      * The state at the start of the window. Written by [prepare] and when islands are committed; read by all. The local
-     * time of a sphere that has been taken into an island is NaN.
+     * time of a sphere that has been taken into an island is [StepRows.UNKNOWN].
      */
     public val rows: StepRows = prepared.rows
 
@@ -92,6 +92,7 @@ public class IslandField(workers: Int, internal val prepared: PreparedStep = Pre
      *
      * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
      */
+    @JvmOverloads
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
         enlarged = 0
         prepared.measure(step, loop)
@@ -123,6 +124,7 @@ public class IslandField(workers: Int, internal val prepared: PreparedStep = Pre
     }
 
     /** Sorts the spheres into the grid and copies them; then none belongs to an island. */
+    @JvmOverloads
     public fun prepare(loop: RangeLoop = InlineLoop) {
         isOutrun = false
         stopped = false
@@ -132,6 +134,7 @@ public class IslandField(workers: Int, internal val prepared: PreparedStep = Pre
     }
 
     /** Moves every sphere to the end of the step and writes all back. */
+    @JvmOverloads
     public fun store(loop: RangeLoop = InlineLoop) {
         prepared.store(loop)
         board.leaveClean()

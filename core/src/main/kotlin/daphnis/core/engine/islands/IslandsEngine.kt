@@ -27,8 +27,10 @@ import daphnis.core.step.PreparedStep
  * @param handler the threads; closed with the engine
  * @param fewest the least number of spheres with which islands are grown; 0 always grows them, also on one thread
  */
-public class IslandsEngine(private val handler: ThreadHandler, private val fewest: Int = WORTH_SPHERES) :
-    CollisionEngine {
+public class IslandsEngine @JvmOverloads constructor(
+    private val handler: ThreadHandler,
+    private val fewest: Int = WORTH_SPHERES,
+) : CollisionEngine {
     public constructor(threads: Int) : this(FixedPool(threads))
 
     override val name: String get() = "islands"

@@ -1,7 +1,5 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.StepRows.Companion.STRIDE
-import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.contactTime
 
 /**
@@ -42,84 +40,46 @@ internal class PathCheck(
         }
     }
 
+    // Walk back along the two paths; the third goes on ahead of the second.
+    private val mine = PathWalk()
+    private val theirs = PathWalk()
+    private val further = PathWalk()
+
     /**
-     * Whether any new piece of the path at place [k] touches any piece of that of [other] within the window. Both
-     * chains go from the newest piece to the oldest, and pieces without a common time are skipped, so this takes as
-     * many comparisons as the two chains have pieces.
+     * Whether any new piece of the path at place [k] touches any piece of that of [other] within the window. Both walks
+     * go from the newest piece to the oldest, and pieces without a common time are skipped, so this takes as many
+     * comparisons as the two paths have pieces.
      */
     private fun pathsTouch(k: Int, other: Int, image: Int): Boolean {
-        var state = own.rows.state
-        var p = k * STRIDE
-        var end = field.windowEnd
-        var older = own.older(k)
-        begin(other)
-        // The last piece of the chain is the path at the start. It was compared with the other spheres' paths at the
-        // start when seeds were made, and is compared with their later pieces from their side.
-        while (older != PathLog.NONE) {
-            if (touches(state, p, end, image)) return true
-            end = state[p + TIME]
-            state = own.paths.rows()
-            p = PathLog.offset(older)
-            older = own.paths.older(older)
+        mine.begin(own, k, field.windowEnd)
+        val attempt = board.attempt(other)
+        if (attempt == 0) {
+            theirs.begin(field.rows, other, field.windowEnd)
+        } else {
+            theirs.begin(membersOf(board.workerOf(attempt)), board.place(other), field.windowEnd)
+        }
+        // The oldest piece is the path at the start. It was compared with the other spheres' paths at the start when
+        // seeds were made, and is compared with their later pieces from their side.
+        while (!mine.isOldest) {
+            if (touches(image)) return true
+            mine.goBack()
         }
         return false
     }
 
-    // The other sphere's newest piece that has begun before the own present piece ends. A sphere of no island has only
-    // one piece.
-    private var otherMembers: Members? = null
-    private var otherState = DoubleArray(0)
-    private var otherRow = 0
-    private var otherEnd = 0.0
-    private var otherOlder = PathLog.NONE
-
-    private fun begin(other: Int) {
-        otherEnd = field.windowEnd
-        val attempt = board.attempt(other)
-        if (attempt == 0) {
-            otherMembers = null
-            otherState = field.rows.state
-            otherRow = other * STRIDE
-            otherOlder = PathLog.NONE
-        } else {
-            val members = membersOf(board.workerOf(attempt))
-            val place = board.place(other)
-            otherMembers = members
-            otherState = members.rows.state
-            otherRow = place * STRIDE
-            otherOlder = members.older(place)
-        }
-    }
-
-    /**
-     * Whether the piece of path in the row at [p] of [state], which ends at [end], touches any piece of the other's.
-     */
-    private fun touches(state: DoubleArray, p: Int, end: Double, image: Int): Boolean {
-        val images = field.grid.images
+    /** Whether the present piece of [mine] touches any piece of [theirs]. */
+    private fun touches(image: Int): Boolean {
         // A piece that begins only after this piece ends also begins after the end of all older ones.
-        while (otherState[otherRow + TIME] > end) {
-            val older = otherOlder
-            if (older == PathLog.NONE) return false
-            val paths = otherMembers!!.paths
-            otherEnd = otherState[otherRow + TIME]
-            otherState = paths.rows()
-            otherRow = PathLog.offset(older)
-            otherOlder = paths.older(older)
+        while (theirs.start > mine.end) {
+            if (theirs.isOldest) return false
+            theirs.goBack()
         }
-        val begin = state[p + TIME]
-        var b = otherState
-        var q = otherRow
-        var endThere = otherEnd
-        var older = otherOlder
+        further.begin(theirs)
         while (true) {
-            val t = contactTime(state, p, b, q, image, images)
-            if (t <= end && t <= endThere) return true
-            if (older == PathLog.NONE) return false
-            endThere = b[q + TIME]
-            if (endThere < begin) return false
-            b = otherMembers!!.paths.rows()
-            q = PathLog.offset(older)
-            older = otherMembers!!.paths.older(older)
+            val t = contactTime(mine.state, mine.row, further.state, further.row, image, field.grid.images)
+            if (t <= mine.end && t <= further.end) return true
+            if (further.isOldest || further.start < mine.start) return false
+            further.goBack()
         }
     }
 }

@@ -24,26 +24,26 @@ internal class QuickerWay(private val clock: LongSupplier = LongSupplier { Syste
     private var begin = 0L
 
     /** Nanoseconds of the quickest step in islands since the last trial of the serial way. */
-    private var islands = NONE
+    private var islands = UNMEASURED
 
     /** Nanoseconds of the last trial of the serial way, or of the quickest step of the rest that followed. */
-    private var serial = NONE
+    private var serial = UNMEASURED
     private var restUntil = 0L
 
-    /** Nanoseconds after which a step in islands is to be given up, [NONE] when never. */
-    private var patience = NONE
+    /** Nanoseconds after which a step in islands is to be given up. */
+    private var patience = NEVER
 
     /** Begins a step and returns how it is to be taken. */
     fun choose(): Way {
         val step = steps++
         way = if (step < restUntil || step % STEPS_PER_TRIAL == TRIAL) Way.SERIAL else Way.ISLANDS
-        patience = if (way == Way.SERIAL || serial == NONE) NONE else maxOf(serial * MOST_LOSS, LEAST_PATIENCE)
+        patience = if (way == Way.SERIAL || serial == UNMEASURED) NEVER else maxOf(serial * MOST_LOSS, LEAST_PATIENCE)
         begin = clock.asLong
         return way
     }
 
     /** Whether growing islands in the present step takes so long that it is to be given up. */
-    val isLate: Boolean get() = patience != NONE && clock.asLong - begin > patience
+    val isLate: Boolean get() = patience != NEVER && clock.asLong - begin > patience
 
     /** Ends a step that was taken in the way which [choose] returned. */
     fun finish() {
@@ -55,15 +55,15 @@ internal class QuickerWay(private val clock: LongSupplier = LongSupplier { Syste
             serial = minOf(serial, time)
         } else {
             serial = time
-            if (islands != NONE && islands > serial * CLEARLY) rest(islands.toDouble() / serial)
-            islands = NONE
+            if (islands != UNMEASURED && islands > serial * CLEARLY) rest(islands.toDouble() / serial)
+            islands = UNMEASURED
         }
     }
 
     /** Ends a step in which islands were given up. */
     fun giveUp() {
         rest(MOST_LOSS.toDouble())
-        islands = NONE
+        islands = UNMEASURED
     }
 
     private fun rest(worse: Double) {
@@ -71,8 +71,11 @@ internal class QuickerWay(private val clock: LongSupplier = LongSupplier { Syste
     }
 
     companion object {
-        /** No time was measured. */
-        private const val NONE = Long.MAX_VALUE
+        /** In place of a shortest time, where there was none to measure: every time is shorter. */
+        private const val UNMEASURED = Long.MAX_VALUE
+
+        /** A patience that no time exceeds. */
+        private const val NEVER = Long.MAX_VALUE
 
         /** One of so many steps is taken the serial way to try it. */
         const val STEPS_PER_TRIAL = 64L

@@ -6,6 +6,7 @@ import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.contactTime
 import daphnis.core.collision.separation
+import daphnis.core.step.CollisionStep
 import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
@@ -18,8 +19,9 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
     val taken = Taken()
     val record = CollisionRecord()
 
-    override fun begin(record: CollisionRecord?) {
-        super.begin(record)
+    /** Begins a new attempt at a step; its collisions are written to [record] when [step] wants them. */
+    fun beginStep(step: CollisionStep) {
+        begin(if (step.record == null) null else record)
         found.clear()
     }
 

@@ -49,7 +49,7 @@ import java.util.concurrent.atomic.AtomicReference
  * @param strategy of the loops over spheres; the first search is always dynamic, as in the paper
  * @param gridSort how the grid is built
  */
-public class ThreadPoolEngine(
+public class ThreadPoolEngine @JvmOverloads constructor(
     private val handler: ThreadHandler,
     strategy: LoopStrategy = LoopStrategy.CHUNKS,
     gridSort: GridSort = GridSort.ROW_LOCKS,
@@ -128,7 +128,7 @@ public class ThreadPoolEngine(
         busy.prepare(step.population)
         queue.reset(step.duration, rows.id, rows.size)
         trails.reset(rows.size)
-        for (worker in workers) worker.begin(if (step.record == null) null else worker.record)
+        for (worker in workers) worker.beginStep(step)
         dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to -> workers[worker].searchStart(from, to) }
         for (worker in workers) queue.addAll(worker.found.events)
         handler.run { worker -> processSafe(worker) }

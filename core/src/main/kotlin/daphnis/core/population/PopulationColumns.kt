@@ -4,7 +4,7 @@ package daphnis.core.population
  * The arrays of a [Population], all of one length. A population has two sets of them, which take turns: a step is
  * written to one and leaves the other as it was, so that the step can be taken back by changing a reference.
  */
-internal class Columns(
+internal class PopulationColumns(
     val x: DoubleArray,
     val y: DoubleArray,
     val z: DoubleArray,
@@ -32,17 +32,17 @@ internal class Columns(
     val size: Int get() = x.size
 
     /** Takes over the array of [other], for a step that does not write it. */
-    fun shareLastCollision(other: Columns) {
+    fun shareLastCollision(other: PopulationColumns) {
         lastCollision = other.lastCollision
     }
 
     /** Ensures an array that is not that of [other], for a step that writes it. */
-    fun separateLastCollision(other: Columns) {
+    fun separateLastCollision(other: PopulationColumns) {
         if (lastCollision === other.lastCollision) lastCollision = DoubleArray(size)
     }
 
     /** Copies all but positions to [to]. */
-    fun copyAllButPositionsInto(to: Columns) {
+    fun copyAllButPositionsInto(to: PopulationColumns) {
         vx.copyInto(to.vx)
         vy.copyInto(to.vy)
         vz.copyInto(to.vz)
@@ -53,16 +53,16 @@ internal class Columns(
     }
 
     /** New columns of the spheres at the indices [kept]. */
-    fun pick(kept: IntArray): Columns {
+    fun pick(kept: IntArray): PopulationColumns {
         fun pick(a: DoubleArray) = DoubleArray(kept.size) { a[kept[it]] }
-        return Columns(
+        return PopulationColumns(
             pick(x), pick(y), pick(z), pick(vx), pick(vy), pick(vz), pick(radius), pick(mass),
             IntArray(kept.size) { id[kept[it]] }, pick(lastCollision),
         )
     }
 
     /** New columns of these spheres and then those of [others]. */
-    fun plus(others: Columns): Columns = Columns(
+    fun plus(others: PopulationColumns): PopulationColumns = PopulationColumns(
         x + others.x, y + others.y, z + others.z, vx + others.vx, vy + others.vy, vz + others.vz,
         radius + others.radius, mass + others.mass, id + others.id, lastCollision + others.lastCollision,
     )

@@ -1,0 +1,66 @@
+package daphnis.analysis.report
+
+import daphnis.core.Repository
+import org.junit.jupiter.api.Assertions.assertEquals
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Keys in `numbers.csv`, by which others read it: a key listed here never changes. */
+internal object NumberKeys {
+    private val BOX = listOf("filling_factor", "mean_radius", "granular_temperature")
+    private val COLLISIONS = listOf("collisions_per_particle", "compressibility")
+    val GAS = BOX + COLLISIONS
+    private val SHEAR = listOf(
+        "reduced_temperature",
+        "reduced_pressure",
+        "reduced_shear_stress",
+        "viscosity_translational",
+        "viscosity_collisional",
+        "viscosity_total",
+        "shear_work_over_dissipation",
+    )
+    val SHEARED = GAS + SHEAR
+    private val STATES = listOf(
+        "optical_depth",
+        "surface_density",
+        "mean_radius",
+        "r_omega",
+        "velocity_dispersion",
+        "sigma_x",
+        "sigma_y",
+        "sigma_z",
+        "ellipsoid_orientation",
+        "scale_height",
+        "midplane_filling_factor",
+    )
+    private val TRANSPORT = listOf(
+        "collisions_per_particle",
+        "mean_impact_speed",
+        "viscosity_translational",
+        "viscosity_collisional",
+        "viscosity_total",
+        "viscosity_total_in_run_units",
+        "shear_work_over_dissipation",
+    )
+    val RING = STATES + TRANSPORT
+    val SELF_GRAVITY = listOf("viscosity_gravitational", "toomre_q", "critical_wavelength")
+    val DIFFUSION = listOf("self_diffusion", "self_diffusion_x", "self_diffusion_y", "self_diffusion_z")
+    private const val GUIDING_CENTRES = "guiding_centre_diffusion"
+
+    private val all = (RING + SELF_GRAVITY + SHEARED + DIFFUSION + GUIDING_CENTRES).toSet()
+
+    /** Keys in the first column of the guide's table of numbers. */
+    private fun documented(): List<String> {
+        val table = Repository.read("docs/analysis.md").substringAfter("| key | number |").substringBefore("\n\n")
+        return table.lines().drop(2).map { it.substringAfter('`').substringBefore('`') }
+    }
+
+    /** The guide has all keys, each once. */
+    fun assertDocumented() {
+        assertEquals(all.sorted(), documented().sorted())
+    }
+
+    /** The keys of the run in [path], in the order of the file. */
+    fun of(path: Path): List<String> =
+        Files.readAllLines(path.resolve("tables/numbers.csv")).drop(1).map { it.substringBefore(',') }
+}
