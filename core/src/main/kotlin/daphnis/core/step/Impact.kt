@@ -54,10 +54,11 @@ internal open class Impact(
         val isWall = second < 0
         if (isWall) {
             prepared.walls.reflect(rows, first, WallContact.face(second), time)
-            counted.wallCollisions++
+            if (isCounted(first, first)) counted.wallCollisions++
         } else {
             collide(time, first, second, image)
         }
+        changed(first, second, time)
         schedule.removeAllOf(first)
         if (!isWall) schedule.removeAllOf(second)
         prepared.limits.checkProgress(rows, first, second, time)
@@ -70,6 +71,7 @@ internal open class Impact(
 
     private fun collide(time: Double, first: Int, second: Int, image: Int) {
         if (!prepared.step.law.collide(rows, first, second, image, prepared.images, time, outcome)) return
+        if (!isCounted(first, second)) return
         counted.collisions++
         if (outcome.guarded) counted.guardActivations++
         record?.add(time, rows.id[first], rows.id[second], outcome)
@@ -79,6 +81,12 @@ internal open class Impact(
         prepared.bounds.include(slot(place), rows, place)
         return search(place, except)
     }
+
+    /** Whether this engine's part of the step counts and records the collision of [first] with [second]. */
+    protected open fun isCounted(first: Int, second: Int): Boolean = true
+
+    /** Told of every impact, also of one that changes nothing; [second] is negative for a wall. */
+    protected open fun changed(first: Int, second: Int, time: Double): Unit = Unit
 
     /** The slot of the step whose sphere is at [place] of the rows. */
     protected open fun slot(place: Int): Int = place

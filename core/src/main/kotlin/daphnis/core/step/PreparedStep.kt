@@ -6,6 +6,7 @@ import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.SphereColumns
 import daphnis.core.queue.EventSink
 import daphnis.core.search.Grid
 import daphnis.core.search.GridSort
@@ -41,6 +42,12 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     internal lateinit var step: CollisionStep
         private set
 
+    /** The spheres that are moved: those of the step, or a part of them. */
+    private lateinit var spheres: SphereColumns
+
+    /** See [Grid.build]. */
+    private var middle = Grid.WHOLE
+
     /** Length of the present step; later contacts are not potential collisions of it. */
     public var duration: Double = 0.0
         private set
@@ -58,17 +65,31 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
      * @throws IllegalArgumentException when the step is refused, see [Reach.measure]
      */
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
-        this.step = step
-        duration = step.duration
+        take(step, step.population, Grid.WHOLE)
         reach.measure(step.population, step.boundary, duration, loop)
+    }
+
+    /**
+     * Takes over the step of [whole], which has been measured, for some of its spheres only: for [part], which lies
+     * about [middle], see [Grid.build]. Such a step is not to be written with [store].
+     */
+    internal fun measurePart(whole: PreparedStep, part: SphereColumns, middle: DoubleArray) {
+        take(whole.step, part, middle)
+        reach.measurePart(part, whole.reach, duration)
+    }
+
+    private fun take(step: CollisionStep, spheres: SphereColumns, middle: DoubleArray) {
+        this.step = step
+        this.spheres = spheres
+        this.middle = middle
+        duration = step.duration
         walls.prepare(step.boundary)
     }
 
     /** Sorts the spheres into the grid and copies them, as they are at the start of the step. */
     public fun prepare(loop: RangeLoop = InlineLoop) {
-        val population = step.population
-        grid.build(population, step.boundary, step.start, duration, reach.bound, loop, step.search)
-        rows.load(population, grid.order, duration, step.law.guard.needsLastCollision, loop)
+        grid.build(spheres, step.boundary, step.start, duration, reach.bound, loop, step.search, middle)
+        rows.load(spheres, grid.order, duration, step.law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, duration, loop)
         limits.start(rows.size, step.start)
         version++
@@ -78,7 +99,7 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
     public fun candidates(): Candidates = GridCandidates(this)
 
     /** Whether the sphere at [place] of [rows], if nothing more happens to it, ends the step beyond the bound. */
-    internal fun isOutrun(rows: StepRows, place: Int): Boolean = reach.isOutrun(rows, place, step.population, duration)
+    internal fun isOutrun(rows: StepRows, place: Int): Boolean = reach.isOutrun(rows, place, spheres, duration)
 
     /**
      * Enlarges the bound for the spheres at [first] and [second] (negative for none) of [rows], which went beyond it.
@@ -86,7 +107,7 @@ public class PreparedStep(sort: GridSort = GridSort.COUNTING) {
      * @throws IllegalArgumentException when it cannot be enlarged, see [Reach.enlarge]
      */
     public fun enlarge(rows: StepRows, first: Int, second: Int) {
-        reach.enlarge(rows, first, second, step.population, duration)
+        reach.enlarge(rows, first, second, spheres, duration)
     }
 
     /** Queues the potential collisions of the sphere at [place] of [rows] with walls. */
