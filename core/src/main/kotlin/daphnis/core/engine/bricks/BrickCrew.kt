@@ -25,8 +25,8 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
     private val counted = CollisionCounters()
     private var steps = 0L
 
-    /** For tests: how paths are compared. */
-    var judge = PathJudge.STRICT
+    /** See [BrickNode.isTrusting]. */
+    var isTrusting = false
 
     /** Attempts since the start that were redone with wider halos. */
     var redone = 0L
@@ -63,6 +63,7 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
         if (starts.last() != population.size) divideEvenly(population.size)
         boxes.clear()
         agreement.begin(key, widths)
+        for (node in nodes) node.isTrusting = isTrusting
         each(loop, halt) { nodes[it].begin(input, Held(population, starts[it], starts[it + 1])) }
         while (true) {
             boxes.turn()

@@ -1,7 +1,5 @@
 package daphnis.core.engine.bricks
 
-import daphnis.core.engine.bricks.Cuts.Companion.AXES
-
 /**
  * The part of one brick in a step, as a state machine without threads: [begin] starts a step, [receive] takes a message,
  * and both post what follows. Messages may arrive in any order and more than once; one that is early waits, one that is
@@ -49,12 +47,8 @@ internal class BrickNode(
     private val early = ArrayList<BrickMessage>()
     private val check = PathComparison(number, territory, brick)
 
-    /** For tests. */
-    var judge: PathJudge
-        get() = check.judge
-        set(value) {
-            check.judge = value
-        }
+    /** Whether it takes whatever it has computed for right; for tests of what happens then. */
+    var isTrusting = false
 
     /** Whether the step that was begun is agreed on. */
     val isDone: Boolean get() = state == State.IDLE
@@ -172,7 +166,7 @@ internal class BrickNode(
     private fun compareIfComplete() {
         if (state != State.COMPARING || outcomesMissing > 0) return
         state = State.ANSWERED
-        val isRight = check.isRight(gathered, outcomes, input.total)
+        val isRight = isTrusting || check.isRight(gathered, outcomes, input.total)
         post.send(BrickMessage.AGREEMENT, Agreed(key, number, isRight, brick.bound))
     }
 

@@ -89,7 +89,7 @@ public class BricksEngine internal constructor(
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
         bricks = 1
-        if (step.population.size < fewest) {
+        if (step.population.size < fewest || plan.rests(step)) {
             alone.advance(step)
         } else if (fewest == 0) {
             if (!divide(step)) goAlone(step)

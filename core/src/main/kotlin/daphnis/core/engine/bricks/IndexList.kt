@@ -19,6 +19,6 @@ internal class IndexList {
     }
 
     private companion object {
-        const val INITIAL = 16
+        const val INITIAL = 4
     }
 }

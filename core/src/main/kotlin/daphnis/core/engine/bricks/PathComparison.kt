@@ -8,7 +8,6 @@ internal class PathComparison(
     private val territory: Territory,
     private val brick: Brick,
 ) {
-    var judge = PathJudge.STRICT
     private val places = IdIndex()
     private val bound = DoubleArray(AXES)
     private val sight = DoubleArray(AXES)
@@ -44,7 +43,7 @@ internal class PathComparison(
                 val place = places.find(outcome.paths.id(k))
                 // A wider halo than this one's has more; those are out of sight.
                 if (place < 0 || !isInSight(place)) continue
-                if (!judge.agree(brick.wholePath(place), outcome.paths.hash(k))) return false
+                if (brick.wholePath(place) != outcome.paths.hash(k)) return false
                 known++
             }
         }

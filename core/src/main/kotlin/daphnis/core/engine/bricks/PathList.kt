@@ -26,6 +26,6 @@ internal class PathList {
     }
 
     private companion object {
-        const val INITIAL = 16
+        const val INITIAL = 4
     }
 }

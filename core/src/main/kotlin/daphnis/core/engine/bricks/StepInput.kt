@@ -22,12 +22,3 @@ internal class StepInput(
 
 /** The spheres that a node holds at the start of a step: the entries [from] until [to] of [spheres]. */
 internal class Held(val spheres: SphereColumns, val from: Int, val to: Int)
-
-/** Decides whether two computations of a path agree by their hashes; for tests, which let some pass. */
-internal fun interface PathJudge {
-    fun agree(mine: Long, owners: Long): Boolean
-
-    companion object {
-        val STRICT = PathJudge { mine, owners -> mine == owners }
-    }
-}

@@ -5,6 +5,7 @@ import daphnis.core.engine.bricks.Cuts.Companion.AXES
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 import daphnis.core.search.GridExtent
+import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
 
 /**
@@ -37,6 +38,16 @@ internal class TerritoryPlan(
     private var epoch = 0
     private var meanRadius = 0.0
 
+    /** Whether [step] is to be taken serially, because one brick was found to be quickest not long ago. */
+    fun rests(step: CollisionStep): Boolean {
+        if (territory != null || boundary == null || isDue(step)) return false
+        steps++
+        return true
+    }
+
+    private fun isDue(step: CollisionStep): Boolean =
+        steps >= due || boundary !== step.boundary || spheres != step.population.size
+
     /**
      * Looks at the step, which [whole] has measured.
      *
@@ -49,7 +60,8 @@ internal class TerritoryPlan(
         extent.measure(population, step.boundary, NOWHERE, loop)
         extent.requireComputable(whole.reach.largestRadius)
         if (boundary !== step.boundary) interval = 1
-        val isDue = steps++ >= due || boundary !== step.boundary || population.size != spheres
+        val isDue = isDue(step)
+        steps++
         if (isDue) meanRadius = meanRadius(population)
         bodies.find(population, whole.reach.largestRadius, meanRadius, loop)
         if (!isDue) return false
