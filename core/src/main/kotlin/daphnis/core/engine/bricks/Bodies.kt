@@ -45,6 +45,7 @@ internal class Bodies {
             synchronized(this) { if (most > rest) rest = most }
         }
         if (index.size > MOST) index.clear() else ordinary = rest
+        index.sort()
     }
 
     /**

@@ -18,6 +18,11 @@ internal class IndexList {
         values[size++] = value
     }
 
+    /** Puts them in ascending order. */
+    fun sort() {
+        values.sort(0, size)
+    }
+
     private companion object {
         const val INITIAL = 4
     }

@@ -7,10 +7,11 @@ import daphnis.core.population.SphereColumns
 import daphnis.core.search.GridExtent
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import kotlin.math.abs
 
 /**
  * Decides when space is divided anew, into how many bricks, and where: in the first steps, every [STEPS] steps after
- * that, and when the number of spheres or the boundary has changed.
+ * that, and when the number of spheres has changed much, or the boundary.
  *
  * @param whole the step for all spheres
  * @param division what was asked for; null to choose what should be quickest on [threads] threads
@@ -46,7 +47,7 @@ internal class TerritoryPlan(
     }
 
     private fun isDue(step: CollisionStep): Boolean =
-        steps >= due || boundary !== step.boundary || spheres != step.population.size
+        steps >= due || boundary !== step.boundary || abs(step.population.size - spheres) > spheres / FEW
 
     /**
      * Looks at the step, which [whole] has measured.
@@ -101,5 +102,8 @@ internal class TerritoryPlan(
         val NOWHERE = DoubleArray(AXES) { Double.NaN }
         const val STEPS = 64
         const val MORE = 4
+
+        /** When more than one of so many spheres was removed or added, space is divided anew. */
+        const val FEW = 8
     }
 }
