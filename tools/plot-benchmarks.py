@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 plt.rcParams["svg.hashsalt"] = "daphnis"
 SIZES = {"GAS_1E4": 1e4, "GAS_1E5": 1e5, "GAS_1E6": 1e6}
 NAMES = {"PAPER_1": "figure 1", "PAPER_2": "figure 2", "PAPER_3": "figure 3", "DENSE": "φ = 0.45", "CLUMPED": "clumped"}
-COLORS = {"serial": "0.4", "islands": "#0072b2", "thread-pool": "#d55e00", "actors": "#009e73", "pekko": "#cc79a7"}
+COLORS = {"serial": "0.4", "islands": "#0072b2", "bricks": "#e69f00", "thread-pool": "#d55e00", "actors": "#009e73", "pekko": "#cc79a7"}
 
 rows = [[c.strip() for c in line.strip().strip("|").split("|")] for line in open(sys.argv[1]) if line.startswith("|")]
 figure, axes = plt.subplots(1, len(NAMES), figsize=(2.3 * len(NAMES), 3.3), layout="constrained")
@@ -26,7 +26,7 @@ for axis, workload in zip(axes, NAMES):
         points = [(int(r[2]), float(r[3])) for r in rows if r[0] == workload and r[1] == engine]
         if engine == "serial":
             axis.axhline(points[0][1], color=color, ls="--", label=engine)
-        else:
+        elif points:
             axis.plot(*zip(*points), "o-", color=color, label=engine)
     axis.set_title(NAMES[workload], fontsize=10)
     axis.set_xlabel("threads")

@@ -47,6 +47,7 @@ class CommandLineTest {
             "serial" to 1,
             "islands" to 1,
             "islands" to 3,
+            "bricks" to 2,
             "thread-pool" to 2,
             "actors" to 2,
             "pekko" to 2,

@@ -14,12 +14,8 @@ fun main(args: Array<String>) {
     val steps = args[1].toInt()
     val rounds = args[2].toInt()
     val engines = listOf(EngineName.SERIAL to 1) +
-        listOf(EngineName.ISLANDS, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO).flatMap { engine ->
-            listOf(1, 2).map {
-                engine to
-                    it
-            }
-        }
+        listOf(EngineName.ISLANDS, EngineName.BRICKS, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO)
+            .flatMap { engine -> listOf(1, 2).map { engine to it } }
     val best = DoubleArray(engines.size) { Double.POSITIVE_INFINITY }
     val digests = HashSet<String>()
     val start = workload.Start()

@@ -3,6 +3,7 @@ package daphnis.bench
 import daphnis.actors.ActorEngines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.FixedPool
@@ -15,6 +16,7 @@ import daphnis.core.search.GridSort
 enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
     ISLANDS({ IslandsEngine(it) }),
+    BRICKS({ BricksEngine(it) }),
 
     /** The reference: the paper's engine on a fixed pool, consecutive chunks, row-locked grid. */
     THREAD_POOL({ ThreadPoolEngine(it) }),

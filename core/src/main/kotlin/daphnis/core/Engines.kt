@@ -3,6 +3,7 @@ package daphnis.core
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 
@@ -10,6 +11,7 @@ import daphnis.core.engine.threadpool.ThreadPoolEngine
 public object Engines : EngineFactory {
     private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
         "islands" to { IslandsEngine(it) },
+        "bricks" to { BricksEngine(it) },
         "thread-pool" to { ThreadPoolEngine(it) },
         "serial" to { SerialEngine() },
     )

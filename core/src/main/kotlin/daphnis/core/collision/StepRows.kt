@@ -5,6 +5,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereColumns
 
 /**
  * The population during one step: a packed copy in cell order with eight doubles per sphere. A sphere in a collision is
@@ -76,7 +77,7 @@ public class StepRows {
      */
     @JvmOverloads
     public fun load(
-        population: Population,
+        population: SphereColumns,
         order: IntArray,
         duration: Double,
         tracksLastCollision: Boolean,
@@ -89,7 +90,7 @@ public class StepRows {
         loop.run(size) { _, from, to -> loadRange(population, order, from, to) }
     }
 
-    private fun loadRange(population: Population, order: IntArray, from: Int, to: Int) {
+    private fun loadRange(population: SphereColumns, order: IntArray, from: Int, to: Int) {
         val state = state
         val x = population.x
         val y = population.y
@@ -139,6 +140,43 @@ public class StepRows {
     }
 
     private fun storeRange(columns: PopulationColumns, duration: Double, from: Int, to: Int) {
+        storeStates(columns, duration, from, to) { it }
+        mass.copyInto(columns.mass, from, from, to)
+        id.copyInto(columns.id, from, from, to)
+        if (tracksLastCollision) {
+            val last = columns.lastCollision
+            for (slot in from until to) last[slot] = lastCollision[slot] - duration
+        }
+    }
+
+    /**
+     * Moves the spheres whose [origin] is below [first] to the end of a step of [duration] and writes them, in the order
+     * of their slots, to entries [at], [at] + 1, … of [columns]. Other spheres are left out.
+     *
+     * @return how many were written
+     */
+    internal fun storeFirst(first: Int, columns: PopulationColumns, at: Int, duration: Double): Int {
+        var next = at
+        storeStates(columns, duration, 0, size) { if (origin[it] < first) next++ else NOWHERE }
+        var k = at
+        for (slot in 0 until size) {
+            if (origin[slot] >= first) continue
+            columns.mass[k] = mass[slot]
+            columns.id[k] = id[slot]
+            if (tracksLastCollision) columns.lastCollision[k] = lastCollision[slot] - duration
+            k++
+        }
+        return next - at
+    }
+
+    /** Writes positions, velocities and radii of the slots [from] until [to], each to the entry that [place] says. */
+    private inline fun storeStates(
+        columns: PopulationColumns,
+        duration: Double,
+        from: Int,
+        to: Int,
+        place: (Int) -> Int,
+    ) {
         val state = state
         val x = columns.x
         val y = columns.y
@@ -149,24 +187,21 @@ public class StepRows {
         val r = columns.radius
         var p = from * STRIDE
         for (slot in from until to) {
-            val rest = duration - state[p + TIME]
-            val u = state[p + VX]
-            val v = state[p + VX + 1]
-            val w = state[p + VX + 2]
-            x[slot] = state[p] + u * rest
-            y[slot] = state[p + 1] + v * rest
-            z[slot] = state[p + 2] + w * rest
-            vx[slot] = u
-            vy[slot] = v
-            vz[slot] = w
-            r[slot] = state[p + RADIUS]
+            val k = place(slot)
+            if (k != NOWHERE) {
+                val rest = duration - state[p + TIME]
+                val u = state[p + VX]
+                val v = state[p + VX + 1]
+                val w = state[p + VX + 2]
+                x[k] = state[p] + u * rest
+                y[k] = state[p + 1] + v * rest
+                z[k] = state[p + 2] + w * rest
+                vx[k] = u
+                vy[k] = v
+                vz[k] = w
+                r[k] = state[p + RADIUS]
+            }
             p += STRIDE
-        }
-        mass.copyInto(columns.mass, from, from, to)
-        id.copyInto(columns.id, from, from, to)
-        if (tracksLastCollision) {
-            val last = columns.lastCollision
-            for (slot in from until to) last[slot] = lastCollision[slot] - duration
         }
     }
 
@@ -238,6 +273,7 @@ public class StepRows {
 
     public companion object {
         private const val INITIAL = 64
+        private const val NOWHERE = -1
 
         /** Numbers per sphere in [marks]. */
         internal const val MARKS: Int = 2

@@ -9,7 +9,8 @@ import java.util.concurrent.atomic.AtomicBoolean
  * positions, velocities, radii and masses. One sum over everything, which is not 0 as soon as one number is not finite:
  * cheap compared with a step.
  */
-public fun Population.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
+@JvmOverloads
+public fun SphereColumns.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
     val suspect = AtomicBoolean()
     loop.run(size) { _, from, to ->
         var sum = 0.0
@@ -22,7 +23,7 @@ public fun Population.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
     return if (suspect.get()) nameNotFinite() else null
 }
 
-private fun Population.nameNotFinite(): String? {
+private fun SphereColumns.nameNotFinite(): String? {
     val columns = listOf(
         "x" to x,
         "y" to y,

@@ -28,7 +28,7 @@ public class Population @JvmOverloads constructor(
     radius: DoubleArray,
     mass: DoubleArray,
     id: IntArray = IntArray(x.size) { it },
-) {
+) : SphereColumns {
     private var now =
         PopulationColumns(x, y, z, vx, vy, vz, radius, mass, id, DoubleArray(x.size) { Double.NEGATIVE_INFINITY })
 
@@ -38,39 +38,25 @@ public class Population @JvmOverloads constructor(
     /** The columns at the start of the step under way, while it can be taken back. */
     private var before: PopulationColumns? = null
 
-    public val x: DoubleArray get() = now.x
-    public val y: DoubleArray get() = now.y
-    public val z: DoubleArray get() = now.z
-    public val vx: DoubleArray get() = now.vx
-    public val vy: DoubleArray get() = now.vy
-    public val vz: DoubleArray get() = now.vz
-    public val radius: DoubleArray get() = now.radius
-    public val mass: DoubleArray get() = now.mass
-    public val id: IntArray get() = now.id
+    override val x: DoubleArray get() = now.x
+    override val y: DoubleArray get() = now.y
+    override val z: DoubleArray get() = now.z
+    override val vx: DoubleArray get() = now.vx
+    override val vy: DoubleArray get() = now.vy
+    override val vz: DoubleArray get() = now.vz
+    override val radius: DoubleArray get() = now.radius
+    override val mass: DoubleArray get() = now.mass
+    override val id: IntArray get() = now.id
 
     /**
      * Time since each sphere's last collision, as a negative number counted from the end of the last step, or −∞ when
      * it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the
      * digest.
      */
-    public val lastCollision: DoubleArray get() = now.lastCollision
-
-    /** Positions along [axis]: 0 = x, 1 = y, 2 = z. */
-    public fun position(axis: Int): DoubleArray = when (axis) {
-        0 -> x
-        1 -> y
-        else -> z
-    }
-
-    /** Velocities along [axis]. */
-    public fun velocity(axis: Int): DoubleArray = when (axis) {
-        0 -> vx
-        1 -> vy
-        else -> vz
-    }
+    override val lastCollision: DoubleArray get() = now.lastCollision
 
     /** Number of spheres. */
-    public val size: Int get() = x.size
+    override val size: Int get() = x.size
 
     private var idPlaces: IdPlaces
     private var crossings: Crossings

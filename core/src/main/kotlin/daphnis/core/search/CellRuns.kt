@@ -69,15 +69,22 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         val c2 = layout.cellAt(here[2], 2)
         // The rest of the own row, which is later slots and then cells ahead; then the rows ahead, of the own layer and
         // of the layers above.
-        val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
+        val row = layout.inMemory(c2, 2) * cells[1] + layout.inMemory(c1, 1)
+        val rowStart = layout.firstCell + row * cells[0]
         var last = most[0]
         val bounds = bounds
         if (bounds != null) {
             last =
-                if (isWithin(bounds, c2 * cells[1] + c1, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
+                if (isWithin(bounds, row, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
         }
-        if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)
-        if (periodic[0]) addCells(rowStart, cells[0], last, 0, 0)
+        if (cells[0] == layout.period[0]) {
+            if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)
+            if (periodic[0]) addCells(rowStart, cells[0], last, 0, 0)
+        } else {
+            val c0 = layout.cellAt(here[0], 0)
+            if (last >= c0) addRun(slot + 1, starts[rowStart + layout.inMemory(c0, 0) + 1], 0)
+            addCells(rowStart, c0 + 1, last, 0, 0)
+        }
         for (row in c1 + 1..most[1]) addRow(row, c2)
         for (layer in c2 + 1..most[2]) {
             for (row in least[1]..most[1]) addRow(row, layer)
@@ -129,14 +136,11 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         var c2 = r2
         var image1 = 0
         var image2 = 0
-        if (c1 < 0 || c1 >= cells[1]) {
-            image1 = Math.floorDiv(c1, cells[1])
-            c1 -= image1 * cells[1]
-        }
-        if (c2 < 0 || c2 >= cells[2]) {
-            image2 = Math.floorDiv(c2, cells[2])
-            c2 -= image2 * cells[2]
-        }
+        if (c1 < 0 || c1 >= layout.period[1]) image1 = Math.floorDiv(c1, layout.period[1])
+        if (c2 < 0 || c2 >= layout.period[2]) image2 = Math.floorDiv(c2, layout.period[2])
+        c1 = layout.inMemory(c1, 1)
+        c2 = layout.inMemory(c2, 2)
+        if (c1 >= cells[1] || c2 >= cells[2]) return
         val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
         var from = least[0]
         var to = most[0]
@@ -158,7 +162,8 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
             from -= ceil(maxOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
             to -= floor(minOf(image2 * layout.slideLow, image2 * layout.slideHigh)).toInt()
         }
-        if (from >= 0 && to < cells[0]) {
+        // Most runs are within one image, and all of their row is in memory.
+        if (from >= 0 && to < cells[0] && layout.first[0] == 0) {
             addRun(
                 starts[rowStart + from],
                 starts[rowStart + to + 1],
@@ -241,14 +246,20 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         return now - low * time >= bottom || later - low * end >= bottom
     }
 
-    /** Adds the cells [from]..[to] of a periodic row, split where an image begins. */
+    /** Adds those of the cells [from]..[to] of a periodic row that are in memory, split where an image begins. */
     private fun addCells(rowStart: Int, from: Int, to: Int, image1: Int, image2: Int) {
+        val period = layout.period[0]
         var c = from
         while (c <= to) {
-            val image0 = Math.floorDiv(c, cells[0])
-            val end = minOf(to, (image0 + 1) * cells[0] - 1)
-            val base = rowStart - image0 * cells[0]
-            addRun(starts[base + c], starts[base + end + 1], code(image0, image1, image2))
+            val place = layout.inMemory(c, 0)
+            if (place >= cells[0]) {
+                c += period - place
+                continue
+            }
+            val image0 = Math.floorDiv(c, period)
+            val end = minOf(to, (image0 + 1) * period - 1, c + cells[0] - 1 - place)
+            val base = rowStart + place
+            addRun(starts[base], starts[base + end - c + 1], code(image0, image1, image2))
             c = end + 1
         }
     }

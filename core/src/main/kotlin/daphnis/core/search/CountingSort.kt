@@ -1,7 +1,7 @@
 package daphnis.core.search
 
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 
 /**
  * Counting sort by cell. In parallel, each worker counts one part of the population; since a population is nearly in
@@ -15,7 +15,7 @@ internal class CountingSort : CellSort {
     private var high = IntArray(0)
     private var blockStart = IntArray(0)
 
-    override fun sort(population: Population, levels: GridLevels, into: CellOrder, loop: RangeLoop) {
+    override fun sort(population: SphereColumns, levels: GridLevels, into: CellOrder, loop: RangeLoop) {
         val n = population.size
         val total = levels.cellCount
         into.reserve(n, total)
@@ -53,7 +53,7 @@ internal class CountingSort : CellSort {
         loop.run(parts, 1) { _, from, to -> for (part in from until to) fill(n, into, part, parts) }
     }
 
-    private fun findPart(population: Population, levels: GridLevels, into: CellOrder, part: Int, parts: Int) {
+    private fun findPart(population: SphereColumns, levels: GridLevels, into: CellOrder, part: Int, parts: Int) {
         val n = population.size
         findCells(population, levels, into, share(n, part, parts), share(n, part + 1, parts))
         var least = Int.MAX_VALUE

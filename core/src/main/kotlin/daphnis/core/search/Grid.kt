@@ -4,7 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 
 /**
  * A regular grid that puts spheres in cell order. For each sphere, [CellRuns] then gives the runs of slots that hold
@@ -97,21 +97,30 @@ public class Grid @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) 
      * @param reach bound along x, y, z; with zeros, spheres that touch at the start are found
      * @param loop runs the loops over spheres
      * @param structure whether sizes are kept apart
+     * @param middle for spheres that lie in a part of a periodic box only: along x, y, z about the middle of that part,
+     *   NaN along axes on which they may lie anywhere. Cells are then laid over that part alone; it affects only the time
+     *   and memory that it takes
      * @throws IllegalArgumentException when a periodic box is so thin compared with the range that images beyond
      *   ±[ImageRange.MOST_BOXES] would matter
      */
     @JvmOverloads
     public fun build(
-        population: Population,
+        population: SphereColumns,
         boundary: BoundaryConditions,
         time: Double,
         duration: Double,
         reach: DoubleArray,
         loop: RangeLoop = InlineLoop,
         structure: SearchStructure = SearchStructure.AUTO,
+        middle: DoubleArray = WHOLE,
     ) {
         images.prepare(boundary, time)
-        levels.prepare(population, boundary, images, duration, reach, structure, loop)
+        levels.prepare(population, boundary, images, duration, reach, structure, loop, middle)
         sorting.sort(population, levels, sorted, loop)
+    }
+
+    internal companion object {
+        /** Spheres may lie anywhere. */
+        val WHOLE: DoubleArray = DoubleArray(3) { Double.NaN }
     }
 }

@@ -2,7 +2,7 @@ package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Images
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 import kotlin.math.floor
 
 /**
@@ -19,7 +19,7 @@ internal class GridLayout {
     var firstCell = 0
     var firstRow = 0
 
-    /** Numbers of cells and of rows. */
+    /** Numbers of cells and of rows in memory. */
     val cellCount: Int get() = cells[0] * cells[1] * cells[2]
     val rowCount: Int get() = cells[1] * cells[2]
 
@@ -28,7 +28,15 @@ internal class GridLayout {
      * otherwise along x.
      */
     val axes = intArrayOf(0, 2, 1)
+
+    /**
+     * Numbers of cells in memory. Along a periodic axis of whose box only a part has cells in memory, these are the
+     * cells from [first] on, counted round the box, of the [period] that the whole box would have. Elsewhere [first] is
+     * 0 and [period] the same number.
+     */
     val cells = IntArray(3)
+    val period = IntArray(3)
+    val first = IntArray(3)
     val periodic = BooleanArray(3)
 
     /**
@@ -54,6 +62,7 @@ internal class GridLayout {
 
     val low = DoubleArray(3)
     private val extent = DoubleArray(3)
+    private val span = DoubleArray(3)
     private val perLength = DoubleArray(3)
 
     /** Widths of cells. */
@@ -61,8 +70,7 @@ internal class GridLayout {
     private var spheres = 0
 
     /**
-     * For [count] spheres with radii up to [largest], in the extent of all spheres [from] to [from] + [size] along x,
-     * y, z.
+     * For [count] spheres with radii up to [largest], in the extent [space] of all spheres.
      */
     fun prepare(
         count: Int,
@@ -71,8 +79,7 @@ internal class GridLayout {
         images: Images,
         duration: Double,
         reach: DoubleArray,
-        from: DoubleArray,
-        size: DoubleArray,
+        space: GridExtent,
     ) {
         spheres = count
         this.largest = largest
@@ -81,14 +88,16 @@ internal class GridLayout {
         axes[2] = shear?.normalAxis ?: 1
         axes[1] = 3 - axes[0] - axes[2]
         for (k in 0..2) {
-            low[k] = from[axes[k]]
-            extent[k] = size[axes[k]]
+            low[k] = space.from[axes[k]]
+            extent[k] = space.size[axes[k]]
+            span[k] = space.span[axes[k]]
             layOutAxis(k, boundary, reach[axes[k]], duration)
         }
         limitCells()
         for (k in 0..2) {
-            perLength[k] = if (extent[k] > 0) cells[k] / extent[k] else 1.0
+            perLength[k] = if (extent[k] > 0) period[k] / extent[k] else 1.0
             widths[k] = 1 / perLength[k]
+            keepPart(k, space.spanFrom[axes[k]])
         }
         slides = shear != null
         if (slides) {
@@ -110,7 +119,26 @@ internal class GridLayout {
             ImageRange.refusal(axis)
         }
         val perRange = if (k == 0) ROW_CELLS_A_RANGE else CELLS_A_RANGE
-        cells[k] = if (range > 0) (extent[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt() else 1
+        period[k] = if (range > 0) (extent[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt() else 1
+    }
+
+    /** Keeps only the cells from that of [from] to that of [from] + [span] in memory, and one at either end. */
+    private fun keepPart(k: Int, from: Double) {
+        first[k] = 0
+        cells[k] = period[k]
+        if (span[k] == extent[k]) return
+        val least = cellToward(from, k) - 1
+        val most = cellToward(from + span[k], k) + 1
+        if (most - least >= period[k] - 1) return
+        first[k] = Math.floorMod(least, period[k])
+        cells[k] = most - least + 1
+    }
+
+    /** How many of the cells along axis [k] are kept in memory, at most. */
+    private fun kept(k: Int): Double = if (span[k] == extent[k]) {
+        period[k].toDouble()
+    } else {
+        minOf(period[k].toDouble(), period[k] * (span[k] / extent[k]) + ENDS)
     }
 
     /**
@@ -120,28 +148,28 @@ internal class GridLayout {
     private fun limitCells() {
         val most = maxOf(MOST_CELLS_A_SPHERE * spheres.toDouble(), LEAST_CELLS)
         while (true) {
-            val total = cells[0].toDouble() * cells[1] * cells[2]
+            val total = kept(0) * kept(1) * kept(2)
             if (total <= most) return
-            val k = if (cells[0] >= cells[1] && cells[0] >= cells[2]) {
+            val k = if (period[0] >= period[1] && period[0] >= period[2]) {
                 0
-            } else if (cells[1] >= cells[2]) {
+            } else if (period[1] >= period[2]) {
                 1
             } else {
                 2
             }
-            cells[k] = maxOf(1, (cells[k] * maxOf(most / total, 0.5)).toInt())
+            period[k] = maxOf(1, (period[k] * maxOf(most / total, 0.5)).toInt())
         }
     }
 
     /** About how many spheres are in the cells that are searched for one of them, if they are spread evenly. */
     fun candidates(): Double {
         var share = 1.0
-        for (k in 0..2) if (extent[k] > 0) share *= minOf(1.0, (2 * margin[k] + widths[k]) / extent[k])
+        for (k in 0..2) if (span[k] > 0) share *= minOf(1.0, (2 * margin[k] + widths[k]) / span[k])
         return spheres * share
     }
 
     /** Positions along axis [k] of the three. */
-    fun coordinate(population: Population, k: Int): DoubleArray = when (axes[k]) {
+    fun coordinate(population: SphereColumns, k: Int): DoubleArray = when (axes[k]) {
         0 -> population.x
         1 -> population.y
         else -> population.z
@@ -150,13 +178,23 @@ internal class GridLayout {
     /** Number of the cell along axis [k] of the three. */
     fun cellAt(position: Double, k: Int): Int {
         val c = ((position - low[k]) * perLength[k]).toInt()
-        return if (c >= cells[k]) {
-            cells[k] - 1
+        return if (c >= period[k]) {
+            period[k] - 1
         } else if (c < 0) {
             0
         } else {
             c
         }
+    }
+
+    /**
+     * Where cell [c] along axis [k], counted on beyond the faces of a periodic axis, is among those in memory; [cells]
+     * or more when it is not.
+     */
+    fun inMemory(c: Int, k: Int): Int = if (c >= first[k] && c - first[k] < cells[k]) {
+        c - first[k]
+    } else {
+        Math.floorMod(c - first[k], period[k])
     }
 
     /**
@@ -166,8 +204,8 @@ internal class GridLayout {
     fun cellToward(position: Double, k: Int): Int {
         val c = floor((position - low[k]) * perLength[k])
         if (periodic[k]) return c.toInt()
-        return if (c >= cells[k]) {
-            cells[k] - 1
+        return if (c >= period[k]) {
+            period[k] - 1
         } else if (c < 0) {
             0
         } else {
@@ -185,6 +223,9 @@ internal class GridLayout {
         private const val MOST_CELLS_ALONG = 1e6
         private const val MOST_CELLS_A_SPHERE = 8
         private const val LEAST_CELLS = 64.0
+
+        /** Cells at the ends of a part of a box. */
+        private const val ENDS = 4.0
 
         private const val SLACK = ImageRange.SLACK
     }

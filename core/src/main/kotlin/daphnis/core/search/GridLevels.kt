@@ -4,7 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 
 /**
  * The layouts of a [Grid], one for each class of sizes, smallest first; their cells and rows are numbered one after the
@@ -14,8 +14,7 @@ internal class GridLevels {
     private val classes = SizeClasses()
     private val layouts = ArrayList<GridLayout>()
     private val extremes = Extremes()
-    private val from = DoubleArray(3)
-    private val size = DoubleArray(3)
+    private val extent = GridExtent()
 
     /** Number of levels. */
     val count: Int get() = classes.count
@@ -30,19 +29,20 @@ internal class GridLevels {
     fun of(radius: Double): Int = classes.of(radius)
 
     fun prepare(
-        population: Population,
+        population: SphereColumns,
         boundary: BoundaryConditions,
         images: Images,
         duration: Double,
         reach: DoubleArray,
         structure: SearchStructure,
         loop: RangeLoop,
+        middle: DoubleArray,
     ) {
-        for (axis in 0..2) measure(axis, population, boundary, loop)
+        extent.measure(population, boundary, middle, loop)
         extremes.measure(population.radius, population.size, loop)
         val largest = extremes.magnitude
-        for (axis in 0..2) Scales.requireLengths(axis, from[axis], from[axis] + size[axis], largest)
-        classes.divide(population, extremes.least, largest, structure, reach, size)
+        extent.requireComputable(largest)
+        classes.divide(population, extremes.least, largest, structure, reach, extent.span)
         cellCount = 0
         rowCount = 0
         for (level in 0 until count) {
@@ -55,25 +55,13 @@ internal class GridLevels {
                 images,
                 duration,
                 reach,
-                from,
-                size,
+                extent,
             )
             layout.firstCell = cellCount
             layout.firstRow = rowCount
             cellCount += layout.cellCount
             rowCount += layout.rowCount
         }
-    }
-
-    private fun measure(axis: Int, population: Population, boundary: BoundaryConditions, loop: RangeLoop) {
-        if (boundary.hasImages(axis)) {
-            from[axis] = boundary.box.lower(axis)
-            size[axis] = boundary.box.length(axis)
-            return
-        }
-        extremes.measure(population.position(axis), population.size, loop)
-        from[axis] = if (population.size == 0) 0.0 else extremes.least
-        size[axis] = if (population.size == 0) 0.0 else extremes.greatest - extremes.least
     }
 
     /** The level of row [row]. */

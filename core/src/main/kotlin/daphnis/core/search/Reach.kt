@@ -5,7 +5,7 @@ import daphnis.core.collision.StepRows
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 import daphnis.core.population.firstNotFinite
 import kotlin.math.abs
 
@@ -25,6 +25,10 @@ public class Reach {
     private val extremes = Extremes()
     private var headroom = LEAST_HEADROOM
 
+    /** The largest radius of the spheres that were measured; 0 when there are none. */
+    internal var largestRadius = 0.0
+        private set
+
     /** The bound along x, y, z, in units of length. */
     public val bound: DoubleArray = DoubleArray(AXES)
 
@@ -39,7 +43,7 @@ public class Reach {
      */
     @JvmOverloads
     public fun measure(
-        population: Population,
+        population: SphereColumns,
         boundary: BoundaryConditions,
         duration: Double,
         loop: RangeLoop = InlineLoop,
@@ -50,11 +54,12 @@ public class Reach {
         fastest[1] = extremes.measure(population.vy, population.size, loop).magnitude
         fastest[2] = extremes.measure(population.vz, population.size, loop).magnitude
         extremes.measure(population.radius, population.size, loop)
+        largestRadius = extremes.magnitude
         if (population.size > 0) {
             Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)
         }
         for (axis in 0 until AXES) {
-            val mostReach = ImageRange.mostReach(boundary, axis, extremes.magnitude, duration)
+            val mostReach = ImageRange.mostReach(boundary, axis, largestRadius, duration)
             most[axis] = mostReach / duration * (1 - 4 * ROUNDING)
             if (fastest[axis] > most[axis]) refuse(axis)
         }
@@ -62,10 +67,28 @@ public class Reach {
     }
 
     /**
+     * Computes closer bounds for [part], some of the spheres that [whole] has measured for a step of [duration]. What is
+     * refused for all is refused for the part too.
+     */
+    internal fun measurePart(part: SphereColumns, whole: Reach, duration: Double) {
+        headroom = whole.headroom
+        for (axis in 0 until AXES) {
+            fastest[axis] = extremes.measure(part.velocity(axis), part.size, InlineLoop).magnitude
+            most[axis] = whole.most[axis]
+        }
+        apply(duration)
+    }
+
+    /** Starts the next step with the headroom that [part] had to take in this one, if that is larger. */
+    internal fun learn(part: Reach) {
+        headroom = maxOf(headroom, part.headroom)
+    }
+
+    /**
      * Whether sphere [slot] of [rows], if nothing more happens to it, ends the step of [duration] farther from where it
      * started in [population] than the bound. Its path so far has been checked before.
      */
-    public fun isOutrun(rows: StepRows, slot: Int, population: Population, duration: Double): Boolean {
+    public fun isOutrun(rows: StepRows, slot: Int, population: SphereColumns, duration: Double): Boolean {
         val v = slot * StepRows.STRIDE + StepRows.VX
         val state = rows.state
         // Nearly always the sphere is not faster than the bound on speed, and the place where it started need not be
@@ -75,7 +98,13 @@ public class Reach {
         return false
     }
 
-    private fun isOutrunAlong(axis: Int, rows: StepRows, slot: Int, population: Population, duration: Double): Boolean {
+    private fun isOutrunAlong(
+        axis: Int,
+        rows: StepRows,
+        slot: Int,
+        population: SphereColumns,
+        duration: Double,
+    ): Boolean {
         val p = slot * StepRows.STRIDE
         val v = rows.state[p + StepRows.VX + axis]
         if (abs(v) <= speed[axis]) return false
@@ -94,7 +123,7 @@ public class Reach {
      *
      * @throws IllegalArgumentException when there is no more room: images farther away than are looked for would matter
      */
-    public fun enlarge(rows: StepRows, first: Int, second: Int, population: Population, duration: Double) {
+    public fun enlarge(rows: StepRows, first: Int, second: Int, population: SphereColumns, duration: Double) {
         for (axis in 0 until AXES) {
             if (speed[axis] < most[axis]) continue
             val isOutrun = isOutrunAlong(axis, rows, first, population, duration) ||

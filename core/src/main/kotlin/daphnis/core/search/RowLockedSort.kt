@@ -1,7 +1,7 @@
 package daphnis.core.search
 
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 
 /**
  * The paper's parallel grid: cells are linked lists, every worker takes spheres and hangs each into the list of its
@@ -14,7 +14,7 @@ internal class RowLockedSort : CellSort {
     private var rowCount = IntArray(0)
     private var locks = arrayOf<Any>()
 
-    override fun sort(population: Population, levels: GridLevels, into: CellOrder, loop: RangeLoop) {
+    override fun sort(population: SphereColumns, levels: GridLevels, into: CellOrder, loop: RangeLoop) {
         val n = population.size
         val rows = levels.rowCount
         val total = levels.cellCount

@@ -1,6 +1,6 @@
 package daphnis.core.search
 
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 
 /**
  * Divides the spheres of a population into classes of size, so that a search among small spheres need not reach as far
@@ -29,7 +29,7 @@ internal class SizeClasses {
      * @param size extent of all spheres along x, y, z
      */
     fun divide(
-        population: Population,
+        population: SphereColumns,
         smallestRadius: Double,
         largestRadius: Double,
         structure: SearchStructure,
@@ -56,7 +56,7 @@ internal class SizeClasses {
         return c
     }
 
-    private fun countOctaves(population: Population, top: Int) {
+    private fun countOctaves(population: SphereColumns, top: Int) {
         octaveSpheres.fill(0)
         octaveLargest.fill(0.0)
         val radius = population.radius

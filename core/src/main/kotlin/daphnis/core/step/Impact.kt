@@ -12,11 +12,12 @@ import daphnis.core.queue.Schedule
  * and changes their velocities, counts, records, drops what the two had queued, checks the limits and the bounds of the
  * step, and queues what the two can touch now. Each worker has its own object.
  *
- * Engines differ in two things after a collision, and override the functions for them:
+ * Engines differ in two things after a collision, and override the functions for them. Bricks also say which collisions
+ * they count ([isCounted]) and follow all ([changed]).
  *
  * | engine | [slotOf] a place | [search] from a place |
  * |---|---|---|
- * | serial | the place itself | always goes on |
+ * | serial, bricks | the place itself | always goes on |
  * | thread pool | the place itself | ends when the collision may have come too late |
  * | islands | the slot that was copied there | ends when the island needs a sphere that it may not have |
  *
@@ -47,7 +48,7 @@ internal open class Impact(
     private var record: CollisionRecord? = null
 
     /** Begins a new attempt at a step, whose collisions are written to [record]; null when they are not wanted. */
-    fun begin(record: CollisionRecord?) {
+    open fun begin(record: CollisionRecord?) {
         this.record = record
         record?.clear()
         counted.clear()
@@ -62,10 +63,11 @@ internal open class Impact(
         val isWall = second < 0
         if (isWall) {
             prepared.walls.reflect(rows, first, WallContact.face(second), time)
-            counted.wallCollisions++
+            if (isCounted(first, first)) counted.wallCollisions++
         } else {
             collide(time, first, second, image)
         }
+        changed(first, second, time)
         schedule.removeAllOf(first)
         if (!isWall) schedule.removeAllOf(second)
         prepared.limits.checkProgress(rows, first, second, time)
@@ -78,6 +80,7 @@ internal open class Impact(
 
     private fun collide(time: Double, first: Int, second: Int, image: Int) {
         if (!prepared.step.law.collide(rows, first, second, image, prepared.images, time, outcome)) return
+        if (!isCounted(first, second)) return
         counted.collisions++
         if (outcome.guarded) counted.guardActivations++
         record?.add(time, rows.id[first], rows.id[second], outcome)
@@ -87,6 +90,12 @@ internal open class Impact(
         prepared.bounds.include(slotOf(place), rows, place)
         return search(place, except)
     }
+
+    /** Whether this engine's part of the step counts and records the collision of [first] with [second]. */
+    protected open fun isCounted(first: Int, second: Int): Boolean = true
+
+    /** Told of every impact, also of one that changes nothing; [second] is negative for a wall. */
+    protected open fun changed(first: Int, second: Int, time: Double): Unit = Unit
 
     /** The slot of the step whose sphere is at [place] of the rows. */
     protected open fun slotOf(place: Int): Int = place

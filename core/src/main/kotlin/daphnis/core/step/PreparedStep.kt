@@ -6,6 +6,7 @@ import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.SphereColumns
 import daphnis.core.queue.EventSink
 import daphnis.core.search.Grid
 import daphnis.core.search.GridSort
@@ -49,6 +50,12 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
 
     private var stage = Stage.UNMEASURED
 
+    /** The spheres that are moved: those of the step, or a part of them. */
+    private lateinit var spheres: SphereColumns
+
+    /** See [Grid.build]. */
+    private var middle = Grid.WHOLE
+
     /** Length of the present step; later contacts are not potential collisions of it. */
     public var duration: Double = 0.0
         private set
@@ -67,21 +74,36 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
      */
     @JvmOverloads
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
+        take(step, step.population, Grid.WHOLE)
+        reach.measure(step.population, step.boundary, duration, loop)
+        stage = Stage.MEASURED
+    }
+
+    /**
+     * Takes over the step of [whole], which has been measured, for some of its spheres only: for [part], which lies
+     * about [middle], see [Grid.build]. Such a step is not to be written with [store].
+     */
+    internal fun measurePart(whole: PreparedStep, part: SphereColumns, middle: DoubleArray) {
+        take(whole.step, part, middle)
+        reach.measurePart(part, whole.reach, duration)
+        stage = Stage.MEASURED
+    }
+
+    private fun take(step: CollisionStep, spheres: SphereColumns, middle: DoubleArray) {
         stage = Stage.UNMEASURED
         this.step = step
+        this.spheres = spheres
+        this.middle = middle
         duration = step.duration
-        reach.measure(step.population, step.boundary, duration, loop)
         walls.prepare(step.boundary)
-        stage = Stage.MEASURED
     }
 
     /** Sorts the spheres into the grid and copies them, as they are at the start of the step. */
     @JvmOverloads
     public fun prepare(loop: RangeLoop = InlineLoop) {
         requireStage(Stage.MEASURED, "prepare() follows measure() or enlarge()")
-        val population = step.population
-        grid.build(population, step.boundary, step.start, duration, reach.bound, loop, step.search)
-        rows.load(population, grid.order, duration, step.law.guard.needsLastCollision, loop)
+        grid.build(spheres, step.boundary, step.start, duration, reach.bound, loop, step.search, middle)
+        rows.load(spheres, grid.order, duration, step.law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, duration, loop)
         limits.start(rows.size, step.start)
         version++
@@ -96,7 +118,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public fun candidates(): Candidates = GridCandidates(this)
 
     /** Whether the sphere at [place] of [rows], if nothing more happens to it, ends the step beyond the bound. */
-    internal fun isOutrun(rows: StepRows, place: Int): Boolean = reach.isOutrun(rows, place, step.population, duration)
+    internal fun isOutrun(rows: StepRows, place: Int): Boolean = reach.isOutrun(rows, place, spheres, duration)
 
     /**
      * Enlarges the bound for the spheres at [first] and [second] (negative for none) of [rows], which went beyond it.
@@ -106,7 +128,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public fun enlarge(rows: StepRows, first: Int, second: Int) {
         requireStage(Stage.PREPARED, "enlarge() follows prepare()")
         stage = Stage.UNMEASURED
-        reach.enlarge(rows, first, second, step.population, duration)
+        reach.enlarge(rows, first, second, spheres, duration)
         stage = Stage.MEASURED
     }
 

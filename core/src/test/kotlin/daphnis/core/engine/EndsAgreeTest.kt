@@ -8,6 +8,8 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
+import daphnis.core.engine.bricks.BrickDivision
+import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.FixedPool
@@ -202,6 +204,7 @@ class EndsAgreeTest {
         val broken = Restitution { throw ArithmeticException("on purpose") }
         for (engine in listOf(
             islands(2),
+            BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 1, 1)),
             ThreadPoolEngine(2),
         )) {
             assertEquals("ArithmeticException: on purpose", end(pairs, Open, 1.0, broken, engine))

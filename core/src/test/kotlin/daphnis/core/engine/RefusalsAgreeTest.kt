@@ -6,6 +6,8 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.engine.bricks.BrickDivision
+import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.FixedPool
@@ -25,7 +27,12 @@ import org.junit.jupiter.api.Timeout
 class RefusalsAgreeTest {
     private val box = Periodic(Box.centred(1.0, 5000.0, 50.0))
 
-    private fun engines() = listOf(SerialEngine(), IslandsEngine(FixedPool(2), fewest = 0), ThreadPoolEngine(2))
+    private fun engines() = listOf(
+        SerialEngine(),
+        IslandsEngine(FixedPool(2), fewest = 0),
+        BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 2, 2)),
+        ThreadPoolEngine(2),
+    )
 
     private fun end(p: Population, boundary: BoundaryConditions, engine: CollisionEngine, dt: Double = 1.0): String {
         val before = stateDigest(p)

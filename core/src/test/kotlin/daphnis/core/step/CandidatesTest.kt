@@ -52,7 +52,7 @@ class CandidatesTest {
         private val box = Box.centred(random.nextDouble(4.0, 9.0), random.nextDouble(4.0, 9.0), height())
         private val boundary = boundaries(box)[random.nextInt(9)]
         private val least = listOf(0.02, 0.2, 0.6)[random.nextInt(3)]
-        val population = randomSpheres(2 + random.nextInt(40), boundary, seed, 2.0) { it.nextDouble(least, 0.8) }
+        val population = randomSpheres(2 + random.nextInt(60), boundary, seed, 2.0) { it.nextDouble(least, 0.8) }
         val step = CollisionStep(
             population,
             boundary,
@@ -62,6 +62,9 @@ class CandidatesTest {
         )
         val prepared = PreparedStep(GridSort.entries[random.nextInt(GridSort.entries.size)])
         val rows get() = prepared.rows
+
+        /** Whether the grid has cells over a part of the box only. */
+        val isPart get() = prepared.grid.levels[0].let { it.period.asList() != it.cells.asList() }
         val story = "seed $seed, ${boundary.javaClass.simpleName}, ${population.size} spheres, ${step.search}"
 
         private fun height() = if (random.nextInt(3) == 0) 2.1 else random.nextDouble(4.0, 9.0)
@@ -71,12 +74,36 @@ class CandidatesTest {
             step.duration = Math.pow(10.0, random.nextDouble(-2.0, 0.3))
             // A mean flow on top, which close bounds follow.
             for (k in 0 until population.size) population.vx[k] += population.y[k] / 5
-            prepared.measure(step)
+            if (random.nextInt(3) == 0) measurePart() else prepared.measure(step)
             prepared.prepare()
             // Closer bounds in half of the cases, few as the spheres are.
             if (random.nextInt(2) == 0) {
                 prepared.bounds.measure(prepared.grid, rows, step.duration, InlineLoop, fewest = 0.0)
             }
+        }
+
+        /** Only the spheres in a part of the box are left, over which the cells of the grid are laid. */
+        private fun measurePart() {
+            val whole = PreparedStep().also { it.measure(step) }
+            val middle = DoubleArray(3) { axis ->
+                val isPart = boundary.hasImages(axis) && random.nextInt(3) > 0
+                if (isPart) random.nextDouble(box.lower(axis), box.upper(axis)) else Double.NaN
+            }
+            val part = random.nextDouble(0.1, 0.5)
+            fun isKept(k: Int) = (0..2).all { isNear(it, population.position(it)[k], middle[it], part) }
+            val kept = BooleanArray(population.size) { isKept(it) }
+            if (kept.count { it } > 1) {
+                population.retain { kept[it] }
+                prepared.measurePart(whole, population, middle)
+            } else {
+                prepared.measure(step)
+            }
+        }
+
+        private fun isNear(axis: Int, x: Double, middle: Double, part: Double): Boolean {
+            if (middle.isNaN()) return true
+            val boxes = (x - middle) / box.length(axis)
+            return Math.abs(boxes - Math.rint(boxes)) <= part
         }
 
         private fun boundaries(box: Box): List<BoundaryConditions> = listOf(
@@ -111,6 +138,7 @@ class CandidatesTest {
     @Test
     fun `at the start each potential collision is found once, at the same time to the last bit`() {
         var events = 0
+        var parts = 0
         for (seed in 1L..400L) {
             val case = Case(seed)
             val n = case.rows.size
@@ -120,8 +148,10 @@ class CandidatesTest {
             case.prepared.candidates().start(middle, n, fast)
             case.prepared.candidates().start(0, middle, fast)
             events += assertSame(case.story, exact, fast)
+            if (case.isPart) parts++
         }
         assertTrue(events > 3000) { "only $events" }
+        assertTrue(parts > 15) { "only $parts grids have cells over a part of the box" }
     }
 
     @Test

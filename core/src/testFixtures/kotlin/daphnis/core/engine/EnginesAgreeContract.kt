@@ -68,12 +68,12 @@ abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Lo
                 val engine = other.collisions!!.engine
                 val story = "$case, step $step, ${engine.name} on ${engine.threads}"
                 assertEquals(expected, failure(other)) { story }
-                compare(serial, other, story)
+                assertSameStep(serial, other, story)
             }
             if (expected != null) return false
             if (!isAsked) continue
             every!!.advance()
-            compare(serial, every, "$case, step $step, every pair asked")
+            assertSameStep(serial, every, "$case, step $step, every pair asked")
             asked++
         }
         return true
@@ -120,34 +120,6 @@ abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Lo
         return Simulation(start, boundary, forcing, FixedTimeStep(0.5)).use {
             repeat(10) { _ -> it.advance() }
             listOf(stateDigest(it.population), it.population.size, forcing.counters.collisions)
-        }
-    }
-
-    /** Advances; what was thrown, or null. */
-    private fun failure(simulation: Simulation): String? = try {
-        simulation.advance()
-        null
-    } catch (e: RuntimeException) {
-        "${e.javaClass.name}: ${e.message}"
-    }
-
-    private fun compare(serial: Simulation, other: Simulation, story: String) {
-        assertEquals(stateDigest(serial.population), stateDigest(other.population)) { story }
-        val a = serial.collisions!!
-        val b = other.collisions!!
-        fun counts(f: CollisionForcing) = with(f.counters) { listOf(collisions, wallCollisions, guardActivations) }
-        assertEquals(counts(a), counts(b)) { story }
-        val r = a.record!!
-        val s = b.record!!
-        assertEquals(r.size, s.size) { story }
-        for (k in 0 until r.size) {
-            val same = r.time[k] == s.time[k] &&
-                r.rank[k] == s.rank[k] &&
-                r.lower[k] == s.lower[k] &&
-                r.higher[k] == s.higher[k] &&
-                r.impulse(k) == s.impulse(k) &&
-                (0..2).all { r.separation(k, it) == s.separation(k, it) }
-            assertTrue(same) { "$story: collision $k differs" }
         }
     }
 

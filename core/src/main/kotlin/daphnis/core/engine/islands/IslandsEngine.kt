@@ -1,7 +1,9 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.Way
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy

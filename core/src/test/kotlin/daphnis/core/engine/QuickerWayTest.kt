@@ -1,8 +1,8 @@
-package daphnis.core.engine.islands
+package daphnis.core.engine
 
-import daphnis.core.engine.islands.QuickerWay.Companion.LEAST_PATIENCE
-import daphnis.core.engine.islands.QuickerWay.Companion.STEPS_PER_TRIAL
-import daphnis.core.engine.islands.QuickerWay.Companion.TRIAL
+import daphnis.core.engine.QuickerWay.Companion.LEAST_PATIENCE
+import daphnis.core.engine.QuickerWay.Companion.STEPS_PER_TRIAL
+import daphnis.core.engine.QuickerWay.Companion.TRIAL
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -15,7 +15,7 @@ class QuickerWayTest {
     /** Takes a step that lasts as long as its way does, and says which way it was. */
     private fun step(islands: Long, serial: Long): Way {
         val way = quicker.choose()
-        now += if (way == Way.ISLANDS) islands else serial
+        now += if (way == Way.OWN) islands else serial
         quicker.finish()
         return way
     }
@@ -38,7 +38,7 @@ class QuickerWayTest {
     fun `islands that are clearly slower rest, the longer the more they lost`() {
         // Twice as slow: 128 steps of rest after the trial; then as many in islands as there are until the next one.
         assertEquals((8..136).toList(), steps(137, islands = 2000, serial = 1000).serialAt())
-        assertEquals(Way.ISLANDS, step(2000, 1000))
+        assertEquals(Way.OWN, step(2000, 1000))
         // After a rest of its own length a trial at step 200 finds the same.
         assertEquals((62..190).toList(), steps(191, islands = 2000, serial = 1000).serialAt())
     }
@@ -54,7 +54,7 @@ class QuickerWayTest {
     fun `the quickest step in islands counts, not one that something else made slow`() {
         repeat(TRIAL.toInt()) { step(if (it == 3) 1000 else 100_000, 1000) }
         assertEquals(Way.SERIAL, step(0, 1000))
-        assertEquals(Way.ISLANDS, step(1000, 1000))
+        assertEquals(Way.OWN, step(1000, 1000))
     }
 
     @Test
@@ -65,7 +65,7 @@ class QuickerWayTest {
         quicker.finish()
         val serial = LEAST_PATIENCE
         steps(TRIAL, islands = serial, serial = serial)
-        assertEquals(Way.ISLANDS, quicker.choose())
+        assertEquals(Way.OWN, quicker.choose())
         now += 4 * serial
         assertFalse(quicker.isLate)
         now++
@@ -97,7 +97,7 @@ class QuickerWayTest {
         quicker.giveUp()
         val rest = List(256) { step(0, if (it == 100) 10_000_000 else 1_000_000_000) }
         assertEquals(setOf(Way.SERIAL), rest.toSet())
-        assertEquals(Way.ISLANDS, quicker.choose())
+        assertEquals(Way.OWN, quicker.choose())
         now += 40_000_000
         assertFalse(quicker.isLate)
         now++
@@ -108,6 +108,6 @@ class QuickerWayTest {
     fun `a step that fails leaves no trace but its turn`() {
         repeat(TRIAL.toInt()) { quicker.choose() }
         assertEquals(Way.SERIAL, quicker.choose())
-        assertEquals(Way.ISLANDS, quicker.choose())
+        assertEquals(Way.OWN, quicker.choose())
     }
 }

@@ -1,0 +1,33 @@
+package daphnis.core.engine.bricks
+
+/**
+ * Into how many parts space is cut along x, y and z: slabs along one axis, pencils along two, blocks along three. An
+ * axis along which images slide, or along which all spheres are at one place, is not cut, whatever is asked for.
+ *
+ * @throws IllegalArgumentException unless each is in 1..[MOST]
+ */
+public data class BrickDivision(public val x: Int, public val y: Int, public val z: Int) {
+    init {
+        for (parts in listOf(x, y, z)) {
+            require(parts in 1..MOST) {
+                "$parts parts along an axis; 1 to $MOST are possible"
+            }
+        }
+    }
+
+    /** Number of bricks. */
+    public val bricks: Int get() = x * y * z
+
+    internal fun along(axis: Int): Int = when (axis) {
+        0 -> x
+        1 -> y
+        else -> z
+    }
+
+    public companion object {
+        /** The most parts along one axis. */
+        public const val MOST: Int = 32
+
+        internal val ONE = BrickDivision(1, 1, 1)
+    }
+}

@@ -1,0 +1,96 @@
+package daphnis.core.engine.bricks
+
+import daphnis.core.population.SphereColumns
+
+/**
+ * Names an attempt at a step. Whatever is late, or comes twice, is known by it.
+ *
+ * @property epoch of the [Territory]
+ * @property step counted by the engine
+ * @property attempt 0 at first; one more with each [Redo]
+ */
+internal data class AttemptKey(val epoch: Int, val step: Long, val attempt: Int) : Comparable<AttemptKey> {
+    /** The next attempt at the same step. */
+    val next: AttemptKey get() = AttemptKey(epoch, step, attempt + 1)
+
+    override fun compareTo(other: AttemptKey): Int = compareValuesBy(this, other, {
+        it.epoch
+    }, { it.step }, { it.attempt })
+}
+
+/**
+ * What bricks and the [Agreement] tell one another. Arrays within belong to the sender, who changes them only in the
+ * next step, or attempt; by then all have read them, since none goes on before all have answered.
+ *
+ * @property key the attempt to which it belongs
+ * @property from number of the brick that sent it; [AGREEMENT] for none
+ */
+internal sealed interface BrickMessage {
+    val key: AttemptKey
+    val from: Int
+
+    companion object {
+        /** The number of the [Agreement]. */
+        const val AGREEMENT = -1
+    }
+}
+
+/**
+ * Node → node: those of the spheres which the sender held at the start of the step that the receiver needs.
+ *
+ * @property own entries of [spheres] that are in the receiver's territory now
+ * @property near entries that are in its halo
+ */
+internal class Halo(
+    override val key: AttemptKey,
+    override val from: Int,
+    val spheres: SphereColumns,
+    val own: IndexList,
+    val near: IndexList,
+) : BrickMessage
+
+/**
+ * Node → node: how the sender has found those of its own spheres to move that are in the receiver's halo.
+ *
+ * @property paths whole hashes of their paths
+ * @property bound how far any sphere could go along x, y, z in the sender's computation
+ */
+internal class Outcome(
+    override val key: AttemptKey,
+    override val from: Int,
+    val paths: PathList,
+    val bound: DoubleArray,
+) : BrickMessage
+
+/**
+ * Node → agreement: whether the sender has worked with the right paths of all spheres in its sight.
+ *
+ * @property bound how far any sphere could go along x, y, z in its computation
+ */
+internal class Agreed(
+    override val key: AttemptKey,
+    override val from: Int,
+    val isRight: Boolean,
+    val bound: DoubleArray,
+) : BrickMessage
+
+/** Agreement → nodes: all were right at once, so what each has found for its own spheres is the step. */
+internal class Go(override val key: AttemptKey) : BrickMessage {
+    override val from: Int get() = BrickMessage.AGREEMENT
+}
+
+/**
+ * Agreement → nodes: another attempt, named by [key]. Those that were not right compute again, with wider halos; all
+ * compare again, because paths that were right may have been compared with wrong ones.
+ *
+ * @property again by brick, whether it computes again
+ */
+internal class Redo(override val key: AttemptKey, val widths: HaloWidths, val again: BooleanArray) : BrickMessage {
+    override val from: Int get() = BrickMessage.AGREEMENT
+}
+
+/** Brings messages on their way. They may arrive in any order, and more than once. */
+internal fun interface Post {
+    /** Sends [message] to brick [to], or to [BrickMessage.AGREEMENT]. */
+    fun send(to: Int, message: BrickMessage)
+}

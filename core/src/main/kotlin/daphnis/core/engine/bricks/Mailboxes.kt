@@ -1,0 +1,42 @@
+package daphnis.core.engine.bricks
+
+/**
+ * Messages between the bricks of one process, and their agreement, from one phase of a step to the next. Within a phase
+ * one thread works for a brick: it alone posts from the brick, and it alone takes what the phase before has posted to
+ * the brick. Between two phases is a barrier, and [turn] is called, so a message is written, then the barrier, then
+ * read. Nothing is copied: a message refers to the arrays of its sender.
+ */
+internal class Mailboxes(private val bricks: Int) {
+    /** By place of the receiver, then by place of the sender, who alone adds. */
+    private var filling = boxes()
+    private var filled = boxes()
+
+    private fun boxes() = Array(bricks + 1) { Array(bricks + 1) { ArrayList<BrickMessage>(0) } }
+
+    /** The place of a brick, or of the agreement, which is last. */
+    private fun place(number: Int): Int = if (number == BrickMessage.AGREEMENT) bricks else number
+
+    /** The post of brick [from]. */
+    fun post(from: Int): Post = Post { to, message -> filling[place(to)][from].add(message) }
+
+    /** The post of the agreement, for the one thread that works between two phases: it reaches the next of them. */
+    fun postBetween(): Post = Post { to, message -> filled[place(to)][bricks].add(message) }
+
+    /** A phase is over: what was posted in it can be taken. */
+    fun turn() {
+        filling = filled.also { filled = filling }
+    }
+
+    /** Hands all messages to [number] to [receive] and removes them. */
+    inline fun take(number: Int, receive: (BrickMessage) -> Unit) {
+        for (box in filled[place(number)]) {
+            for (k in box.indices) receive(box[k])
+            box.clear()
+        }
+    }
+
+    /** Removes all messages, after a step that has failed. */
+    fun clear() {
+        for (boxes in listOf(filling, filled)) for (row in boxes) for (box in row) box.clear()
+    }
+}
