@@ -68,4 +68,8 @@ public sealed class PeriodicOutput(public val name: String, private val property
  * @property count how many of these; null when only the run can tell, and then [what] says how much each takes
  * @property bytes on the disk, of all together; null with [count]
  */
-public class OutputCost(public val what: String, public val count: Double? = null, public val bytes: Double? = null)
+public class OutputCost @JvmOverloads constructor(
+    public val what: String,
+    public val count: Double? = null,
+    public val bytes: Double? = null,
+)

@@ -7,6 +7,7 @@ import kotlinx.serialization.ExperimentalSerializationApi
 /** The list of outputs that runs can have by a key of their [OutputSpec]. */
 public object PeriodicOutputs {
     /** All objects of [PeriodicOutput], in the order of their keys in [OutputSpec], in which they are called. */
+    @JvmStatic
     @OptIn(ExperimentalSerializationApi::class)
     public val all: List<PeriodicOutput> = PeriodicOutput::class.java.permittedSubclasses
         .map { it.getField("INSTANCE").get(null) as PeriodicOutput }
