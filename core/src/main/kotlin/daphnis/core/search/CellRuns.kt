@@ -40,8 +40,8 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
     private var closeTo = 0
 
     /**
-     * Sets the runs that hold, once for each pair and image, the partners that the sphere in [slot], whose row is at [p]
-     * of [state], can touch on its way in the time [rest]. Only at the start of the step, when no sphere has collided.
+     * Sets the runs that hold, once for each pair and image, the partners which the sphere in [slot] can touch on its
+     * way in the time [rest]. Its row is at [p] of [state]. Only at the start of a step, before any sphere has collided.
      *
      * @return number of runs
      */

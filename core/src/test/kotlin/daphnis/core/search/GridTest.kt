@@ -74,8 +74,10 @@ class GridTest {
             doubleArrayOf(p.x[k], p.y[k], p.z[k]).copyInto(row)
             for (axis in 0..2) row[VX + axis] = way[axis][k]
             row[RADIUS] = p.radius[k]
-            each(runs, runs.ahead(slot, row, 0, 1.0)) { other, code -> forward += canonical(p.id[k], name(other), code) }
-            each(runs, runs.around(row, 0, 1.0)) { other, code -> all += Pair(p.id[k], name(other), code) }
+            val ahead = runs.ahead(slot, row, 0, 1.0)
+            each(runs, ahead) { other, code -> forward += canonical(p.id[k], name(other), code) }
+            val around = runs.around(row, 0, 1.0)
+            each(runs, around) { other, code -> all += Pair(p.id[k], name(other), code) }
         }
         val once = forward.filter { it.a != it.b }
         assertEquals(once.size, once.toSet().size) { "$story: a pair is named twice" }
