@@ -27,7 +27,7 @@ internal class FlowFit(private val flowAxis: Int) {
     /** Σ m y w_a. */
     val slopes = DoubleArray(3)
 
-    /** By slab, [SLAB_WIDTH] numbers: Σ m at [MASS], Σ m y at [OFFSET], Σ m w_x, Σ m w_y, Σ m w_z from [MOMENTUM] on. */
+    /** [SLAB_WIDTH] numbers per slab: Σ m at [MASS], Σ m y at [OFFSET], and Σ m w along x, y, z from [MOMENTUM] on. */
     val slabs = DoubleArray(MOST_SLABS * SLAB_WIDTH)
 
     /** ⟨c_a c_b⟩: xx, yy, zz, xy, xz, yz. */

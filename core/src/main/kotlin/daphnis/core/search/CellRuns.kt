@@ -1,20 +1,21 @@
 package daphnis.core.search
 
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.StepRows.Companion.RADIUS
+import daphnis.core.collision.StepRows.Companion.TIME
+import daphnis.core.collision.StepRows.Companion.VX
 import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
  * The runs of slots of a [Grid] that have to be searched for a sphere. Holds the runs of one query at a time, so each
- * thread has its own.
+ * thread has its own. Rows are those of [StepRows.state].
  *
  * @param closer bounds on other spheres which are closer than the reach for which the grid was built; null for none
  */
 public class CellRuns @JvmOverloads constructor(private val grid: Grid, private val closer: RowBounds? = null) :
     SlotRuns() {
     private val levels = grid.levels
-
-    /** The path of the sphere to search for; to be set before each query. */
-    public val path: SpherePath = SpherePath()
 
     // The present class of sizes.
     private var layout = GridLayout()
@@ -39,29 +40,45 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
     private var closeTo = 0
 
     /**
-     * Sets the runs that hold, once for each pair and image, the partners that sphere [slot] can touch on its [path] in
-     * this step. Only at the start, when no sphere has collided.
+     * Sets the runs that hold, once for each pair and image, the partners which the sphere in [slot] can touch on its
+     * way in the time [rest]. Its row is at [p] of [state]. Only at the start of a step, before any sphere has collided.
      *
      * @return number of runs
      */
-    public fun ahead(slot: Int): Int {
-        begin(0.0)
+    public fun ahead(slot: Int, state: DoubleArray, p: Int, rest: Double): Int {
+        val wayX = state[p + VX] * rest
+        val wayY = state[p + VX + 1] * rest
+        val wayZ = state[p + VX + 2] * rest
+        return ahead(slot, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS])
+    }
+
+    /** The same for a sphere of [radius] that stays at ([x], [y], [z]). */
+    public fun aheadAt(slot: Int, x: Double, y: Double, z: Double, radius: Double): Int =
+        ahead(slot, x, y, z, 0.0, 0.0, 0.0, radius)
+
+    // From here on numbers by themselves: read from arrays, they make the search 3 % slower.
+    private fun ahead(
+        slot: Int,
+        x: Double,
+        y: Double,
+        z: Double,
+        wayX: Double,
+        wayY: Double,
+        wayZ: Double,
+        radius: Double,
+    ): Int {
+        count = 0
+        time = 0.0
+        starts = grid.cellStart
         val own = if (levels.count == 1) 0 else levels.of(radius)
-        cover(own)
+        cover(own, x, y, z, wayX, wayY, wayZ, radius)
         addAhead(slot)
         // Smaller spheres find this one from their side.
         for (level in own + 1 until levels.count) {
-            cover(level)
+            cover(level, x, y, z, wayX, wayY, wayZ, radius)
             addAll()
         }
         return count
-    }
-
-    private fun begin(time: Double) {
-        count = 0
-        this.time = time
-        radius = path.radius
-        starts = grid.cellStart
     }
 
     private fun addAhead(slot: Int) {
@@ -92,15 +109,20 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
     }
 
     /**
-     * Sets the runs that hold every sphere and image that a sphere can touch on the rest of its [path], which it begins
-     * at [time] from the start of the step. They hold the sphere itself too.
+     * Sets the runs that hold every sphere and image that the sphere in the row at [p] of [state] can touch on its way
+     * from its local time on, for the time [rest]. They hold the sphere itself too.
      *
      * @return number of runs
      */
-    public fun around(time: Double): Int {
-        begin(time)
+    public fun around(state: DoubleArray, p: Int, rest: Double): Int {
+        val wayX = state[p + VX] * rest
+        val wayY = state[p + VX + 1] * rest
+        val wayZ = state[p + VX + 2] * rest
+        count = 0
+        time = state[p + TIME]
+        starts = grid.cellStart
         for (level in 0 until levels.count) {
-            cover(level)
+            cover(level, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS])
             addAll()
         }
         return count
@@ -112,16 +134,26 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         }
     }
 
-    /** Makes the box of cells of [level] in which the path can meet a sphere the present one. */
-    private fun cover(level: Int) {
+    /** Makes the cells of [level] in which the sphere can meet another one the present box. */
+    private fun cover(
+        level: Int,
+        x: Double,
+        y: Double,
+        z: Double,
+        wayX: Double,
+        wayY: Double,
+        wayZ: Double,
+        radius: Double,
+    ) {
         layout = levels[level]
         cells = layout.cells
         periodic = layout.periodic
+        this.radius = radius
         isRound = radius > ROUND_FROM * Math.max(layout.widths[1], layout.widths[2])
         bounds = if (closer != null && closer.isInUse) closer else null
         for (k in 0..2) {
-            val from = path.from[layout.axes[k]]
-            val to = from + path.way[layout.axes[k]]
+            val from = layout.pick(k, x, y, z)
+            val to = from + layout.pick(k, wayX, wayY, wayZ)
             here[k] = from
             there[k] = to
             val margin = radius + layout.margin[k]

@@ -213,6 +213,13 @@ internal class GridLayout {
         }
     }
 
+    /** The one of the numbers along x, y, z that belongs to axis [k] of the three. */
+    fun pick(k: Int, x: Double, y: Double, z: Double): Double = when (axes[k]) {
+        0 -> x
+        1 -> y
+        else -> z
+    }
+
     companion object {
         /**
          * Cells in the length that a pair can bridge. Finer rows fit the path more closely; more rows cost more than

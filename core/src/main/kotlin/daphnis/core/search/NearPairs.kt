@@ -49,8 +49,7 @@ public class NearPairs @JvmOverloads constructor(
         val p = population
         val images = grid.images
         val k = order[slot]
-        runs.path.set(p.x[k], p.y[k], p.z[k], radius)
-        val count = runs.ahead(slot)
+        val count = runs.aheadAt(slot, p.x[k], p.y[k], p.z[k], radius)
         for (r in 0 until count) {
             val image = runs.image[r]
             val sx = images.shift(image, 0)

@@ -30,8 +30,7 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
     private fun startFrom(slot: Int, sink: EventSink) {
         val state = rows.state
         val p = slot * STRIDE
-        near.path.set(state, p, step.duration)
-        val runs = near.ahead(slot)
+        val runs = near.ahead(slot, state, p, step.duration)
         forEachApproaching(runs, state, p, 0.0, hasMoved = false) { other, image, a, b, c ->
             addIfInTime(sink, 0.0, slot, other, image, a, b, c)
         }
@@ -49,11 +48,7 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         step.queueWalls(own, place, sink)
     }
 
-    private fun runsAround(own: DoubleArray, p: Int): Int {
-        val time = own[p + TIME]
-        near.path.set(own, p, step.duration - time)
-        return near.around(time)
-    }
+    private fun runsAround(own: DoubleArray, p: Int): Int = near.around(own, p, step.duration - own[p + TIME])
 
     /**
      * Calls [found] for each sphere in the first [runs] of [near] that the sphere in the row at [p] of [own], at

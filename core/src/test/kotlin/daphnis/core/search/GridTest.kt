@@ -3,6 +3,9 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
+import daphnis.core.collision.StepRows.Companion.RADIUS
+import daphnis.core.collision.StepRows.Companion.STRIDE
+import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
@@ -67,10 +70,14 @@ class GridTest {
         for (slot in 0 until p.size) {
             val k = grid.order[slot]
             fun name(other: Int) = p.id[grid.order[other]]
-            val start = doubleArrayOf(p.x[k], p.y[k], p.z[k])
-            runs.path.set(start, DoubleArray(3) { way[it][k] }, p.radius[k])
-            each(runs, runs.ahead(slot)) { other, code -> forward += canonical(p.id[k], name(other), code) }
-            each(runs, runs.around(0.0)) { other, code -> all += Pair(p.id[k], name(other), code) }
+            val row = DoubleArray(STRIDE)
+            doubleArrayOf(p.x[k], p.y[k], p.z[k]).copyInto(row)
+            for (axis in 0..2) row[VX + axis] = way[axis][k]
+            row[RADIUS] = p.radius[k]
+            val ahead = runs.ahead(slot, row, 0, 1.0)
+            each(runs, ahead) { other, code -> forward += canonical(p.id[k], name(other), code) }
+            val around = runs.around(row, 0, 1.0)
+            each(runs, around) { other, code -> all += Pair(p.id[k], name(other), code) }
         }
         val once = forward.filter { it.a != it.b }
         assertEquals(once.size, once.toSet().size) { "$story: a pair is named twice" }
@@ -150,8 +157,7 @@ class GridTest {
         }
         val grid = Grid().apply { build(p, Open, 0.0, 0.1, DoubleArray(3)) }
         val near = CellRuns(grid)
-        near.path.set(1.0, 2.0, 3.0, radius = 0.1)
-        assertEquals(1, near.ahead(0))
+        assertEquals(1, near.aheadAt(0, 1.0, 2.0, 3.0, radius = 0.1))
         assertEquals(4, near.to[0] - near.from[0])
     }
 }

@@ -81,8 +81,8 @@ class RowBoundsTest {
         duration: Double,
         ahead: Boolean,
     ): List<Triple<Int, Int, Int>> {
-        near.path.set(rows.state, i * STRIDE, duration - now)
-        val runs = if (ahead) near.ahead(i) else near.around(now)
+        val p = i * STRIDE
+        val runs = if (ahead) near.ahead(i, rows.state, p, duration) else near.around(rows.state, p, duration - now)
         return (0 until runs).flatMap { r -> (near.from[r] until near.to[r]).map { Triple(i, it, near.image[r]) } }
     }
 
