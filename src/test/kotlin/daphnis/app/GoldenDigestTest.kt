@@ -83,7 +83,9 @@ class GoldenDigestTest {
         // Few spheres go the serial way unless told otherwise.
         val islands: () -> CollisionEngine = { IslandsEngine(FixedPool(2), fewest = 0) }
         val slabs: () -> CollisionEngine = { BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 3, 1)) }
-        val blocks: () -> CollisionEngine = { BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 2, 2)) }
+        val blocks: () -> CollisionEngine = {
+            BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 2, 2))
+        }
 
         /** A whole number of steps can fall short of the end by round-off. */
         const val SLACK = 1e-9

@@ -96,7 +96,13 @@ public class Reach {
         return false
     }
 
-    private fun isOutrunAlong(axis: Int, rows: StepRows, slot: Int, population: SphereColumns, duration: Double): Boolean {
+    private fun isOutrunAlong(
+        axis: Int,
+        rows: StepRows,
+        slot: Int,
+        population: SphereColumns,
+        duration: Double,
+    ): Boolean {
         val p = slot * StepRows.STRIDE
         val v = rows.state[p + StepRows.VX + axis]
         if (abs(v) <= speed[axis]) return false

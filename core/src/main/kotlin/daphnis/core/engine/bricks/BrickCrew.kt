@@ -4,7 +4,6 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.engine.bricks.Cuts.Companion.AXES
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
 import daphnis.core.search.GridExtent
 import daphnis.core.search.ImageRange
 import daphnis.core.step.PreparedStep

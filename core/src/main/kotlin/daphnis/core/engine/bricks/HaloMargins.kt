@@ -45,8 +45,7 @@ internal class HaloMargins(
     }
 
     /** The extra width to try after [extra] was too small in [attempt]. It grows fast, so that there is an end. */
-    fun widened(extra: Double, attempt: Int): Double =
-        maxOf(extra * if (attempt == 0) WIDER else MUCH_WIDER, diameter)
+    fun widened(extra: Double, attempt: Int): Double = maxOf(extra * if (attempt == 0) WIDER else MUCH_WIDER, diameter)
 
     companion object {
         const val DIAMETERS = 3.0

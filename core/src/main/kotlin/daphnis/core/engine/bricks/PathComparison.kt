@@ -3,11 +3,7 @@ package daphnis.core.engine.bricks
 import daphnis.core.engine.bricks.Cuts.Companion.AXES
 
 /** Compares the paths of the halo, as brick [number] has computed them, with those that their owners have found. */
-internal class PathComparison(
-    private val number: Int,
-    private val territory: Territory,
-    private val brick: Brick,
-) {
+internal class PathComparison(private val number: Int, private val territory: Territory, private val brick: Brick) {
     private val places = IdIndex()
     private val bound = DoubleArray(AXES)
     private val sight = DoubleArray(AXES)

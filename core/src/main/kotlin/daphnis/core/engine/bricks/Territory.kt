@@ -49,8 +49,7 @@ internal class Territory(val cuts: Cuts, boundary: BoundaryConditions, val epoch
     }
 
     /** The owner of a sphere at ([x], [y], [z]). */
-    fun ownerOf(x: Double, y: Double, z: Double): Int =
-        brick(cuts.partOf(0, x), cuts.partOf(1, y), cuts.partOf(2, z))
+    fun ownerOf(x: Double, y: Double, z: Double): Int = brick(cuts.partOf(0, x), cuts.partOf(1, y), cuts.partOf(2, z))
 
     /** How far the position [x], or its nearest image, is from [part] along [axis]; 0 inside. */
     fun distance(axis: Int, part: Int, x: Double): Double {

@@ -53,7 +53,8 @@ class BodiesTest {
     fun `a moonlet on a cut, beside one, and on the face of the box change no bit`() {
         val boundary = Periodic(box)
         for (at in listOf(0.0, 1.0, 4.5, 10.0, -19.9)) {
-            val serial = Simulation(moonlet(at), boundary, CollisionForcing(ConstantRestitution(0.5)), FixedTimeStep(DT))
+            val serial =
+                Simulation(moonlet(at), boundary, CollisionForcing(ConstantRestitution(0.5)), FixedTimeStep(DT))
             serial.advance()
             val p = moonlet(at)
             val redone = cutAt(p, boundary, doubleArrayOf(-12.0, 0.0, 12.0))
@@ -84,7 +85,12 @@ class BodiesTest {
 
     @Test
     fun `cuts keep away from a moonlet, across the face of the box too, and halos need no room for it then`() {
-        for ((boundary, at) in listOf(Periodic(box) to 0.0, Periodic(box) to 19.0, Periodic(box) to -20.0, Open to 3.0)) {
+        for ((boundary, at) in listOf(
+            Periodic(box) to 0.0,
+            Periodic(box) to 19.0,
+            Periodic(box) to -20.0,
+            Open to 3.0,
+        )) {
             val p = moonlet(at)
             val bodies = Bodies().also { it.find(p, 4.0, 0.41, InlineLoop) }
             assertEquals(0.4, bodies.ordinary)

@@ -67,7 +67,9 @@ class BrickNetTest {
             serial.advance()
             net.advance()
             flipped += net.flipped
-            assertTrue(net.redone >= minOf(net.flipped, 1)) { "seed $seed: ${net.flipped} flipped, ${net.redone} redone" }
+            assertTrue(net.redone >= minOf(net.flipped, 1)) {
+                "seed $seed: ${net.flipped} flipped, ${net.redone} redone"
+            }
             assertEquals(stateDigest(serial.population), stateDigest(net.population)) { "seed $seed" }
         }
         assertTrue(flipped > 10) { "only $flipped bits flipped" }
