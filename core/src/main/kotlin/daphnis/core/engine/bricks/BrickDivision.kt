@@ -9,9 +9,7 @@ package daphnis.core.engine.bricks
 public data class BrickDivision(public val x: Int, public val y: Int, public val z: Int) {
     init {
         for (parts in listOf(x, y, z)) {
-            require(parts in 1..MOST) {
-                "$parts parts along an axis; 1 to $MOST are possible"
-            }
+            require(parts in 1..MOST) { "$parts parts along an axis; 1 to $MOST are possible" }
         }
     }
 

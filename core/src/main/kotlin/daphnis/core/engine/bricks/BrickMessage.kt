@@ -13,9 +13,11 @@ internal data class AttemptKey(val epoch: Int, val step: Long, val attempt: Int)
     /** The next attempt at the same step. */
     val next: AttemptKey get() = AttemptKey(epoch, step, attempt + 1)
 
-    override fun compareTo(other: AttemptKey): Int = compareValuesBy(this, other, {
-        it.epoch
-    }, { it.step }, { it.attempt })
+    override fun compareTo(other: AttemptKey): Int = when {
+        epoch != other.epoch -> epoch.compareTo(other.epoch)
+        step != other.step -> step.compareTo(other.step)
+        else -> attempt.compareTo(other.attempt)
+    }
 }
 
 /**

@@ -137,13 +137,8 @@ internal class BrickNet(
     }
 
     private fun hand(letter: Letter) {
-        if (letter.to ==
-            BrickMessage.AGREEMENT
-        ) {
-            agreement.receive(letter.message)
-        } else {
-            nodes[letter.to].receive(letter.message)
-        }
+        val brick = letter.to
+        if (brick == BrickMessage.AGREEMENT) agreement.receive(letter.message) else nodes[brick].receive(letter.message)
     }
 
     /** The first halo of the step with a sphere in sight gets a wrong bit in the last digits of one number. */

@@ -16,12 +16,7 @@ class BrickPartsTest {
         val once = PathHash.mix(PathHash.STRAIGHT, 0.0)
         assertNotEquals(PathHash.STRAIGHT, once)
         assertNotEquals(once, PathHash.mix(once, 0.0))
-        assertNotEquals(
-            PathHash.mix(once, 0L).let {
-                PathHash.mix(it, 1L)
-            },
-            PathHash.mix(once, 1L).let { PathHash.mix(it, 0L) },
-        )
+        assertNotEquals(PathHash.mix(PathHash.mix(once, 0L), 1L), PathHash.mix(PathHash.mix(once, 1L), 0L))
         assertNotEquals(PathHash.mix(1L, 0.0), PathHash.mix(1L, -0.0))
         val p = populationOf(Sphere(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0))
         val whole = PathHash.whole(once, p, 0, tracksLastCollision = true)

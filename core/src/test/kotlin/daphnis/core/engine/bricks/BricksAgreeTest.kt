@@ -115,7 +115,7 @@ class BricksAgreeTest {
     }
 
     @Test
-    fun `very many spheres are divided for two threads, with the serial digest, when engines may choose`() {
+    fun `where engines may choose, very many spheres are divided for two threads`() {
         val box = LongBox(3, long = 1800)
         val serial = simulationOf(box.population.copy(), box.boundary, 0.01)
         for (engine in listOf(BricksEngine(FixedPool(2), fewest = 0), BricksEngine(2))) {

@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import kotlin.math.abs
 
 /** [Cuts], [Territory] and [Vicinity]: who owns what, and who needs a copy. */
 class TerritoryTest {
@@ -28,12 +27,8 @@ class TerritoryTest {
     fun `planes along an open axis leave the outer parts without an end`() {
         val t = territory(Open, doubleArrayOf(-1.0, 2.0), none, none)
         assertEquals(3, t.size)
-        assertEquals(
-            listOf(0, 0, 1, 1, 2, 2),
-            listOf(-1e9, -1.0001, -1.0, 1.9, 2.0, 1e9).map {
-                t.ownerOf(it, 0.0, 0.0)
-            },
-        )
+        val places = listOf(-1e9, -1.0001, -1.0, 1.9, 2.0, 1e9)
+        assertEquals(listOf(0, 0, 1, 1, 2, 2), places.map { t.ownerOf(it, 0.0, 0.0) })
         assertEquals(listOf(3.0, 0.0, 0.0, 5.0), listOf(-4.0, -1.0, 2.0, 7.0).map { t.distance(0, 1, it) })
         assertEquals(listOf(Double.NEGATIVE_INFINITY, -1.0, 2.0), List(3) { t.lower(0, it) })
         assertTrue(t.middle(1).all { it.isNaN() })
@@ -57,12 +52,7 @@ class TerritoryTest {
             val x = if (boundary is LeesEdwards) none else doubleArrayOf(1.0, 4.0, 9.0)
             val t = territory(boundary, x, doubleArrayOf(-4.0, 0.5), doubleArrayOf(0.0, 3.0, 7.0))
             repeat(2000) {
-                val p =
-                    doubleArrayOf(
-                        random.nextDouble(0.0, 12.0),
-                        random.nextDouble(-5.0, 5.0),
-                        random.nextDouble(0.0, 8.0),
-                    )
+                val p = DoubleArray(3) { random.nextDouble(box.lower(it), box.upper(it)) }
                 val inside = (0 until t.size).filter { b -> (0..2).all { t.distance(it, t.part(it, b), p[it]) == 0.0 } }
                 assertEquals(listOf(t.ownerOf(p[0], p[1], p[2])), inside)
             }
@@ -140,13 +130,7 @@ class TerritoryTest {
                         val x = spheres.position(axis)[k] + image * t.length(axis)
                         val low = t.lower(axis, brick)
                         val high = t.upper(axis, brick)
-                        if (x < low) {
-                            low - x <= reach
-                        } else if (x > high) {
-                            abs(x - high) <= reach
-                        } else {
-                            true
-                        }
+                        low - x <= reach && x - high <= reach
                     }
             }
         }.toSet()
