@@ -26,7 +26,12 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
         rows.exact("optical_depth", "optical depth τ", bulk.opticalDepth, "", "Σ π r² over the area")
         rows.exact("surface_density", "surface density Σ", bulk.surfaceDensity, units.surfaceDensity)
         rows.exact("mean_radius", "mean radius r", r, units.length)
-        rows.exact("r_omega", "r Ω", r * omega, units.speed)
+        val inCmPerSecond = scenario?.units?.speedInCmPerSecond
+        if (inCmPerSecond == null) {
+            rows.exact("r_omega", "r Ω", r * omega, units.speed)
+        } else {
+            rows.exact("r_omega", "r Ω", r * omega * inCmPerSecond, "cm/s")
+        }
     }
 
     private fun motion() {
