@@ -105,6 +105,61 @@ class BlockAverageTest {
         assertEquals(0.0, BlockAverage(0.0, 0.0, 20).root().error)
     }
 
+    private fun neighbouring(n: Int, seed: Long): List<Double> {
+        val random = SeededRandom(seed)
+        var last = 0.0
+        return List(n) {
+            last = 0.3 * last + random.nextDouble(-1.0, 1.0)
+            5 + last
+        }
+    }
+
+    /** Independent numbers among [x], and the error of its mean, by the sums as they are written in a textbook. */
+    private fun plainly(x: List<Double>): Pair<Double, Double> {
+        val m = x.size
+        val mean = x.average()
+        val square = x.sumOf { (it - mean) * (it - mean) }
+        val product = x.zipWithNext { a, b -> (a - mean) * (b - mean) }.sum()
+        val correlation = maxOf(0.0, (m * product / square + 1) / (m - 4))
+        val independent = m * (1 - correlation) / (1 + correlation)
+        return independent to sqrt(square / m / (independent - 1))
+    }
+
+    private fun assertPlain(plain: List<Double>, average: BlockAverage) {
+        val (independent, error) = plainly(plain)
+        assertEquals(independent, average.independent, 1e-9)
+        assertEquals(error, average.error, 1e-12)
+    }
+
+    @Test
+    fun `a series is taken as it is below 128 numbers, and by pairs from there on`() {
+        for (n in listOf(60, 100, 127)) {
+            val series = neighbouring(n, n.toLong())
+            assertPlain(series, BlockAverage.of(series.toDoubleArray()))
+            assertEquals(n, BlockAverage.of(series.toDoubleArray()).count)
+        }
+        val long = neighbouring(128, 3)
+        assertPlain(long.chunked(2).map { it.average() }, BlockAverage.of(long.toDoubleArray()))
+    }
+
+    @Test
+    fun `sixteen numbers have an error, and fifteen have none`() {
+        val turns = List(16) { 5 + if (it % 2 == 0) 1.0 else -1.0 }
+        assertPlain(turns, BlockAverage.of(turns.toDoubleArray()))
+        assertTrue(BlockAverage.of(turns.drop(1).toDoubleArray()).error.isNaN())
+    }
+
+    @Test
+    fun `the error of a ratio is that of what each row adds to it`() {
+        val a = neighbouring(40, 5)
+        val b = neighbouring(40, 6)
+        val ratio = a.sum() / b.sum()
+        val pseudovalues = a.indices.map { 40 * ratio - 39 * (a.sum() - a[it]) / (b.sum() - b[it]) }
+        val average = BlockAverage.of(arrayOf(a.toDoubleArray(), b.toDoubleArray())) { it[0] / it[1] }
+        assertEquals(ratio, average.mean, 1e-14)
+        assertPlain(pseudovalues, average)
+    }
+
     private companion object {
         const val REALISATIONS = 500
     }
