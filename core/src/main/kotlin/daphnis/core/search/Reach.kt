@@ -65,16 +65,17 @@ public class Reach {
     }
 
     /**
-     * Computes closer bounds for [part], some of the spheres that [whole] has measured for a step of [duration]. What is
-     * refused for all is refused for the part too.
+     * Takes over the bounds of [whole], for some of the spheres that it has measured. What is refused for all is refused
+     * for the part too. Closer bounds would be no gain: what a sphere can meet is told by those of rows of cells.
      */
-    internal fun measurePart(part: SphereColumns, whole: Reach, duration: Double) {
+    internal fun take(whole: Reach) {
         headroom = whole.headroom
         for (axis in 0 until AXES) {
-            fastest[axis] = extremes.measure(part.velocity(axis), part.size, InlineLoop).magnitude
+            fastest[axis] = whole.fastest[axis]
             most[axis] = whole.most[axis]
+            speed[axis] = whole.speed[axis]
+            bound[axis] = whole.bound[axis]
         }
-        apply(duration)
     }
 
     /** Starts the next step with the headroom that [part] had to take in this one, if that is larger. */

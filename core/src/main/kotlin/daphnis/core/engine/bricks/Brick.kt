@@ -47,7 +47,7 @@ internal class Brick {
      *   what happens at the outer end of the halo
      */
     fun solve(whole: PreparedStep, middle: DoubleArray, halt: Halt) {
-        prepared.measurePart(whole, columns, middle)
+        prepared.takePart(whole, columns, middle)
         if (paths.size < columns.size) paths = LongArray(columns.size + columns.size / 4)
         outrun = 0
         while (!attempt(halt)) outrun++

@@ -37,8 +37,8 @@ internal class BrickNode(
     private val bricks = territory.size
     private val vicinity = Vicinity(territory, number)
     private val middle = territory.middle(number)
-    private val own = Array(bricks) { IndexList() }
-    private val near = Array(bricks) { IndexList() }
+    private val own = Array(bricks) { IndexRuns() }
+    private val near = Array(bricks) { IndexRuns() }
     private val paths = Array(bricks) { PathList() }
     private val halos = arrayOfNulls<Halo>(bricks)
     private val outcomes = arrayOfNulls<Outcome>(bricks)

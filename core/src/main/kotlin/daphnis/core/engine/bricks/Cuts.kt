@@ -16,7 +16,9 @@ internal class Cuts(private val planes: List<DoubleArray>, boundary: BoundaryCon
     /** Number of parts along [axis]. */
     fun parts(axis: Int): Int = if (periodic[axis]) maxOf(planes[axis].size, 1) else planes[axis].size + 1
 
-    fun isCut(axis: Int): Boolean = parts(axis) > 1
+    private val isCut = BooleanArray(AXES) { parts(it) > 1 }
+
+    fun isCut(axis: Int): Boolean = isCut[axis]
 
     /** Lower end of [part] along [axis]; −∞ where there is none. */
     fun lower(axis: Int, part: Int): Double = when {

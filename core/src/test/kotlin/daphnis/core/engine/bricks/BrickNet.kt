@@ -144,7 +144,8 @@ internal class BrickNet(
     /** The first halo of the step with a sphere in sight gets a wrong bit in the last digits of one number. */
     private fun flip(to: Int, message: BrickMessage): BrickMessage {
         if (flipped > 0 || message !is Halo || message.key.attempt > 0 || random.nextInt(4) != 0) return message
-        val seen = (0 until message.near.size).map { message.near[it] }.filter { isTouchable(to, it) }
+        val near = (0 until message.near.runs).flatMap { message.near.from(it) until message.near.to(it) }
+        val seen = near.filter { isTouchable(to, it) }
         if (seen.isEmpty()) return message
         val k = seen[random.nextInt(seen.size)]
         val spheres = population.copy()
