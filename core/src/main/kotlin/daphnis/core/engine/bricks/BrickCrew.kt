@@ -20,9 +20,12 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
     private var boxes = Mailboxes(0)
     private var agreement = Agreement(0, margins) { _, _ -> }
     private var starts = IntArray(1)
-    private var territory: Territory? = null
     private val counted = CollisionCounters()
     private var steps = 0L
+
+    /** How space is divided; null before the first [settle]. */
+    var territory: Territory? = null
+        private set
 
     /** See [BrickNode.isTrusting]. */
     var isTrusting = false
@@ -36,7 +39,6 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
 
     /** Divides space anew. */
     fun settle(territory: Territory) {
-        this.territory = territory
         val count = territory.size
         bricks = List(count) { bricks.getOrNull(it) ?: Brick() }
         boxes = Mailboxes(count)
@@ -44,6 +46,8 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
         agreement = Agreement(count, margins, boxes.postBetween())
         margins.reset(count)
         starts = IntArray(count + 1)
+        // Last, so that it is done again when it has failed.
+        this.territory = territory
     }
 
     /**

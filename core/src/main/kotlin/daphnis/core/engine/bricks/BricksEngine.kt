@@ -115,8 +115,9 @@ public class BricksEngine internal constructor(
         failed = false
         try {
             whole.measure(step, loop)
-            if (plan.prepare(loop)) plan.territory?.let { crew.settle(it) }
+            plan.prepare(loop)
             val territory = plan.territory ?: return false
+            if (crew.territory !== territory) crew.settle(territory)
             failed = !crew.compute(plan.bodies, plan.extent, loop) { quicker.isLate }
             if (failed) return false
             crew.collect(step.record)

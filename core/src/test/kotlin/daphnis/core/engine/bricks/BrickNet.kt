@@ -47,7 +47,7 @@ internal class BrickNet(
     private val old = ArrayList<Letter>()
     private val agreed = HashMap<Int, Int>()
 
-    private lateinit var territory: Territory
+    private var territory = Territory(Cuts(List(AXES) { DoubleArray(0) }, boundary), boundary, epoch = 0)
     private lateinit var bricks: List<Brick>
     private lateinit var nodes: List<BrickNode>
     private lateinit var agreement: Agreement
@@ -76,7 +76,8 @@ internal class BrickNet(
         step.start = steps * dt
         step.duration = dt
         whole.measure(step)
-        if (plan.prepare(InlineLoop)) settle(plan.territory!!)
+        plan.prepare(InlineLoop)
+        if (territory !== plan.territory) settle(plan.territory!!)
         margins.diameter = 0.5
         val bound = whole.reach.bound.copyOf()
         val widths = HaloWidths(bound, DoubleArray(AXES), plan.bodies.edges(territory), margins.next())
