@@ -3,6 +3,9 @@ package daphnis.core.collision
 /**
  * Ends inelastic collapse by making some collisions elastic. Collapse means infinitely many collisions in finite time,
  * which a constant ε < 1 can lead to. Each collision which the guard makes elastic is counted.
+ *
+ * The answer must follow from the arguments alone and not depend on which sphere is first: engines may ask several
+ * times, from several threads, and in either order.
  */
 public interface CollapseGuard {
     /** Whether [makesElastic] uses the times since the last collisions, so that the engine has to keep them. */

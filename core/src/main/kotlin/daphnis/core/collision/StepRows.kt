@@ -4,7 +4,6 @@ import daphnis.core.api.EngineApi
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
-import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 
 /**
@@ -52,7 +51,8 @@ public class StepRows {
     public var size: Int = 0
         private set
 
-    private var tracksLastCollision = false
+    internal var tracksLastCollision = false
+        private set
 
     /** Consecutive collisions of one sphere which are no farther apart in time than this belong to one [streak]. */
     private var resolution = 0.0
@@ -139,72 +139,6 @@ public class StepRows {
         population.take(columns)
     }
 
-    private fun storeRange(columns: PopulationColumns, duration: Double, from: Int, to: Int) {
-        storeStates(columns, duration, from, to) { it }
-        mass.copyInto(columns.mass, from, from, to)
-        id.copyInto(columns.id, from, from, to)
-        if (tracksLastCollision) {
-            val last = columns.lastCollision
-            for (slot in from until to) last[slot] = lastCollision[slot] - duration
-        }
-    }
-
-    /**
-     * Moves the spheres whose [origin] is below [first] to the end of a step of [duration] and writes them, in the order
-     * of their slots, to entries [at], [at] + 1, … of [columns]. Other spheres are left out.
-     *
-     * @return how many were written
-     */
-    internal fun storeFirst(first: Int, columns: PopulationColumns, at: Int, duration: Double): Int {
-        var next = at
-        storeStates(columns, duration, 0, size) { if (origin[it] < first) next++ else NOWHERE }
-        var k = at
-        for (slot in 0 until size) {
-            if (origin[slot] >= first) continue
-            columns.mass[k] = mass[slot]
-            columns.id[k] = id[slot]
-            if (tracksLastCollision) columns.lastCollision[k] = lastCollision[slot] - duration
-            k++
-        }
-        return next - at
-    }
-
-    /** Writes positions, velocities and radii of the slots [from] until [to], each to the entry that [place] says. */
-    private inline fun storeStates(
-        columns: PopulationColumns,
-        duration: Double,
-        from: Int,
-        to: Int,
-        place: (Int) -> Int,
-    ) {
-        val state = state
-        val x = columns.x
-        val y = columns.y
-        val z = columns.z
-        val vx = columns.vx
-        val vy = columns.vy
-        val vz = columns.vz
-        val r = columns.radius
-        var p = from * STRIDE
-        for (slot in from until to) {
-            val k = place(slot)
-            if (k != NOWHERE) {
-                val rest = duration - state[p + TIME]
-                val u = state[p + VX]
-                val v = state[p + VX + 1]
-                val w = state[p + VX + 2]
-                x[k] = state[p] + u * rest
-                y[k] = state[p + 1] + v * rest
-                z[k] = state[p + 2] + w * rest
-                vx[k] = u
-                vy[k] = v
-                vz[k] = w
-                r[k] = state[p + RADIUS]
-            }
-            p += STRIDE
-        }
-    }
-
     /** Removes all rows, for a set that is filled by [take]. */
     public fun clear() {
         size = 0
@@ -273,7 +207,6 @@ public class StepRows {
 
     public companion object {
         private const val INITIAL = 64
-        private const val NOWHERE = -1
 
         /** Numbers per sphere in [marks]. */
         internal const val MARKS: Int = 2

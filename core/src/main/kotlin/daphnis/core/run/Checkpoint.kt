@@ -11,12 +11,12 @@ import java.nio.file.Path
 /**
  * Everything that a run needs to continue to the same bits, and to recognise its other files.
  *
- * The file, of format 4: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a four-letter name,
- * a long with the length of what follows, that many bytes, and their CRC-32C as an int; all big-endian. `META` is JSON
- * ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are arrays in the order of ids;
- * `OUTS`, only where there is any, is what outputs keep ([SavedOutputs]); `END.` is empty and last. A file that was cut
- * short or has flipped bytes is refused. In the run of a [Program] `SCEN` is `run.json`. Formats 2 and 3 are read, see
- * [OlderMeta].
+ * The file, of format 4: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a
+ * four-letter name, a long with the length of what follows, that many bytes, and their CRC-32C as an int; all
+ * big-endian. `META` is JSON ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are
+ * arrays in the order of ids; `OUTS` is what outputs keep ([SavedOutputs]); `END.` is empty and last. A file that was
+ * cut short, lacks a record or has flipped bytes is refused. In the run of a [Program] `SCEN` is `run.json`. Formats 2
+ * and 3 are read, see [OlderMeta].
  *
  * @property outputs what outputs have saved, by name
  */
@@ -68,7 +68,7 @@ internal class Checkpoint(val head: Head, val population: Population, val output
                     for (k in order) bytes.putInt(population.boxesCrossed(population.id[k], axis))
                     records.write(name, bytes.array())
                 }
-                if (outputs.isNotEmpty()) records.write(OUTPUTS, SavedOutputs.bytes(outputs))
+                records.write(OUTPUTS, SavedOutputs.bytes(outputs))
                 records.write(Records.END, ByteArray(0))
             }
         }
@@ -80,9 +80,8 @@ internal class Checkpoint(val head: Head, val population: Population, val output
             val records = Records.read(path, Records.END)
             return decoded(path) {
                 records.requireOnly(NAMES)
-                val outputs = if (OUTPUTS in records) SavedOutputs.of(records.bytes(OUTPUTS)) else emptyMap()
                 val head = head(records)
-                Checkpoint(head, population(records), head.saved + outputs)
+                Checkpoint(head, population(records), head.saved + outputs(records))
             }
         }
 
@@ -107,6 +106,12 @@ internal class Checkpoint(val head: Head, val population: Population, val output
             if (records.version > Records.OLDEST) return Head(older.current(), records.text(SCENARIO), older.saved())
             require(SCENARIO !in records) { "it says format ${records.version} and has a record of another" }
             return Head(older.current(), null, older.saved())
+        }
+
+        /** A record that is not there would let sums begin anew without a word, so only older formats may lack it. */
+        private fun outputs(records: Records): Map<String, OutputState> {
+            val isComplete = OUTPUTS in records || records.version == Records.VERSION
+            return if (isComplete) SavedOutputs.of(records.bytes(OUTPUTS)) else emptyMap()
         }
 
         private fun population(records: Records): Population {

@@ -50,7 +50,8 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
 
     /**
      * All sums as numbers, which a run that continues gives to [restore]: the number of collisions, the values of the
-     * sums, and then the remainders of rounding those, as pairs of the sum's number and a part, at most 63 for each sum.
+     * sums, and then the remainders of rounding those, as pairs of the sum's number and a part, at most 63 for each
+     * sum.
      */
     public fun sums(): List<Double> = buildList {
         val parts = sums.map { it.parts() }

@@ -36,6 +36,7 @@ internal class NamedOutput(private val title: String, private val output: Output
         } catch (e: UncheckedIOException) {
             throw e.cause ?: e
         } catch (e: Exception) {
+            if (e is InterruptedException) Thread.currentThread().interrupt()
             throw RunException("step ${simulation.step}: $title$what: ${e.message ?: e.javaClass.name}", e)
         }
     }

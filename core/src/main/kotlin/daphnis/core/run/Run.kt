@@ -126,7 +126,10 @@ public class Run internal constructor(
         private fun advance() {
             try {
                 simulation.advance()
-            } catch (e: RuntimeException) {
+            } catch (e: IOException) {
+                // From an output: the disk is the cause, and nothing more can be written.
+                throw e
+            } catch (e: Exception) {
                 keepStateBefore(e)
                 throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}", e)
             } catch (e: Error) {

@@ -41,7 +41,8 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
 
     /**
      * Sets the runs that hold, once for each pair and image, the partners which the sphere in [slot] can touch on its
-     * way in the time [rest]. Its row is at [p] of [state]. Only at the start of a step, before any sphere has collided.
+     * way in the time [rest]. Its row is at [p] of [state]. Only at the start of a step, before any sphere has
+     * collided.
      *
      * @return number of runs
      */
@@ -196,15 +197,8 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         }
         // Most runs are within one image, and all of their row is in memory.
         if (from >= 0 && to < cells[0] && layout.first[0] == 0) {
-            addRun(
-                starts[rowStart + from],
-                starts[rowStart + to + 1],
-                if (image1 or image2 == 0) {
-                    0
-                } else {
-                    code(0, image1, image2)
-                },
-            )
+            val image = if (image1 or image2 == 0) 0 else code(0, image1, image2)
+            addRun(starts[rowStart + from], starts[rowStart + to + 1], image)
         } else {
             addCells(rowStart, from, to, image1, image2)
         }

@@ -39,7 +39,8 @@ public class Reach {
      * Computes the bounds from all velocities and radii of [population] for a step of [duration] within [boundary].
      *
      * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are searched,
-     *   when a number of the population is not finite, or when sizes, speeds and duration are beyond what can be computed
+     *   when a number of the population is not finite, when a sphere is outside a periodic box, or when sizes, speeds and
+     *   duration are beyond what can be computed
      */
     @JvmOverloads
     public fun measure(
@@ -53,6 +54,7 @@ public class Reach {
         fastest[0] = extremes.measure(population.vx, population.size, loop).magnitude
         fastest[1] = extremes.measure(population.vy, population.size, loop).magnitude
         fastest[2] = extremes.measure(population.vz, population.size, loop).magnitude
+        for (axis in 0 until AXES) requireInBox(axis, population, boundary, loop)
         extremes.measure(population.radius, population.size, loop)
         largestRadius = extremes.magnitude
         if (population.size > 0) {
@@ -67,21 +69,37 @@ public class Reach {
     }
 
     /**
-     * Computes closer bounds for [part], some of the spheres that [whole] has measured for a step of [duration]. What is
-     * refused for all is refused for the part too.
+     * Takes over the bounds of [whole], for some of the spheres that it has measured. What is refused for all is
+     * refused for the part too. Closer bounds would be no gain: what a sphere can meet is told by those of rows of
+     * cells.
      */
-    internal fun measurePart(part: SphereColumns, whole: Reach, duration: Double) {
+    internal fun take(whole: Reach) {
         headroom = whole.headroom
         for (axis in 0 until AXES) {
-            fastest[axis] = extremes.measure(part.velocity(axis), part.size, InlineLoop).magnitude
+            fastest[axis] = whole.fastest[axis]
             most[axis] = whole.most[axis]
+            speed[axis] = whole.speed[axis]
+            bound[axis] = whole.bound[axis]
         }
-        apply(duration)
     }
 
     /** Starts the next step with the headroom that [part] had to take in this one, if that is larger. */
     internal fun learn(part: Reach) {
         headroom = maxOf(headroom, part.headroom)
+    }
+
+    /** Images are counted from the box, so a sphere elsewhere would be looked for at the wrong ones. */
+    private fun requireInBox(axis: Int, population: SphereColumns, boundary: BoundaryConditions, loop: RangeLoop) {
+        if (!boundary.hasImages(axis) || population.size == 0) return
+        extremes.measure(population.position(axis), population.size, loop)
+        val low = boundary.box.lower(axis)
+        val high = low + boundary.box.length(axis)
+        val rounding = ImageRange.rounding(low, high)
+        require(extremes.least >= low - rounding && extremes.greatest <= high + rounding) {
+            val place = if (extremes.least < low - rounding) extremes.least else extremes.greatest
+            "a sphere is at ${"xyz"[axis]} = $place, outside the box, which goes from $low to $high; " +
+                "BoundaryConditions.endStep brings it back"
+        }
     }
 
     /**

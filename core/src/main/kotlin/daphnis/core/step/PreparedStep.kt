@@ -83,9 +83,9 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
      * Takes over the step of [whole], which has been measured, for some of its spheres only: for [part], which lies
      * about [middle], see [Grid.build]. Such a step is not to be written with [store].
      */
-    internal fun measurePart(whole: PreparedStep, part: SphereColumns, middle: DoubleArray) {
+    internal fun takePart(whole: PreparedStep, part: SphereColumns, middle: DoubleArray) {
         take(whole.step, part, middle)
-        reach.measurePart(part, whole.reach, duration)
+        reach.take(whole.reach)
         stage = Stage.MEASURED
     }
 

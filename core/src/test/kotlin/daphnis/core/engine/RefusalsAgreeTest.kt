@@ -186,6 +186,28 @@ class RefusalsAgreeTest {
     }
 
     @Test
+    fun `a sphere outside a periodic box is refused, not searched for at the wrong images, and its faces are inside`() {
+        for (boundary in listOf(Periodic(Box.centred(4.0, 6.0, 8.0)), LeesEdwards(Box.centred(4.0, 6.0, 8.0), 0.1))) {
+            for ((place, isRefused) in listOf(
+                -3.0 to false,
+                3.0 to false,
+                3.001 to true,
+                -9.0 to true,
+                1e300 to true,
+            )) {
+                val ends = engines().map { engine ->
+                    val start = populationOf(Sphere(y = place, vx = 1.0, r = 0.2), Sphere(x = 1.0, r = 0.2))
+                    engine.use { end(start, boundary, it, 0.1) }
+                }
+                assertEquals(1, ends.toSet().size) { "$place: $ends" }
+                assertEquals(isRefused, "a sphere is at y = $place, outside the box" in ends[0]) {
+                    "$place: ${ends[0]}"
+                }
+            }
+        }
+    }
+
+    @Test
     fun `scales whose squares underflow or overflow are refused, with the number and the reason`() {
         for ((length, speed, dt) in listOf(
             Triple(1e-100, 1e-100, 1.0),

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.ByteArrayOutputStream
 import java.io.DataOutputStream
+import java.nio.ByteBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -64,6 +65,21 @@ class CheckpointTest {
                 assertTrue("damaged" in e.message.orEmpty() || "cut short" in e.message.orEmpty()) { e.message }
             }
         }
+    }
+
+    @Test
+    fun `a record that was taken out is missed, whichever it is`() {
+        val file = broken().checkpoint
+        val good = Files.readAllBytes(file)
+        var at = HEADER
+        while (at < good.size) {
+            val name = String(good, at, 4, Charsets.ISO_8859_1)
+            val end = at + NAME_AND_LENGTH + ByteBuffer.wrap(good).getLong(at + 4).toInt() + CHECKSUM
+            Files.write(file, good.copyOf(at) + good.copyOfRange(end, good.size))
+            assertThrows(CheckpointException::class.java, { Checkpoint.read(file) }) { name }
+            at = end
+        }
+        assertEquals(good.size, at)
     }
 
     @Test
@@ -172,5 +188,12 @@ class CheckpointTest {
         val text = String(Files.readAllBytes(file), Charsets.ISO_8859_1)
         val spheres = text.substring(text.indexOf("IDS "), text.indexOf("OUTS"))
         return head + (spheres + text.substring(text.indexOf("END."))).toByteArray(Charsets.ISO_8859_1)
+    }
+
+    private companion object {
+        /** Bytes of the mark of the format and of its version. */
+        const val HEADER = 12
+        const val NAME_AND_LENGTH = 12
+        const val CHECKSUM = 4
     }
 }

@@ -94,7 +94,7 @@ class CandidatesTest {
             val kept = BooleanArray(population.size) { isKept(it) }
             if (kept.count { it } > 1) {
                 population.retain { kept[it] }
-                prepared.measurePart(whole, population, middle)
+                prepared.takePart(whole, population, middle)
             } else {
                 prepared.measure(step)
             }

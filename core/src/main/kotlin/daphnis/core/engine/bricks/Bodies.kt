@@ -10,7 +10,7 @@ import daphnis.core.population.SphereColumns
  * spheres.
  */
 internal class Bodies {
-    private val index = IndexList()
+    private val index = IntArray(MOST + 1)
     private var spheres: SphereColumns? = null
 
     /** Largest radius of the other spheres. */
@@ -18,7 +18,8 @@ internal class Bodies {
         private set
 
     /** Number of bodies. */
-    val size: Int get() = index.size
+    var size = 0
+        private set
 
     fun position(body: Int, axis: Int): Double = spheres!!.position(axis)[index[body]]
 
@@ -27,7 +28,7 @@ internal class Bodies {
     /** Finds those of [spheres] larger than [FACTOR] times the [mean] radius; none when there are more than [MOST]. */
     fun find(spheres: SphereColumns, largest: Double, mean: Double, loop: RangeLoop) {
         this.spheres = spheres
-        index.clear()
+        size = 0
         ordinary = largest
         val limit = mean * FACTOR
         if (largest <= limit) return
@@ -37,21 +38,21 @@ internal class Bodies {
             var most = 0.0
             for (k in from until to) {
                 if (radius[k] > limit) {
-                    synchronized(this) { if (index.size <= MOST) index.add(k) }
+                    synchronized(this) { if (size <= MOST) index[size++] = k }
                 } else if (radius[k] > most) {
                     most = radius[k]
                 }
             }
             synchronized(this) { if (most > rest) rest = most }
         }
-        if (index.size > MOST) index.clear() else ordinary = rest
-        index.sort()
+        if (size > MOST) size = 0 else ordinary = rest
+        index.sort(0, size)
     }
 
     /**
      * By brick of [territory]: how far beyond its end, along an axis that is cut, the surface of one of its spheres can
-     * be at the start of the step. That is the largest radius of its ordinary spheres, or the part of a body that sticks
-     * out, if that is more.
+     * be at the start of the step. That is the largest radius of its ordinary spheres, or the part of a body that
+     * sticks out, if that is more.
      */
     fun edges(territory: Territory): DoubleArray {
         val edges = DoubleArray(territory.size) { ordinary }

@@ -2,6 +2,7 @@ package daphnis.core.engine.bricks
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.storeFirst
 import daphnis.core.population.PopulationColumns
 import daphnis.core.queue.BucketEventQueue
 import daphnis.core.step.Impact
@@ -43,11 +44,11 @@ internal class Brick {
      * Computes the step of [whole], which has been measured, for [columns], which lie about [middle]. Ends early, with
      * no result, when [halt] says so.
      *
-     * @throws RuntimeException whatever the laws of the collision throw, or a refusal; it may come from a wrong guess of
-     *   what happens at the outer end of the halo
+     * @throws RuntimeException whatever the laws of the collision throw, or a refusal; it may come from a wrong guess
+     *   of what happens at the outer end of the halo
      */
     fun solve(whole: PreparedStep, middle: DoubleArray, halt: Halt) {
-        prepared.measurePart(whole, columns, middle)
+        prepared.takePart(whole, columns, middle)
         if (paths.size < columns.size) paths = LongArray(columns.size + columns.size / 4)
         outrun = 0
         while (!attempt(halt)) outrun++

@@ -50,23 +50,22 @@ internal class BrickColumns : SphereColumns {
     }
 
     /** Appends the entries [indices] of [spheres], for which there is room. */
-    fun add(spheres: SphereColumns, indices: IndexList) {
-        copy(spheres.x, x, indices)
-        copy(spheres.y, y, indices)
-        copy(spheres.z, z, indices)
-        copy(spheres.vx, vx, indices)
-        copy(spheres.vy, vy, indices)
-        copy(spheres.vz, vz, indices)
-        copy(spheres.radius, radius, indices)
-        copy(spheres.mass, mass, indices)
-        copy(spheres.lastCollision, lastCollision, indices)
-        for (k in 0 until indices.size) id[size + k] = spheres.id[indices[k]]
-        size += indices.size
+    fun add(spheres: SphereColumns, indices: IndexRuns) {
+        for (run in 0 until indices.runs) add(spheres, indices.from(run), indices.to(run))
     }
 
-    private fun copy(from: DoubleArray, to: DoubleArray, indices: IndexList) {
-        val at = size
-        for (k in 0 until indices.size) to[at + k] = from[indices[k]]
+    private fun add(spheres: SphereColumns, from: Int, to: Int) {
+        spheres.x.copyInto(x, size, from, to)
+        spheres.y.copyInto(y, size, from, to)
+        spheres.z.copyInto(z, size, from, to)
+        spheres.vx.copyInto(vx, size, from, to)
+        spheres.vy.copyInto(vy, size, from, to)
+        spheres.vz.copyInto(vz, size, from, to)
+        spheres.radius.copyInto(radius, size, from, to)
+        spheres.mass.copyInto(mass, size, from, to)
+        spheres.lastCollision.copyInto(lastCollision, size, from, to)
+        spheres.id.copyInto(id, size, from, to)
+        size += to - from
     }
 
     private companion object {

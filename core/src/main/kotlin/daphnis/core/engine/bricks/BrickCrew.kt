@@ -20,9 +20,12 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
     private var boxes = Mailboxes(0)
     private var agreement = Agreement(0, margins) { _, _ -> }
     private var starts = IntArray(1)
-    private var territory: Territory? = null
     private val counted = CollisionCounters()
     private var steps = 0L
+
+    /** How space is divided; null before the first [settle]. */
+    var territory: Territory? = null
+        private set
 
     /** See [BrickNode.isTrusting]. */
     var isTrusting = false
@@ -36,7 +39,6 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
 
     /** Divides space anew. */
     fun settle(territory: Territory) {
-        this.territory = territory
         val count = territory.size
         bricks = List(count) { bricks.getOrNull(it) ?: Brick() }
         boxes = Mailboxes(count)
@@ -44,6 +46,8 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
         agreement = Agreement(count, margins, boxes.postBetween())
         margins.reset(count)
         starts = IntArray(count + 1)
+        // Last, so that it is done again when it has failed.
+        this.territory = territory
     }
 
     /**
@@ -51,9 +55,9 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
      *
      * @param extent of all spheres
      * @param isLate whether the step is to be given up
-     * @return false when it was given up
+     * @return how it ended; unless all have agreed it was given up
      */
-    fun compute(bodies: Bodies, extent: GridExtent, loop: RangeLoop, isLate: () -> Boolean): Boolean {
+    fun compute(bodies: Bodies, extent: GridExtent, loop: RangeLoop, isLate: () -> Boolean): End {
         val population = whole.step.population
         val halt = Halt()
         val widths = firstWidths(bodies, extent)
@@ -68,12 +72,13 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
             boxes.turn()
             boxes.take(BrickMessage.AGREEMENT) { agreement.receive(it) }
             if (agreement.isDone) break
-            if (agreement.redone > MOST_REDOS || isLate()) return false
+            if (agreement.redone > MOST_REDOS) return End.DISAGREED
+            if (isLate()) return End.LATE
             each(loop, halt) { k -> boxes.take(k) { nodes[k].receive(it) } }
         }
         redone += agreement.redone
         margins.keep(agreement.widths)
-        return true
+        return End.AGREED
     }
 
     private fun firstWidths(bodies: Bodies, extent: GridExtent): HaloWidths {
@@ -141,6 +146,9 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
         counters.add(counted)
         margins.collisionsPerSphere = 2.0 * counted.collisions / maxOf(1, whole.step.population.size)
     }
+
+    /** How [compute] ended. */
+    enum class End { AGREED, DISAGREED, LATE }
 
     private companion object {
         /** So many attempts fail only when halos hardly grow compared with what matters; serially it is quicker. */

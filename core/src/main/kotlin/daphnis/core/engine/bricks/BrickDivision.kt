@@ -4,13 +4,14 @@ package daphnis.core.engine.bricks
  * Into how many parts space is cut along x, y and z: slabs along one axis, pencils along two, blocks along three. An
  * axis along which images slide, or along which all spheres are at one place, is not cut, whatever is asked for.
  *
- * @throws IllegalArgumentException unless each is in 1..[MOST]
+ * @throws IllegalArgumentException unless each is in 1..[MOST] and there are at most [MOST_BRICKS] bricks
  */
 public data class BrickDivision(public val x: Int, public val y: Int, public val z: Int) {
     init {
         for (parts in listOf(x, y, z)) {
             require(parts in 1..MOST) { "$parts parts along an axis; 1 to $MOST are possible" }
         }
+        require(x * y * z <= MOST_BRICKS) { "${x * y * z} bricks; $MOST_BRICKS are possible" }
     }
 
     /** Number of bricks. */
@@ -25,6 +26,9 @@ public data class BrickDivision(public val x: Int, public val y: Int, public val
     public companion object {
         /** The most parts along one axis. */
         public const val MOST: Int = 32
+
+        /** The most bricks: each writes to each. */
+        public const val MOST_BRICKS: Int = 256
 
         internal val ONE = BrickDivision(1, 1, 1)
     }

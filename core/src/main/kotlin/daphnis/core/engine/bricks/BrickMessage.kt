@@ -47,8 +47,8 @@ internal class Halo(
     override val key: AttemptKey,
     override val from: Int,
     val spheres: SphereColumns,
-    val own: IndexList,
-    val near: IndexList,
+    val own: IndexRuns,
+    val near: IndexRuns,
 ) : BrickMessage
 
 /**

@@ -1,9 +1,9 @@
 package daphnis.core.engine.bricks
 
 /**
- * The part of one brick in a step, as a state machine without threads: [begin] starts a step, [receive] takes a message,
- * and both post what follows. Messages may arrive in any order and more than once; one that is early waits, one that is
- * late or known is dropped.
+ * The part of one brick in a step, as a state machine without threads: [begin] starts a step, [receive] takes a
+ * message, and both post what follows. Messages may arrive in any order and more than once; one that is early waits,
+ * one that is late or known is dropped.
  *
  * ```
  *             begin: Halo to all             Halo from all: compute, Outcome to all
@@ -37,8 +37,8 @@ internal class BrickNode(
     private val bricks = territory.size
     private val vicinity = Vicinity(territory, number)
     private val middle = territory.middle(number)
-    private val own = Array(bricks) { IndexList() }
-    private val near = Array(bricks) { IndexList() }
+    private val own = Array(bricks) { IndexRuns() }
+    private val near = Array(bricks) { IndexRuns() }
     private val paths = Array(bricks) { PathList() }
     private val halos = arrayOfNulls<Halo>(bricks)
     private val outcomes = arrayOfNulls<Outcome>(bricks)

@@ -32,12 +32,12 @@ import daphnis.core.step.PreparedStep
  *
  * **Same bits.** Let P(q) be the path of sphere q that its owner has computed. Suppose that, for every brick n at once,
  * n has computed P(q) for all q in its sight, which is everything that a sphere of the territory could touch within the
- * bounds of the step. Then {P} is the serial engine's step. Otherwise take its first collision, p with q, that {P} lacks
- * or has otherwise; up to then the paths of both are right in {P}. If one brick owns both, its own computation would
- * have found the collision. If p's owner n does not own q, then q is in the sight of n, so n has worked with P(q) and
- * would have found it. A collision that only {P} has fails in the same way. "At once" takes one agreement of all bricks:
- * one that computes again may change a path that was compared before. Copies keep the coordinates and images of the
- * whole box, so they are rounded as in the serial engine.
+ * bounds of the step. Then {P} is the serial engine's step. Otherwise take its first collision, p with q, that {P}
+ * lacks or has otherwise; up to then the paths of both are right in {P}. If one brick owns both, its own computation
+ * would have found the collision. If p's owner n does not own q, then q is in the sight of n, so n has worked with P(q)
+ * and would have found it. A collision that only {P} has fails in the same way. "At once" takes one agreement of all
+ * bricks: one that computes again may change a path that was compared before. Copies keep the coordinates and images of
+ * the whole box, so they are rounded as in the serial engine.
  *
  * So exactness does not rest on the width of the halo, which is a guess; that only decides how often bricks compute
  * again ([HaloMargins]). A guess may end with an exception, though. The step is then left to the serial engine, whose
@@ -76,7 +76,7 @@ public class BricksEngine internal constructor(
     private val quicker = QuickerWay()
     private var failed = false
 
-    /** Steps of bricks that were computed again, with wider halos, since the start. */
+    /** Attempts that bricks computed again, with wider halos, since the start; not those of steps that were given up. */
     public val redone: Long get() = crew.redone
 
     /** Number of spheres in halos in the last step that bricks computed, each as often as it was computed. */
@@ -115,10 +115,12 @@ public class BricksEngine internal constructor(
         failed = false
         try {
             whole.measure(step, loop)
-            if (plan.prepare(loop)) plan.territory?.let { crew.settle(it) }
+            plan.prepare(loop)
             val territory = plan.territory ?: return false
-            failed = !crew.compute(plan.bodies, plan.extent, loop) { quicker.isLate }
-            if (failed) return false
+            if (crew.territory !== territory) crew.settle(territory)
+            val end = crew.compute(plan.bodies, plan.extent, loop) { quicker.isLate }
+            failed = end == BrickCrew.End.DISAGREED
+            if (end != BrickCrew.End.AGREED) return false
             crew.collect(step.record)
             bricks = territory.size
         } catch (e: Exception) {

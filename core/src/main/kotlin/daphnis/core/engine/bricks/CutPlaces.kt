@@ -10,6 +10,9 @@ import kotlin.math.abs
  * and away from bodies. Follows from the spheres alone, and changes no bit.
  */
 internal class CutPlaces(private val spheres: SphereColumns, private val boundary: BoundaryConditions) {
+    /** Number of spheres. */
+    val count: Int get() = spheres.size
+
     /**
      * @param clearance by axis: how far from the surface of one of [bodies] a plane should be
      */

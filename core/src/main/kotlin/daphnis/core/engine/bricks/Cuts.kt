@@ -3,10 +3,10 @@ package daphnis.core.engine.bricks
 import daphnis.core.boundary.BoundaryConditions
 
 /**
- * The planes that cut space into bricks: [planes] holds for each of x, y, z their positions in ascending order. One part
- * of space lies between two planes. Along a periodic axis n planes make n parts, of which the last goes on across the
- * face of the box to the first plane; fewer than two planes do not cut it. Along another axis n planes make n + 1 parts,
- * of which the outermost have no end. Immutable.
+ * The planes that cut space into bricks: [planes] holds for each of x, y, z their positions in ascending order. One
+ * part of space lies between two planes. Along a periodic axis n planes make n parts, of which the last goes on across
+ * the face of the box to the first plane; fewer than two planes do not cut it. Along another axis n planes make n + 1
+ * parts, of which the outermost have no end. Immutable.
  *
  * Slabs are cut along one axis, pencils along two, blocks along three.
  */
@@ -16,7 +16,9 @@ internal class Cuts(private val planes: List<DoubleArray>, boundary: BoundaryCon
     /** Number of parts along [axis]. */
     fun parts(axis: Int): Int = if (periodic[axis]) maxOf(planes[axis].size, 1) else planes[axis].size + 1
 
-    fun isCut(axis: Int): Boolean = parts(axis) > 1
+    private val isCut = BooleanArray(AXES) { parts(it) > 1 }
+
+    fun isCut(axis: Int): Boolean = isCut[axis]
 
     /** Lower end of [part] along [axis]; −∞ where there is none. */
     fun lower(axis: Int, part: Int): Double = when {

@@ -6,8 +6,8 @@ package daphnis.core.engine.bricks
  * often a step is redone.
  *
  * A brick starts with [DIAMETERS] mean diameters and [PER_COLLISION] for each collision of a sphere in a step. After a
- * redo it keeps the wider halo, which then shrinks by two per cent per step, not below the start. A redo costs a step of
- * the brick, which is more than some per cent of halo, so too wide is better than too narrow.
+ * redo it keeps the wider halo, which then shrinks by two per cent per step, not below the start. A redo costs a step
+ * of the brick, which is more than some per cent of halo, so too wide is better than too narrow.
  *
  * @param diameters least width in mean diameters
  * @param perCollision the same for each collision of a sphere in a step

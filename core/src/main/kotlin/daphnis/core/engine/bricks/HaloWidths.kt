@@ -6,9 +6,9 @@ import daphnis.core.engine.bricks.Cuts.Companion.AXES
  * How wide the halo of each brick is in one attempt at a step. A sphere of radius r belongs to the halo of a brick when
  * its distance from the territory is at most `2 bound + edge + extra + r` along every axis that is cut. Immutable.
  *
- * The first two terms and r are the **sight** of the brick: within the step no sphere goes farther than its bound, so no
- * sphere of the territory can touch one from beyond. `edge` stands for the radius of the spheres of the territory; see
- * [Bodies.edges]. `extra` is room for what may reach a sphere in sight by a chain of collisions, an estimate.
+ * The first two terms and r are the **sight** of the brick: within the step no sphere goes farther than its bound, so
+ * no sphere of the territory can touch one from beyond. `edge` stands for the radius of the spheres of the territory;
+ * see [Bodies.edges]. `extra` is room for what may reach a sphere in sight by a chain of collisions, an estimate.
  *
  * @param bound how far a sphere may go along x, y, z, as far as is known
  * @param rounding of positions along x, y, z
@@ -39,7 +39,7 @@ internal class HaloWidths(
     fun sight(axis: Int, brick: Int, own: Double, other: Double): Double =
         (own + other + edge[brick]) * ROOM + rounding[axis]
 
-    /** Wider halos for the bricks that [isWrong] accepts, with larger bounds for all, for the attempt after [attempt]. */
+    /** Wider halos for the bricks that [isWrong] accepts, with larger bounds for all, for what follows [attempt]. */
     fun widened(isWrong: BooleanArray, reach: DoubleArray, attempt: Int, margins: HaloMargins): HaloWidths {
         val wider = DoubleArray(extra.size) { if (isWrong[it]) margins.widened(extra[it], attempt) else extra[it] }
         return HaloWidths(DoubleArray(AXES) { maxOf(bound[it], reach[it]) }, rounding, edge, wider)

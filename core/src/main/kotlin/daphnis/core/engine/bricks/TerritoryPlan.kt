@@ -50,29 +50,28 @@ internal class TerritoryPlan(
         steps >= due || boundary !== step.boundary || abs(step.population.size - spheres) > spheres / FEW
 
     /**
-     * Looks at the step, which [whole] has measured.
+     * Looks at the step, which [whole] has measured, and decides on its [territory].
      *
-     * @return whether there is another [territory] than in the step before
      * @throws IllegalArgumentException when spheres are too far apart, see [GridExtent.requireComputable]
      */
-    fun prepare(loop: RangeLoop): Boolean {
+    fun prepare(loop: RangeLoop) {
         val step = whole.step
         val population = step.population
         extent.measure(population, step.boundary, NOWHERE, loop)
         extent.requireComputable(whole.reach.largestRadius)
-        if (boundary !== step.boundary) interval = 1
         val isDue = isDue(step)
         steps++
         if (isDue) meanRadius = meanRadius(population)
         bodies.find(population, whole.reach.largestRadius, meanRadius, loop)
-        if (!isDue) return false
-        due = steps - 1 + interval
-        interval = minOf(interval * MORE, STEPS)
-        boundary = step.boundary
-        spheres = population.size
+        if (!isDue) return
         margins.diameter = 2 * meanRadius
         territory = choose(population, step.boundary)
-        return true
+        if (boundary !== step.boundary) interval = 1
+        due = steps - 1 + interval
+        interval = minOf(interval * MORE, STEPS)
+        // Last, so that a plan that has failed is made anew.
+        spheres = population.size
+        boundary = step.boundary
     }
 
     private fun choose(population: SphereColumns, boundary: BoundaryConditions): Territory? {
@@ -89,7 +88,7 @@ internal class TerritoryPlan(
             if (places.canCut(axis) && extent.size[axis] > 0) width / extent.size[axis] else 0.0
         }
         val periodic = BooleanArray(AXES) { boundary.hasImages(it) }
-        return BrickCost(spheres, threads, margins.collisionsPerSphere, shares, periodic)
+        return BrickCost(places.count, threads, margins.collisionsPerSphere, shares, periodic)
     }
 
     private fun meanRadius(spheres: SphereColumns): Double {

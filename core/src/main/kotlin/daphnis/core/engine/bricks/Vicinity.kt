@@ -19,7 +19,7 @@ internal class Vicinity(private val territory: Territory, private val home: Int)
     // Along each axis the parts near the sphere and their distances.
     private val near = Array(AXES) { IntArray(territory.parts(it)) }
     private val distance = Array(AXES) { DoubleArray(territory.parts(it)) }
-    private val count = IntArray(AXES)
+    private val count = IntArray(AXES) { 1 }
 
     /** The owner of the sphere. */
     var owner = 0
@@ -49,9 +49,9 @@ internal class Vicinity(private val territory: Territory, private val home: Int)
         owner = home
         if (isInner(0, x, r) && isInner(1, y, r) && isInner(2, z, r)) return
         owner = territory.ownerOf(x, y, z)
-        findParts(0, x, r)
-        findParts(1, y, r)
-        findParts(2, z, r)
+        if (territory.cuts.isCut(0)) findParts(0, x, r)
+        if (territory.cuts.isCut(1)) findParts(1, y, r)
+        if (territory.cuts.isCut(2)) findParts(2, z, r)
         for (c in 0 until count[2]) {
             for (b in 0 until count[1]) {
                 for (a in 0 until count[0]) addIfNear(a, b, c, r)

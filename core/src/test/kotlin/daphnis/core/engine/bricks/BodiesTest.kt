@@ -77,7 +77,7 @@ class BodiesTest {
         val bodies = Bodies().also { it.find(p, whole.reach.largestRadius, 0.4, InlineLoop) }
         assertEquals(1, bodies.size)
         val extent = GridExtent().also { it.measure(p, boundary, Grid.WHOLE, InlineLoop) }
-        assertTrue(crew.compute(bodies, extent, InlineLoop) { false })
+        assertEquals(BrickCrew.End.AGREED, crew.compute(bodies, extent, InlineLoop) { false })
         crew.collect(null)
         crew.store(InlineLoop)
         return crew.redone

@@ -47,7 +47,7 @@ internal class BrickNet(
     private val old = ArrayList<Letter>()
     private val agreed = HashMap<Int, Int>()
 
-    private lateinit var territory: Territory
+    private var territory = Territory(Cuts(List(AXES) { DoubleArray(0) }, boundary), boundary, epoch = 0)
     private lateinit var bricks: List<Brick>
     private lateinit var nodes: List<BrickNode>
     private lateinit var agreement: Agreement
@@ -76,7 +76,8 @@ internal class BrickNet(
         step.start = steps * dt
         step.duration = dt
         whole.measure(step)
-        if (plan.prepare(InlineLoop)) settle(plan.territory!!)
+        plan.prepare(InlineLoop)
+        if (territory !== plan.territory) settle(plan.territory!!)
         margins.diameter = 0.5
         val bound = whole.reach.bound.copyOf()
         val widths = HaloWidths(bound, DoubleArray(AXES), plan.bodies.edges(territory), margins.next())
@@ -144,7 +145,8 @@ internal class BrickNet(
     /** The first halo of the step with a sphere in sight gets a wrong bit in the last digits of one number. */
     private fun flip(to: Int, message: BrickMessage): BrickMessage {
         if (flipped > 0 || message !is Halo || message.key.attempt > 0 || random.nextInt(4) != 0) return message
-        val seen = (0 until message.near.size).map { message.near[it] }.filter { isTouchable(to, it) }
+        val near = (0 until message.near.runs).flatMap { message.near.from(it) until message.near.to(it) }
+        val seen = near.filter { isTouchable(to, it) }
         if (seen.isEmpty()) return message
         val k = seen[random.nextInt(seen.size)]
         val spheres = population.copy()

@@ -1,6 +1,7 @@
 package daphnis.core.engine.bricks
 
 import daphnis.core.Sphere
+import daphnis.core.boundary.Open
 import daphnis.core.initial.SeededRandom
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -94,6 +95,29 @@ class BrickPartsTest {
     fun `a division has at least one part along each axis`() {
         assertThrows(IllegalArgumentException::class.java) { BrickDivision(0, 1, 1) }
         assertThrows(IllegalArgumentException::class.java) { BrickDivision(1, 1, BrickDivision.MOST + 1) }
+        assertThrows(IllegalArgumentException::class.java) { BrickDivision(16, 16, 2) }
+        assertEquals(BrickDivision.MOST_BRICKS, BrickDivision(16, 16, 1).bricks)
+    }
+
+    @Test
+    fun `a brick is not right when it has not heard of a sphere in sight, or could not see far enough`() {
+        // Its own sphere at 0, one of its neighbour at 3; the plane is at 1.
+        val p = populationOf(Sphere(r = 0.5), Sphere(x = 3.0, r = 0.5))
+        val territory = Territory(Cuts(listOf(doubleArrayOf(1.0), DoubleArray(0), DoubleArray(0)), Open), Open, 1)
+        val brick = Brick()
+        brick.columns.clear(2)
+        brick.columns.add(p, IndexRuns().also { runs -> repeat(2) { runs.add(it) } })
+        brick.own = 1
+        val comparison = PathComparison(0, territory, brick).also { it.index() }
+        fun isRight(bound: Double, planned: Double, total: Int): Boolean {
+            val widths = HaloWidths(DoubleArray(3) { planned }, DoubleArray(3), DoubleArray(2) { 0.5 }, DoubleArray(2))
+            val silent = Outcome(AttemptKey(1, 1, 0), 1, PathList(), DoubleArray(3) { bound })
+            return comparison.isRight(widths, arrayOf(null, silent), total)
+        }
+        // Sight is bound + 0.5 and the radius, the distance 2: out of sight, in sight, farther than the halo reaches.
+        assertEquals(listOf(true, false), listOf(isRight(0.9, 1.0, 9), isRight(1.1, 1.0, 9)))
+        assertEquals(listOf(true, false), listOf(isRight(0.9, 0.46, 9), isRight(0.9, 0.44, 9)))
+        assertTrue(isRight(0.9, 0.0, total = 2)) { "a halo that holds all others" }
     }
 
     @Test

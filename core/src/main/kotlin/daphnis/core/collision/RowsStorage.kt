@@ -1,0 +1,76 @@
+package daphnis.core.collision
+
+import daphnis.core.collision.StepRows.Companion.RADIUS
+import daphnis.core.collision.StepRows.Companion.STRIDE
+import daphnis.core.collision.StepRows.Companion.TIME
+import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.population.PopulationColumns
+
+private const val NOWHERE = -1
+
+/** Writes the slots [from] until [to], at the end of a step of [duration], to the same entries of [columns]. */
+internal fun StepRows.storeRange(columns: PopulationColumns, duration: Double, from: Int, to: Int) {
+    storeStates(columns, duration, from, to) { it }
+    mass.copyInto(columns.mass, from, from, to)
+    id.copyInto(columns.id, from, from, to)
+    if (tracksLastCollision) {
+        val last = columns.lastCollision
+        for (slot in from until to) last[slot] = lastCollision[slot] - duration
+    }
+}
+
+/**
+ * Moves the spheres whose [StepRows.origin] is below [first] to the end of a step of [duration] and writes them, in the order
+ * of their slots, to entries [at], [at] + 1, … of [columns]. Other spheres are left out.
+ *
+ * @return how many were written
+ */
+internal fun StepRows.storeFirst(first: Int, columns: PopulationColumns, at: Int, duration: Double): Int {
+    var next = at
+    storeStates(columns, duration, 0, size) { if (origin[it] < first) next++ else NOWHERE }
+    var k = at
+    for (slot in 0 until size) {
+        if (origin[slot] >= first) continue
+        columns.mass[k] = mass[slot]
+        columns.id[k] = id[slot]
+        if (tracksLastCollision) columns.lastCollision[k] = lastCollision[slot] - duration
+        k++
+    }
+    return next - at
+}
+
+/** Writes positions, velocities and radii of the slots [from] until [to], each to the entry that [place] says. */
+private inline fun StepRows.storeStates(
+    columns: PopulationColumns,
+    duration: Double,
+    from: Int,
+    to: Int,
+    place: (Int) -> Int,
+) {
+    val state = state
+    val x = columns.x
+    val y = columns.y
+    val z = columns.z
+    val vx = columns.vx
+    val vy = columns.vy
+    val vz = columns.vz
+    val r = columns.radius
+    var p = from * STRIDE
+    for (slot in from until to) {
+        val k = place(slot)
+        if (k != NOWHERE) {
+            val rest = duration - state[p + TIME]
+            val u = state[p + VX]
+            val v = state[p + VX + 1]
+            val w = state[p + VX + 2]
+            x[k] = state[p] + u * rest
+            y[k] = state[p + 1] + v * rest
+            z[k] = state[p + 2] + w * rest
+            vx[k] = u
+            vy[k] = v
+            vz[k] = w
+            r[k] = state[p + RADIUS]
+        }
+        p += STRIDE
+    }
+}
