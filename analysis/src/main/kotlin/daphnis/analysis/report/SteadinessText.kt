@@ -44,7 +44,8 @@ internal class SteadinessText(private val from: Double, private val unit: String
         val each = percent(abs(part) * duration / time)
         val mser = Steadiness.steadyFrom(history.values).let { if (it < 0) null else history.times[it] }
         val advice = if (mser != null && mser > from) {
-            "by MSER-5 it is steady from time ${ReportText.short(mser)} on (--from)"
+            val inOrbits = if (unit == "orbit") " (${ReportText.short(mser / duration)} orbits)" else ""
+            "by MSER-5 it is steady from time ${ReportText.short(mser)}$inOrbits on (--from)"
         } else {
             "a longer run is needed"
         }

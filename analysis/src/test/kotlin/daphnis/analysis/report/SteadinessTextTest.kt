@@ -27,8 +27,10 @@ class SteadinessTextTest {
         ) {
             lines[0]
         }
-        val from = Regex("from time (\\d+)").find(lines[0])!!.groupValues[1].toInt()
-        assertTrue(from in 90..100) { lines[0] }
+        val found = Regex("from time (\\d+) \\(([\\d.]+) orbits\\) on").find(lines[0])!!
+        val (from, orbits) = found.destructured
+        assertTrue(from.toInt() in 90..100) { lines[0] }
+        assertEquals(from.toDouble() / 10, orbits.toDouble(), 0.01)
         assertEquals("No drift is seen over the time averaged: dispersion.", lines[1])
     }
 

@@ -113,8 +113,7 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
                     "raise it with -Xmx if the file is sound",
             )
         } catch (e: LinkageError) {
-            // From a filter that is not installed.
-            throw none(path, e)
+            throw FormatException("$path: is compressed by a library that is not on the class path: ${e.message}")
         }
 
         private fun none(path: Path, e: Throwable): FormatException {

@@ -92,8 +92,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         var last = most[0]
         val bounds = bounds
         if (bounds != null) {
-            last =
-                if (isWithin(bounds, row, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
+            last = if (isWithin(bounds, row, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
         }
         if (cells[0] == layout.period[0]) {
             if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)

@@ -250,7 +250,10 @@ class CandidatesTest {
         val step = CollisionStep(population, case.step.boundary, law, CollisionCounters())
         step.start = case.step.start
         step.duration = 0.3
-        repeat(3) { engine.advance(step) }
+        repeat(3) {
+            engine.advance(step)
+            step.boundary.endStep(population, step.start + step.duration)
+        }
         return stateDigest(population)
     }
 }

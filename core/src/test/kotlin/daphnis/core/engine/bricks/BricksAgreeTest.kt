@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Timeout
 /** Bricks of every shape and with halos of every width against the serial engine. */
 @Timeout(600)
 class BricksAgreeTest {
-    private val draws = java.lang.Long.getLong("daphnis.draws", 240)
+    private val draws = java.lang.Long.getLong("daphnis.draws", 120)
 
     private fun case(seed: Long): Case = if (seed % 4 == 0L) OddDraw(seed) else Draw(seed)
 
@@ -54,7 +54,7 @@ class BricksAgreeTest {
             redone += engine.redone
         }
         println("$draws draws, $redone redone with wider halos, $replays replays")
-        if (draws >= 240) assertTrue(redone > draws / 4) { "only $redone steps redone: halos are never too narrow" }
+        if (draws >= 120) assertTrue(redone > draws / 4) { "only $redone steps redone: halos are never too narrow" }
         assertTrue(replays < draws / 4) { "$replays of $draws draws left to the serial engine" }
     }
 
