@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.core.cluster.FleetException
 import daphnis.core.format.FormatException
 import daphnis.core.format.oneLine
 import daphnis.core.run.RunException
@@ -13,6 +14,7 @@ import java.nio.file.InvalidPathException
 internal fun complain(e: Throwable): Int = when (e) {
     is InputException -> complain(inFlags(e), EXIT_INPUT)
     is FormatException -> complain(e.message.orEmpty(), EXIT_INPUT)
+    is FleetException -> complain(e.message.orEmpty(), EXIT_FAILED)
     is RunException -> complain(e.message.orEmpty(), EXIT_FAILED)
     is InvalidPathException -> {
         val mend = "names beyond ASCII need a locale with UTF-8"

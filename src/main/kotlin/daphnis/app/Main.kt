@@ -57,6 +57,8 @@ internal fun runDaphnis(args: Array<String>): Int {
         AnalyzeCommand(),
         ScenariosCommand(),
         DescribeCommand(),
+        NodeCommand(),
+        BenchCommand(),
     )
     return try {
         requireReadable(words)

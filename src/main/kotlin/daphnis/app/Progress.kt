@@ -4,7 +4,6 @@ import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.Simulation
-import daphnis.core.population.Conserved
 
 /**
  * Progress of a run to time [until]: one line that rewrites itself on a terminal, a plain line now and then elsewhere.
@@ -36,7 +35,7 @@ internal class Progress(private val quiet: Boolean, private val until: Double) :
         if (wallSeconds - shownAt < interval) return
         val left = wallSeconds * (until - simulation.time) / (simulation.time - firstTime)
         val rate = (collisions - collisionsBefore) / (wallSeconds - shownAt)
-        val energy = Conserved.of(simulation.population).kineticEnergy
+        val energy = simulation.conserved().kineticEnergy
         show(ProgressLine(simulation.runStart, simulation.time, until, simulation.step, left, rate, energy))
         shownAt = wallSeconds
         collisionsBefore = collisions

@@ -3,10 +3,13 @@ package daphnis.app
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
+import com.github.ajalt.clikt.parameters.types.int
 import daphnis.core.run.Run
+import daphnis.core.scenario.InputException
 
 /** `daphnis resume`. */
 class ResumeCommand : CliktCommand(name = "resume") {
@@ -17,11 +20,17 @@ class ResumeCommand : CliktCommand(name = "resume") {
         help = "continue with damaged tables as they are, and report what is lost",
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
+    private val threads by option("--threads", help = "threads of each node on this machine, with --nodes").int()
+    private val fleet by FleetOptions()
 
     override fun help(context: Context) =
         "Continue a run from its last good checkpoint, to the same bits as an uninterrupted run."
 
     override fun run() {
-        carryOut(quiet) { Run.resume(pathOf(directory, "dir"), until, allEngines, acceptLoss) }
+        if (threads != null && !fleet.isGiven) throw InputException("--threads", null, "needs --nodes")
+        val path = pathOf(directory, "dir")
+        fleet.withEngines(path.fileName?.toString() ?: "run", threads) { engines ->
+            carryOut(quiet) { Run.resume(path, until, engines, acceptLoss) }
+        }
     }
 }

@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.default
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
@@ -15,7 +16,6 @@ import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
-import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
@@ -41,18 +41,24 @@ class RunCommand : CliktCommand(name = "run") {
     )
     private val force by option("--force", help = "replace the run in the run directory").flag()
     private val quiet by option("--quiet", help = "no progress").flag()
+    private val fleet by FleetOptions()
 
     override fun help(context: Context) = "Simulate a scenario into a run directory."
 
     override fun run() {
+        if (engine != null && fleet.isGiven) {
+            throw InputException("--engine", null, "is for one process; nodes compute in a way of their own")
+        }
         val resolved = resolve(described(scenarioNamed(scenario, settings + shorthands())))
-        val directory = out?.let { pathOf(it, "--out") } ?: freeDirectory(resolved.name)
-        carryOut(quiet) { Run.start(resolved, scenario, directory, force, allEngines) }
+        val directory = out?.let { pathOf(it, "--out") } ?: directoryNamed(resolved.name)
+        fleet.withEngines(resolved.name, threads) { engines ->
+            carryOut(quiet) { Run.start(resolved, scenario, directory, force, engines) }
+        }
     }
 
     private fun shorthands() = listOfNotNull(
         engine?.let { "engine.name=$it" },
-        threads?.let { "engine.threads=$it" },
+        threads?.takeUnless { fleet.isGiven }?.let { "engine.threads=$it" },
         until?.let { "until=$it" },
         seed?.let { "seed=$it" },
     )
@@ -78,17 +84,10 @@ class RunCommand : CliktCommand(name = "run") {
     }
 
     /** runs/NAME, or runs/NAME-2, -3, … */
-    private fun freeDirectory(name: String): Path {
+    private fun directoryNamed(name: String): Path {
         val letters = name.map { if (isNameable(it)) it else '-' }.joinToString("")
         val safe = letters.trim('.').take(LONGEST_NAME).ifEmpty { "run" }
-        val base = Path.of("runs").resolve(safe)
-        return generateSequence(1) { it + 1 }.map {
-            if (it == 1) {
-                base
-            } else {
-                base.resolveSibling("$safe-$it")
-            }
-        }.first { !Files.exists(it) }
+        return freeDirectory(Path.of("runs").resolve(safe))
     }
 
     /** Letters beyond ASCII only where the file system takes them, which depends on the locale. */

@@ -21,7 +21,15 @@ class ArchitectureTest {
 
     @Test
     fun `every module is there to be looked at, without its tests`() {
-        for (name in listOf("core", "actors.region", "actors.coroutine", "actors.pekko", "analysis.report", "app")) {
+        for (name in listOf(
+            "core",
+            "actors.region",
+            "actors.coroutine",
+            "actors.pekko",
+            "cluster.link",
+            "analysis.report",
+            "app",
+        )) {
             assertTrue(classes.any { it.packageName == "daphnis.$name" }) { "no class of daphnis.$name" }
         }
         assertTrue(classes.none { it.name == "daphnis.core.Sphere" || it.simpleName.endsWith("Test") })
@@ -67,6 +75,14 @@ class ArchitectureTest {
             "daphnis.actors.coroutine..",
             "daphnis.actors.pekko..",
         )
+    }
+
+    @Test
+    fun `the cluster knows core alone, and Pekko where it must`() {
+        know("daphnis.cluster..", "daphnis.actors..", "daphnis.analysis..", "daphnis.app..", "kotlinx.coroutines..")
+        for (part in listOf("hosts", "security", "link", "desk", "settings", "local")) {
+            know("daphnis.cluster.$part..", "org.apache.pekko..")
+        }
     }
 
     @Test

@@ -49,6 +49,7 @@ class CommandLineTest {
             "islands" to 3,
             "bricks" to 2,
             "thread-pool" to 2,
+            "horizon" to 1,
             "actors" to 2,
             "pekko" to 2,
         )) {

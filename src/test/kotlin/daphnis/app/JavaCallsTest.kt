@@ -146,7 +146,7 @@ class JavaCallsTest {
             source(type).isNotEmpty() && type.enclosingClass?.let(::isDeclaredPublic) != false
 
         val types: List<Class<*>> = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests())
-            .importPackages("daphnis.core", "daphnis.actors", "daphnis.analysis")
+            .importPackages("daphnis.core", "daphnis.actors", "daphnis.cluster", "daphnis.analysis")
             .map { Class.forName(it.name, false, JavaCallsTest::class.java.classLoader) }
             .filter { Modifier.isPublic(it.modifiers) && !it.isSynthetic && it.simpleName != "Companion" }
             .filter(::isDeclaredPublic)

@@ -12,6 +12,8 @@ internal val drills: List<Drill> = listOf(
     ScenarioFuzzDrill,
     ForeignFuzzDrill,
     ThrowDrill,
+    NodesDrill,
+    NetworkDrill,
 )
 
 /** `drill NAME [CASES [SEED]]`: tells every case, then what was tried and lost; exit code 1 when anything was. */

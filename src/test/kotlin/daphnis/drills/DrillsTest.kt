@@ -2,12 +2,15 @@ package daphnis.drills
 
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /** The drills in their short forms; the long ones are run by hand, see tools/drills and docs/reliability.md. */
 @Tag("drill")
 class DrillsTest {
+    private val isLong = java.lang.Boolean.getBoolean("daphnis.long")
+
     private fun assertNothingLost(drill: Drill, cases: Int, seed: Long = 1) {
         val told = ArrayList<String>()
         val tally = drill.run(cases, seed) { told += it }
@@ -23,6 +26,18 @@ class DrillsTest {
 
     @Test
     fun `with too little memory everything ends by itself`() = assertNothingLost(SmallHeapDrill, 5)
+
+    @Test
+    fun `nodes that die, stand still, come and go leave the files of one engine`() =
+        assertNothingLost(NodesDrill, if (isLong) 10 else 1)
+
+    @Test
+    fun `a network that fails costs a run over nodes no bit`() {
+        assumeTrue(isLong && Namespaces.refusal() == null) {
+            "only with --long, and where network namespaces can be had"
+        }
+        assertNothingLost(NetworkDrill, 5)
+    }
 
     @Test
     fun `on and on nothing overlaps, heats up or grows`() = assertNothingLost(SoakDrill, 30_000)

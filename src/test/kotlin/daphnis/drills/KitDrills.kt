@@ -92,7 +92,7 @@ private fun tally(cases: Int, counts: FuzzCounts) = Tally(
 )
 
 @OptIn(ExperimentalPathApi::class)
-private fun inDirectory(name: String, work: (Path) -> Tally): Tally {
+internal fun inDirectory(name: String, work: (Path) -> Tally): Tally {
     val home = Files.createTempDirectory("daphnis-$name")
     try {
         return work(home)

@@ -4,6 +4,7 @@ import daphnis.actors.ActorEngines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.FixedPool
@@ -15,6 +16,7 @@ import daphnis.core.search.GridSort
 /** All competitors, one parameter. Those that work on one thread only ignore the number of threads. */
 enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
+    HORIZON({ HorizonEngine() }),
     ISLANDS({ IslandsEngine(it) }),
     BRICKS({ BricksEngine(it) }),
 

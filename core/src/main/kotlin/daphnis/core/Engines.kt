@@ -4,6 +4,7 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 
@@ -13,6 +14,7 @@ public object Engines : EngineFactory {
         "islands" to { IslandsEngine(it) },
         "bricks" to { BricksEngine(it) },
         "thread-pool" to { ThreadPoolEngine(it) },
+        "horizon" to { HorizonEngine() },
         "serial" to { SerialEngine() },
     )
 

@@ -6,6 +6,7 @@ import daphnis.core.force.Drift
 import daphnis.core.force.Force
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.population.Conserved
 import daphnis.core.population.Population
 
 /**
@@ -25,18 +26,53 @@ import daphnis.core.population.Population
  * @param runStart time at step 0, for a run that continues at [startStep]; null to count back from there, with a fixed
  *   step
  * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
+ * @param elsewhere computes the steps in place of this process
  */
-public class Simulation @JvmOverloads constructor(
-    public val population: Population,
+public class Simulation internal constructor(
+    population: Population,
     public val boundary: BoundaryConditions,
     public val collisions: CollisionForcing?,
     internal val timeStep: TimeStep,
-    forces: List<Force> = emptyList(),
-    outputs: List<Output> = emptyList(),
-    startTime: Double = 0.0,
-    startStep: Long = 0,
-    runStart: Double? = null,
+    forces: List<Force>,
+    outputs: List<Output>,
+    startTime: Double,
+    startStep: Long,
+    runStart: Double?,
+    elsewhere: Steps?,
 ) : AutoCloseable {
+    @JvmOverloads
+    public constructor(
+        population: Population,
+        boundary: BoundaryConditions,
+        collisions: CollisionForcing?,
+        timeStep: TimeStep,
+        forces: List<Force> = emptyList(),
+        outputs: List<Output> = emptyList(),
+        startTime: Double = 0.0,
+        startStep: Long = 0,
+        runStart: Double? = null,
+    ) : this(population, boundary, collisions, timeStep, forces, outputs, startTime, startStep, runStart, null)
+
+    /** The spheres, at the end of the last step. Where nodes hold them, they are fetched when this is first asked for. */
+    public val population: Population = population
+        get() {
+            steps.bringHome()
+            return field
+        }
+
+    /**
+     * Mass, momentum and kinetic energy at the end of the last step, without round-off. Where nodes hold the spheres,
+     * they take these sums, and the spheres stay there.
+     */
+    public fun conserved(): Conserved {
+        var sums: Conserved? = null
+        steps.sumElsewhere { sums = Conserved.of(it) }
+        return sums ?: Conserved.of(population)
+    }
+
+    /** See [Steps.sumElsewhere]. */
+    internal fun sumElsewhere(take: (RemoteParts) -> Unit): Boolean = steps.sumElsewhere(take)
+
     /**
      * Time at the end of the last step. With a fixed step it is the start plus a whole number of steps, without
      * accumulated round-off.
@@ -58,7 +94,8 @@ public class Simulation @JvmOverloads constructor(
      */
     public val forces: List<Force> = forces.sortedBy { it is Drift }
     private val loop = ClosableLoop(collisions?.engine?.loop ?: InlineLoop, CLOSED)
-    private val phases = StepPhases(population, boundary, collisions, this.forces, loop)
+    private val steps: Steps =
+        elsewhere ?: LocalSteps(StepPhases(population, boundary, collisions, this.forces, loop), timeStep)
     private var opened = false
     private var busy = false
 
@@ -89,13 +126,13 @@ public class Simulation @JvmOverloads constructor(
         open()
         val timeBefore = time
         val stepBefore = step
-        phases.begin()
+        steps.begin()
         busy = true
         try {
             carryOn()
-            phases.commit()
+            steps.commit()
         } catch (e: Throwable) {
-            phases.takeBack()
+            steps.takeBack()
             time = timeBefore
             step = stepBefore
             throw e
@@ -105,21 +142,15 @@ public class Simulation @JvmOverloads constructor(
     }
 
     private fun carryOn() {
-        val start = time
-        val duration = phases.duration(timeStep)
-        phases.kick(start, duration)
-        phases.drift(start, duration)
-        settle(start, duration)
-        phases.applyBoundary(time)
-        phases.kickAgain(time, duration)
-        phases.checkFinite { "step $step at time $time" }
+        steps.carry(time, ::settle) { "step $step at time $time" }
         outputs.write(this)
     }
 
-    /** Advances the clock by one step. */
-    private fun settle(start: Double, duration: Double) {
+    /** Advances the clock by one step of [duration]. @return the time at its end */
+    private fun settle(duration: Double): Double {
         step++
-        time = if (timeStep is FixedTimeStep) runStart + step * duration else start + duration
+        time = if (timeStep is FixedTimeStep) runStart + step * duration else time + duration
+        return time
     }
 
     /**
@@ -155,7 +186,7 @@ public class Simulation @JvmOverloads constructor(
      */
     override fun close() {
         loop.close()
-        AutoCloseable { collisions?.close() }.use { outputs.close() }
+        AutoCloseable { steps.close() }.use { AutoCloseable { collisions?.close() }.use { outputs.close() } }
     }
 
     /** Does [act] while no step can begin. */

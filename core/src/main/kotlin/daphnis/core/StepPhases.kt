@@ -10,9 +10,9 @@ import daphnis.core.population.firstNotFinite
 
 /**
  * The phases of a step, for the code which drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] ·
- * [kickAgain] · [checkFinite] · [commit]. A [Simulation] calls them one after the other. A driver of several machines
- * calls them on each machine's part of the population and exchanges spheres in between. Until [commit], all phases
- * together can be taken back. One thread calls; [loop] may use more.
+ * [kickAgain] · [checkFinite] · [commit]. A [Simulation] calls them one after the other; where nodes hold the spheres,
+ * each node does so on its part of the population. Until [commit], all phases together can be taken back. One thread
+ * calls; [loop] may use more.
  *
  * @param collisions null for spheres that pass through one another
  * @param forces in the order in which they act before the drift; they have been given their loop

@@ -8,6 +8,7 @@ import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Kick
+import daphnis.core.force.PerSphereEnergy
 import daphnis.core.force.SelfGravity
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
@@ -25,18 +26,28 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
 import java.nio.file.Path
 
 // The examples of docs/library.md, compiled and run. A test compares the text.
 
 // example: force
-class CentralSpring(private val stiffness: Double) : Kick {
+class CentralSpring(private val stiffness: Double) :
+    Kick,
+    PerSphereEnergy {
     override fun kick(population: Population, time: Double, duration: Double) {
         for (k in 0 until population.size) {
             val f = -stiffness / population.mass[k] * duration
             population.vx[k] += f * population.x[k]
             population.vy[k] += f * population.y[k]
             population.vz[k] += f * population.z[k]
+        }
+    }
+
+    override fun potentialEnergies(population: Population, time: Double, from: Int, to: Int, into: DoubleArray) {
+        val p = population
+        for (k in from until to) {
+            into[k - from] = stiffness / 2 * (p.x[k] * p.x[k] + p.y[k] * p.y[k] + p.z[k] * p.z[k])
         }
     }
 }
@@ -57,7 +68,7 @@ class EnergyHistory : Output {
     val energies = ArrayList<Double>()
 
     override fun write(simulation: Simulation) {
-        energies += Conserved.of(simulation.population).kineticEnergy
+        energies += simulation.conserved().kineticEnergy
     }
 
     override fun save(state: OutputState) {
@@ -191,6 +202,10 @@ class LibraryGuideTest {
         val inOneGo = Run.start(whole, home.resolve("whole")).use { it.execute() }
         assertEquals(inOneGo.stateDigest, summary.stateDigest)
         assertEquals(21, whole.history.energies.size)
+        val rows = Files.readAllLines(directory.resolve("series.csv")).map { it.split(',') }
+        val totals = rows.drop(1).map { it[rows[0].indexOf("total_energy")].toDouble() }
+        assertEquals(21, totals.size)
+        for (total in totals) assertEquals(2 * (0.5 + 0.09 / 2), total, 0.005)
     }
 
     @Test

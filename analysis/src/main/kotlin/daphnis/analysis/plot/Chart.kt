@@ -48,6 +48,7 @@ internal object Chart {
      * positive are left out
      * @param horizontal a dashed line across at this height
      * @param vertical a dashed line upright at this place
+     * @param ticks where the axis across has its marks, all whole numbers; null to choose. Then the other begins at 0
      */
     fun lines(
         curves: List<Curve>,
@@ -59,6 +60,7 @@ internal object Chart {
         horizontal: Double? = null,
         vertical: Double? = null,
         height: Int = HEIGHT,
+        ticks: List<Int>? = null,
     ): Plot {
         val points = Points(curves, logX, logY)
         var plot = letsPlot(points.columns)
@@ -96,7 +98,7 @@ internal object Chart {
         if (title.isNotEmpty()) plot += ggtitle(title)
         val x = points.x + listOfNotNull(vertical.takeIf { points.x.isNotEmpty() })
         val y = points.low + points.high + listOfNotNull(horizontal.takeIf { points.y.isNotEmpty() && !logY })
-        return marked(plot, x, y, logX, logY)
+        return if (ticks == null) marked(plot, x, y, logX, logY) else counted(plot, ticks, y)
     }
 
     /**
@@ -170,6 +172,12 @@ internal object Chart {
             scaleYContinuous(breaks = up.places, labels = up.labels)
         }
         return plot + xScale + yScale
+    }
+
+    private fun counted(plot: Plot, ticks: List<Int>, y: List<Double>): Plot {
+        val up = Ticks.linear(0.0, y.max())
+        return plot + scaleXContinuous(breaks = ticks.map { it.toDouble() }, labels = ticks.map { "$it" }) +
+            scaleYContinuous(breaks = up.places, labels = up.labels, limits = 0.0 to y.max())
     }
 
     private fun patterned(plot: Plot, curves: List<Curve>): Plot {

@@ -6,7 +6,8 @@ import daphnis.core.population.Population
 /**
  * What happens at the faces of the box. See [Box] for the axes.
  *
- * Two moments matter. **Within a step** spheres move on straight paths and may stick out of the box; [contactFaces] and
+ * Along an axis with images every sphere is in the box when a step starts; otherwise the step is refused. Two moments
+ * matter. **Within a step** spheres move on straight paths and may stick out of the box; [contactFaces] and
  * [shear] tell the contact search which images a sphere can hit, and walls reflect. **After the step** [endStep] brings
  * every sphere back. A boundary of your own needs only [box] and [endStep]; contacts are then searched only inside the
  * box. A boundary which repeats or has walls is a [PerSphereBoundary] and needs only [box] and [contactFaces].

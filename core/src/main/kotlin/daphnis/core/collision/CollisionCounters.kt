@@ -34,6 +34,15 @@ public class CollisionCounters {
         causalityReplays += other.causalityReplays
     }
 
+    /** What was counted since these were [before]. */
+    internal fun since(before: CollisionCounters): CollisionCounters = CollisionCounters().also {
+        it.collisions = collisions - before.collisions
+        it.wallCollisions = wallCollisions - before.wallCollisions
+        it.guardActivations = guardActivations - before.guardActivations
+        it.redoneSteps = redoneSteps - before.redoneSteps
+        it.causalityReplays = causalityReplays - before.causalityReplays
+    }
+
     internal fun clear() {
         collisions = 0
         wallCollisions = 0

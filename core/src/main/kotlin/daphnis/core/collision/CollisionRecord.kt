@@ -9,7 +9,23 @@ package daphnis.core.collision
  * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher
  * id.
  */
-public class CollisionRecord {
+public class CollisionRecord() {
+    /** The collisions that came in a message: [data] has [WIDTH] numbers for each entry of the others. */
+    internal constructor(
+        time: DoubleArray,
+        rank: IntArray,
+        lower: IntArray,
+        higher: IntArray,
+        data: DoubleArray,
+    ) : this() {
+        this.time = time
+        this.rank = rank
+        this.lower = lower
+        this.higher = higher
+        this.data = data
+        size = time.size
+    }
+
     /** Number of collisions. */
     public var size: Int = 0
         private set
@@ -109,7 +125,7 @@ public class CollisionRecord {
     }
 
     private fun grow() {
-        val n = time.size * 2
+        val n = maxOf(time.size * 2, INITIAL)
         time = time.copyOf(n)
         rank = rank.copyOf(n)
         lower = lower.copyOf(n)
@@ -117,8 +133,10 @@ public class CollisionRecord {
         data = data.copyOf(n * WIDTH)
     }
 
-    private companion object {
-        const val INITIAL = 1024
+    internal companion object {
+        private const val INITIAL = 1024
+
+        /** Numbers in [data] for each collision. */
         const val WIDTH = 6
     }
 }

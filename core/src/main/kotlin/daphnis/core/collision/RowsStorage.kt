@@ -20,8 +20,8 @@ internal fun StepRows.storeRange(columns: PopulationColumns, duration: Double, f
 }
 
 /**
- * Moves the spheres whose [StepRows.origin] is below [first] to the end of a step of [duration] and writes them, in the order
- * of their slots, to entries [at], [at] + 1, … of [columns]. Other spheres are left out.
+ * Moves the spheres whose [StepRows.origin] is below [first] to the end of a step of [duration] and writes them, in the
+ * order of their slots, to entries [at], [at] + 1, … of [columns]. Other spheres are left out.
  *
  * @return how many were written
  */
@@ -37,6 +37,16 @@ internal fun StepRows.storeFirst(first: Int, columns: PopulationColumns, at: Int
         k++
     }
     return next - at
+}
+
+/**
+ * Moves all spheres to the end of a step of [duration] and writes what collisions have changed of each to the entry of
+ * [columns] that [places] gives for its slot.
+ */
+internal fun StepRows.storeAt(columns: PopulationColumns, duration: Double, places: IntArray) {
+    storeStates(columns, duration, 0, size) { places[it] }
+    if (!tracksLastCollision) return
+    for (slot in 0 until size) columns.lastCollision[places[slot]] = lastCollision[slot] - duration
 }
 
 /** Writes positions, velocities and radii of the slots [from] until [to], each to the entry that [place] says. */

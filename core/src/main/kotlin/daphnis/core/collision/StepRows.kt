@@ -139,6 +139,35 @@ public class StepRows {
         population.take(columns)
     }
 
+    /** Removes all rows, for a step of [duration] of which some spheres are to be [included][include]. */
+    internal fun begin(duration: Double, tracksLastCollision: Boolean) {
+        size = 0
+        resolution = duration * RESOLUTION
+        this.tracksLastCollision = tracksLastCollision
+    }
+
+    /** Appends the sphere at [index] of [population], at the start of the step, and returns its slot. */
+    internal fun include(population: SphereColumns, index: Int): Int {
+        val k = size
+        if (k * STRIDE == state.size) grow()
+        val p = k * STRIDE
+        state[p] = population.x[index]
+        state[p + 1] = population.y[index]
+        state[p + 2] = population.z[index]
+        state[p + VX] = population.vx[index]
+        state[p + VX + 1] = population.vy[index]
+        state[p + VX + 2] = population.vz[index]
+        state[p + TIME] = 0.0
+        state[p + RADIUS] = population.radius[index]
+        mass[k] = population.mass[index]
+        id[k] = population.id[index]
+        origin[k] = index
+        marks.fill(0, k * MARKS, (k + 1) * MARKS)
+        if (tracksLastCollision) lastCollision[k] = population.lastCollision[index]
+        size = k + 1
+        return k
+    }
+
     /** Removes all rows, for a set that is filled by [take]. */
     public fun clear() {
         size = 0

@@ -5,6 +5,7 @@ import daphnis.core.boundary.Images
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.ExactSum
+import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.population.SphereSum
 import kotlin.math.sqrt
@@ -28,7 +29,13 @@ public class BodyGravity @JvmOverloads constructor(
     private var loop: RangeLoop = InlineLoop
     private val images = Images()
     private val sum = SphereSum()
-    private val reaction = ExactSum()
+
+    /** Whether there are more spheres than those of the population. */
+    internal var partition: Partition = Partition.Whole
+
+    // Position and mass of each body, and the components of the pull of all spheres on it.
+    private val place = DoubleArray(4 * bodies.size)
+    private val reaction = Array(3 * bodies.size) { ExactSum() }
 
     // Pull of the sphere at each index on the present body, by component.
     private var pull = Array(3) { DoubleArray(0) }
@@ -45,30 +52,37 @@ public class BodyGravity @JvmOverloads constructor(
     override fun kick(population: Population, time: Double, duration: Double) {
         images.prepare(boundary, time)
         if (pull[0].size < population.size) pull = Array(3) { DoubleArray(population.size) }
+        partition.find(population, bodies, place)
         for (n in bodies.indices) {
-            val body = population.indexOf(bodies[n])
-            if (body < 0) continue
-            loop.run(population.size) { _, from, to -> kickOthers(population, body, n, duration, from, to) }
-            react(population, body)
+            for (axis in 0..2) reaction[3 * n + axis].clear()
+            if (place[4 * n].isNaN()) continue
+            loop.run(population.size) { _, from, to -> kickOthers(population, n, duration, from, to) }
+            for (axis in 0..2) reaction[3 * n + axis].addAll(pull[axis], 0, population.size)
         }
+        partition.merge(reaction)
+        for (n in bodies.indices) react(population, n)
     }
 
     /**
      * Kicks all spheres but the body and the bodies before it, with which it has exchanged kicks; notes the kicks that
      * they give it.
      */
-    private fun kickOthers(p: Population, body: Int, n: Int, duration: Double, from: Int, to: Int) {
+    private fun kickOthers(p: Population, n: Int, duration: Double, from: Int, to: Int) {
         val d = DoubleArray(3)
+        val x = place[4 * n]
+        val y = place[4 * n + 1]
+        val z = place[4 * n + 2]
+        val mass = place[4 * n + 3]
         for (k in from until to) {
             for (axis in 0..2) pull[axis][k] = 0.0
-            if (k == body || isEarlierBody(p.id[k], n)) continue
-            towardNearest(d, p.x[body] - p.x[k], p.y[body] - p.y[k], p.z[body] - p.z[k])
+            if (p.id[k] == bodies[n] || isEarlierBody(p.id[k], n)) continue
+            towardNearest(d, x - p.x[k], y - p.y[k], z - p.z[k])
             val d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + softening * softening
             if (d2 == 0.0) continue
             val f = constant * duration / (d2 * sqrt(d2))
-            p.vx[k] += f * p.mass[body] * d[0]
-            p.vy[k] += f * p.mass[body] * d[1]
-            p.vz[k] += f * p.mass[body] * d[2]
+            p.vx[k] += f * mass * d[0]
+            p.vy[k] += f * mass * d[1]
+            p.vz[k] += f * mass * d[2]
             for (axis in 0..2) pull[axis][k] = f * p.mass[k] * d[axis]
         }
     }
@@ -85,16 +99,13 @@ public class BodyGravity @JvmOverloads constructor(
         images.toNearest(d)
     }
 
-    private fun react(p: Population, body: Int) {
-        p.vx[body] -= total(pull[0], p.size)
-        p.vy[body] -= total(pull[1], p.size)
-        p.vz[body] -= total(pull[2], p.size)
-    }
-
-    private fun total(pull: DoubleArray, size: Int): Double {
-        reaction.clear()
-        reaction.addAll(pull, 0, size)
-        return reaction.value()
+    /** Gives body [n] what it has given. Its own kicks by the bodies before it are done, and no others follow. */
+    private fun react(p: Population, n: Int) {
+        val body = p.indexOf(bodies[n])
+        if (body < 0) return
+        p.vx[body] -= reaction[3 * n].value()
+        p.vy[body] -= reaction[3 * n + 1].value()
+        p.vz[body] -= reaction[3 * n + 2].value()
     }
 
     /** −G Σ m_b m/√(d² + ε²) over pairs with a body b, each once, where d is the distance of the nearest images. */

@@ -1,11 +1,10 @@
 package daphnis.core.hill
 
-import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.Drift
+import daphnis.core.force.PerSphereEnergy
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
-import daphnis.core.population.SphereSum
 import kotlin.math.abs
 
 /**
@@ -33,9 +32,9 @@ import kotlin.math.abs
  *   self-gravity (Wisdom & Tremaine 1988, AJ 95, 925, use 3.6), 0 for none
  */
 public class HillFrame @JvmOverloads constructor(public val omega: Double, public val verticalFactor: Double = 1.0) :
-    Drift {
+    Drift,
+    PerSphereEnergy {
     private var loop: RangeLoop = InlineLoop
-    private val sum = SphereSum()
 
     // For the present duration: chord = (ax x + bxx vx + q vy, ay x − q vx + byy vy, az z + bz vz).
     private var duration = Double.NaN
@@ -70,15 +69,17 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     }
 
     /**
-     * Tidal and centrifugal potential energy Σ m (−(3/2)Ω²x² + ½(νΩ)²z²). With the kinetic energy it is Hill's energy,
-     * which a free particle keeps until it is wrapped radially: then −(3/2)Ω²x² and v_y change, and so does the sum,
-     * unless the particle's guiding centre is on the face.
+     * Tidal and centrifugal potential energy m (−(3/2)Ω²x² + ½(νΩ)²z²). With the kinetic energy its sum is Hill's
+     * energy, which a free particle keeps until it is wrapped radially: then −(3/2)Ω²x² and v_y change, and so does the
+     * sum, unless the particle's guiding centre is on the face.
      */
-    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+    override fun potentialEnergies(population: Population, time: Double, from: Int, to: Int, into: DoubleArray) {
         val p = population
         val radial = -1.5 * omega * omega
         val vertical = 0.5 * (verticalFactor * omega) * (verticalFactor * omega)
-        return sum.of(p) { k -> p.mass[k] * (radial * p.x[k] * p.x[k] + vertical * p.z[k] * p.z[k]) }
+        for (k in from until to) {
+            into[k - from] = p.mass[k] * (radial * p.x[k] * p.x[k] + vertical * p.z[k] * p.z[k])
+        }
     }
 
     private fun toChord(p: Population, from: Int, to: Int) {

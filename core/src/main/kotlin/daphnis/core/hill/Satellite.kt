@@ -1,11 +1,10 @@
 package daphnis.core.hill
 
-import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.Kick
+import daphnis.core.force.PerSphereEnergy
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
-import daphnis.core.population.SphereSum
 import kotlin.math.sqrt
 
 /**
@@ -24,9 +23,9 @@ public class Satellite @JvmOverloads constructor(
     private val orbit: Epicycle,
     private val omega: Double,
     public val softening: Double = 0.0,
-) : Kick {
+) : Kick,
+    PerSphereEnergy {
     private var loop: RangeLoop = InlineLoop
-    private val sum = SphereSum()
 
     init {
         require(gravitationalParameter >= 0 && gravitationalParameter.isFinite()) {
@@ -62,19 +61,16 @@ public class Satellite @JvmOverloads constructor(
         }
     }
 
-    /**
-     * −GM Σ m/√(d² + ε²), where d is the distance from the moon at [time], without images; 0 in the very centre of a
-     * point moon.
-     */
-    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
+    /** −GM m/√(d² + ε²), where d is the distance from the moon at [time], without images; 0 in a point moon's centre. */
+    override fun potentialEnergies(population: Population, time: Double, from: Int, to: Int, into: DoubleArray) {
         val at = state(time)
         val p = population
-        return sum.of(p) { k ->
+        for (k in from until to) {
             val dx = at[0] - p.x[k]
             val dy = at[1] - p.y[k]
             val dz = at[2] - p.z[k]
             val d2 = dx * dx + dy * dy + dz * dz + softening * softening
-            if (d2 == 0.0) 0.0 else -gravitationalParameter * p.mass[k] / sqrt(d2)
+            into[k - from] = if (d2 == 0.0) 0.0 else -gravitationalParameter * p.mass[k] / sqrt(d2)
         }
     }
 }

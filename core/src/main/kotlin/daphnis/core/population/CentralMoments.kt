@@ -7,6 +7,7 @@ import daphnis.core.population.FlowFit.Companion.MOST_SLABS
 import daphnis.core.population.FlowFit.Companion.OFFSET
 import daphnis.core.population.FlowFit.Companion.SECOND
 import daphnis.core.population.FlowFit.Companion.SLAB_WIDTH
+import java.nio.ByteBuffer
 
 /**
  * Second moments of the particles of a population around given means, as exact sums: different threads or machines may
@@ -56,6 +57,30 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
         for (k in sums.indices) sums[k].add(other.sums[k])
         for (k in slabs.indices) slabs[k].add(other.slabs[k])
     }
+
+    /** Writes the sums in at most [MOST_BYTES], without their means, for [read]. */
+    fun write(into: ByteBuffer) {
+        for (sum in sums) sum.write(into)
+        for (k in 0 until filledSlabs()) slabs[k].write(into)
+    }
+
+    /**
+     * Makes these the sums around [means] that [write] has written.
+     *
+     * @throws IllegalArgumentException for bytes that are no such sums; then these are the sums of no particles
+     */
+    fun read(means: Means, from: ByteBuffer) {
+        clear(means)
+        try {
+            for (sum in sums) sum.read(from)
+            for (k in 0 until filledSlabs()) slabs[k].read(from)
+        } catch (e: IllegalArgumentException) {
+            clear(means)
+            throw e
+        }
+    }
+
+    private fun filledSlabs() = if (flow == null) 0 else means.slabCount * SLAB_WIDTH
 
     /** Adds the particles of [population] at the indices [from] until [to]. */
     fun add(population: Population, from: Int, to: Int) {
@@ -117,11 +142,14 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
 
     private fun column() = DoubleArray(ParticleBlock.SPHERES)
 
-    private companion object {
-        const val SQUARES = 0
-        const val HEIGHT = 6
-        const val ACROSS = 7
-        const val SLOPES = 8
-        const val SUMS = 11
+    companion object {
+        private const val SQUARES = 0
+        private const val HEIGHT = 6
+        private const val ACROSS = 7
+        private const val SLOPES = 8
+        private const val SUMS = 11
+
+        /** Bytes of the longest that are written. */
+        const val MOST_BYTES = (SUMS + MOST_SLABS * SLAB_WIDTH) * ExactSum.MOST_BYTES
     }
 }

@@ -24,5 +24,12 @@ public class Conserved private constructor(
             s.take(population)
             return Conserved(s.count, s.mass, s.kineticEnergy, s.momentum(0), s.momentum(1), s.momentum(2))
         }
+
+        /** The sums of a population that is held in [parts]. */
+        internal fun of(parts: SumParts): Conserved {
+            val s = FirstMoments(0, Int.MAX_VALUE)
+            parts.first(s)
+            return Conserved(s.spheres, s.mass, s.kineticEnergy, s.momentum(0), s.momentum(1), s.momentum(2))
+        }
     }
 }

@@ -39,6 +39,23 @@ internal class Crossings(val places: IdPlaces) {
         counts!![axis][places.of(id)] += boxes
     }
 
+    /** Takes the memory that [add] may need, outside a step. */
+    fun reserve() {
+        if (isEmpty) prepare()
+    }
+
+    /** Hands every count that is not 0 to [take], and makes it 0. */
+    fun drain(take: (id: Int, axis: Int, boxes: Int) -> Unit) {
+        val counts = counts ?: return
+        for (axis in 0 until AXES) {
+            for (place in 0 until places.count) {
+                val boxes = counts[axis][place]
+                if (boxes != 0) take(places.idAt(place), axis, boxes)
+                counts[axis][place] = 0
+            }
+        }
+    }
+
     /** No thread writes counts before this is done, and none after [begin] without it. */
     @Synchronized
     private fun prepare() {

@@ -1,5 +1,7 @@
 package daphnis.core.population
 
+import java.nio.ByteBuffer
+
 /**
  * A sum of doubles without round-off: its [value] is the true sum of all terms, rounded once, to nearest and ties to
  * even. So it does not depend on the order of the terms, nor on how they were distributed over threads or machines
@@ -120,6 +122,43 @@ public class ExactSum {
         }
     }
 
+    /**
+     * Writes the sum without round-off, in at most [MOST_BYTES], for [read].
+     *
+     * @throws IllegalStateException for a sum of 2^45 times the largest double or more
+     */
+    internal fun write(into: ByteBuffer) {
+        carry()
+        check(top <= TOP_WRITTEN) { "the sum is more than 2^45 times the largest double" }
+        into.putDouble(special).put(least.toByte()).put((top + 1).toByte())
+        for (i in least..top) into.putInt(chunks[i].toInt())
+    }
+
+    /**
+     * Makes this the sum that [write] has written. Damaged bytes give another sum, or are refused.
+     *
+     * @throws IllegalArgumentException for bytes that are no sum; then this is the empty sum
+     */
+    internal fun read(from: ByteBuffer) {
+        clear()
+        require(from.remaining() >= HEADER_BYTES) { "a sum is cut off" }
+        val infinite = from.getDouble()
+        val first = from.get().toInt()
+        val end = from.get().toInt()
+        require(infinite == 0.0 || !infinite.isFinite()) { "a sum has $infinite in place of an infinity" }
+        special = infinite
+        if (first == CHUNKS && end == 0) return
+        val isPossible =
+            first in 0..<end && end <= TOP_WRITTEN + 1 && from.remaining() >= (end - first) * Int.SIZE_BYTES
+        if (!isPossible) special = 0.0
+        require(isPossible) { "a sum has chunks $first until $end in ${from.remaining()} bytes" }
+        for (i in first until end) chunks[i] = from.getInt().toLong() and LOW
+        least = first
+        top = end - 1
+        // The highest one has the sign.
+        chunks[top] = chunks[top].toInt().toLong()
+    }
+
     private fun greatestExponent(terms: DoubleArray, from: Int, to: Int): Int {
         var greatest = 0L
         for (k in from until to) greatest = Math.max(greatest, terms[k].toRawBits() and Long.MAX_VALUE)
@@ -208,31 +247,38 @@ public class ExactSum {
 
     private fun powerOfTwo(exponent: Int): Double = Double.fromBits(exponent.toLong() shl FRACTION_BITS)
 
-    private companion object {
+    internal companion object {
+        /** Bytes of the longest sum that is written. */
+        const val MOST_BYTES = 10 + 67 * Int.SIZE_BYTES
+        private const val HEADER_BYTES = Double.SIZE_BYTES + 2
+
         /** 65 for the largest double, with room for the sum of 2^63 of those. */
-        const val CHUNKS = 68
-        const val LOW = 0xFFFFFFFFL
-        const val FRACTION_BITS = 52
-        const val FRACTION = (1L shl FRACTION_BITS) - 1
-        const val IMPLIED = 1L shl FRACTION_BITS
-        const val NOT_FINITE = 0x7FF
+        private const val CHUNKS = 68
+
+        /** The top chunk of what is written: below it there is room for merging 2^31 sums. */
+        private const val TOP_WRITTEN = CHUNKS - 2
+        private const val LOW = 0xFFFFFFFFL
+        private const val FRACTION_BITS = 52
+        private const val FRACTION = (1L shl FRACTION_BITS) - 1
+        private const val IMPLIED = 1L shl FRACTION_BITS
+        private const val NOT_FINITE = 0x7FF
 
         /** The last bit of the largest double, in bits from the last bit of the least. */
-        const val MOST_POSITION = 2045
+        private const val MOST_POSITION = 2045
 
-        const val MOST_PARTS = 64
+        private const val MOST_PARTS = 64
 
         /** Each term adds up to 2^52 to a chunk. */
-        const val MOST_PENDING = 1024
+        private const val MOST_PENDING = 1024
 
         /** Fewer terms than this are added one by one. */
-        const val FEW = 8
-        const val BLOCK_BITS = 12
-        const val BLOCK = 1 shl BLOCK_BITS
-        const val SPLIT_BITS = 40
+        private const val FEW = 8
+        private const val BLOCK_BITS = 12
+        private const val BLOCK = 1 shl BLOCK_BITS
+        private const val SPLIT_BITS = 40
 
         /** Exponents, with their bias, at which a block can be split without underflow and overflow. */
-        const val LEAST_SPLIT = 100
-        const val MOST_SPLIT = 2000
+        private const val LEAST_SPLIT = 100
+        private const val MOST_SPLIT = 2000
     }
 }

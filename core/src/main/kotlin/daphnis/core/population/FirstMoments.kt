@@ -1,5 +1,7 @@
 package daphnis.core.population
 
+import java.nio.ByteBuffer
+
 /**
  * Mass, momentum, energy and first moments of the positions of some spheres of a population, as exact sums: different
  * threads or machines may take parts of a population, in any order, and merge them. Allocates nothing once made.
@@ -17,6 +19,10 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
 
     /** Number of particles, without bodies. */
     var count = 0
+        private set
+
+    /** Number of particles and bodies. */
+    var spheres = 0
         private set
 
     /** Least and greatest position along the axis, of particles and bodies; infinite when there are none. */
@@ -57,6 +63,7 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
         for (sum in particles) sum.clear()
         for (sum in bodies) sum.clear()
         count = 0
+        spheres = 0
         least = Double.POSITIVE_INFINITY
         greatest = Double.NEGATIVE_INFINITY
     }
@@ -66,12 +73,49 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
         for (e in particles.indices) particles[e].add(other.particles[e])
         for (e in bodies.indices) bodies[e].add(other.bodies[e])
         count += other.count
+        spheres += other.spheres
         least = minOf(least, other.least)
         greatest = maxOf(greatest, other.greatest)
     }
 
+    /** Writes the sums in at most [MOST_BYTES], for [read]. */
+    fun write(into: ByteBuffer) {
+        into.putInt(count).putInt(spheres).putDouble(least).putDouble(greatest)
+        for (sum in particles) sum.write(into)
+        for (sum in bodies) sum.write(into)
+    }
+
+    /**
+     * Makes these the sums that [write] has written.
+     *
+     * @throws IllegalArgumentException for bytes that are no such sums; then these are the sums of no spheres
+     */
+    fun read(from: ByteBuffer) {
+        clear()
+        require(from.remaining() >= HEADER_BYTES) { "first moments are cut off" }
+        val particlesRead = from.getInt()
+        val spheresRead = from.getInt()
+        val low = from.getDouble()
+        val high = from.getDouble()
+        require(particlesRead in 0..spheresRead) { "first moments of $particlesRead particles in $spheresRead spheres" }
+        require(low <= high || spheresRead == 0) { "first moments of $spheresRead spheres from $low to $high" }
+        try {
+            for (sum in particles) sum.read(from)
+            for (sum in bodies) sum.read(from)
+        } catch (e: IllegalArgumentException) {
+            clear()
+            throw e
+        }
+        count = particlesRead
+        spheres = spheresRead
+        if (spheresRead == 0) return
+        least = low
+        greatest = high
+    }
+
     /** Adds the spheres of [population] at the indices [from] until [to]. */
     fun add(population: Population, from: Int, to: Int) {
+        spheres += to - from
         ParticleBlock.forEach(from, to) { start, end ->
             block.collect(population, start, end)
             addParticles(population)
@@ -124,11 +168,15 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
         }
     }
 
-    private companion object {
-        const val MASS = 0
-        const val MOMENTUM = 1
-        const val SQUARES = 4
-        const val POSITION = 5
-        const val SUMS = 8
+    companion object {
+        private const val MASS = 0
+        private const val MOMENTUM = 1
+        private const val SQUARES = 4
+        private const val POSITION = 5
+        private const val SUMS = 8
+        private const val HEADER_BYTES = 2 * Int.SIZE_BYTES + 2 * Double.SIZE_BYTES
+
+        /** Bytes of the longest that are written. */
+        const val MOST_BYTES = HEADER_BYTES + (SUMS + POSITION) * ExactSum.MOST_BYTES
     }
 }

@@ -1,5 +1,7 @@
 package daphnis.core.population
 
+import java.nio.ByteBuffer
+
 /** The means around which second moments are taken, weighted by mass, and the slabs across the flow. */
 internal class Means {
     /** Mean position. */
@@ -21,6 +23,34 @@ internal class Means {
         perSlab = if (greatest > least) slabCount / (greatest - least) else 0.0
     }
 
-    /** The slab of a particle at [position] across the flow. */
-    fun slab(position: Double): Int = minOf(slabCount - 1, ((position - least) * perSlab).toInt())
+    /** The slab of a particle at [position] across the flow; the first or the last for one beyond all slabs. */
+    fun slab(position: Double): Int = maxOf(0, minOf(slabCount - 1, ((position - least) * perSlab).toInt()))
+
+    /** Writes [BYTES] for [read]. */
+    fun write(into: ByteBuffer) {
+        for (axis in 0..2) into.putDouble(position[axis]).putDouble(velocity[axis])
+        into.putInt(slabCount).putDouble(least).putDouble(perSlab)
+    }
+
+    /**
+     * Makes these the means that [write] has written.
+     *
+     * @throws IllegalArgumentException for bytes that are no means
+     */
+    fun read(from: ByteBuffer) {
+        require(from.remaining() >= BYTES) { "means are cut off" }
+        for (axis in 0..2) {
+            position[axis] = from.getDouble()
+            velocity[axis] = from.getDouble()
+        }
+        val slabs = from.getInt()
+        require(slabs in 1..FlowFit.MOST_SLABS) { "means with $slabs slabs" }
+        slabCount = slabs
+        least = from.getDouble()
+        perSlab = from.getDouble()
+    }
+
+    companion object {
+        const val BYTES = 8 * Double.SIZE_BYTES + Int.SIZE_BYTES
+    }
 }

@@ -177,6 +177,33 @@ public class Population @JvmOverloads constructor(
         indexIsCurrent = false
     }
 
+    /**
+     * Makes room for the spheres of [places] all of which may come from other nodes, and counts crossings from 0. For a
+     * population that is a part of another.
+     */
+    internal fun beginPart(places: IdPlaces) {
+        idPlaces = places
+        crossings = Crossings(places)
+        crossingsBefore = crossings
+        indexIsCurrent = false
+    }
+
+    /** Where ids have their places. */
+    internal val idsByPlace: IdPlaces get() = idPlaces
+
+    /** Hands the boxes crossed since [beginPart], or since the last call, to [take], and counts from 0 again. */
+    internal fun takeCrossings(take: (id: Int, axis: Int, boxes: Int) -> Unit) {
+        crossings.drain { id, axis, boxes -> take(id, axis, boxes) }
+    }
+
+    /** After this, [addCrossingOf] takes no memory. */
+    internal fun reserveCrossings(): Unit = crossings.reserve()
+
+    /** Adds to [boxesCrossed] of the sphere [id], which may be elsewhere now. */
+    internal fun addCrossingOf(id: Int, axis: Int, boxes: Int) {
+        crossings.add(id, axis, boxes)
+    }
+
     /** A deep copy. */
     public fun copy(): Population = Population(
         x.copyOf(), y.copyOf(), z.copyOf(), vx.copyOf(), vy.copyOf(), vz.copyOf(),
@@ -192,11 +219,14 @@ public class Population @JvmOverloads constructor(
      * write to them.
      *
      * @param tracksLastCollision whether the step writes [lastCollision]
+     * @param count number of spheres after the step; other than [size] where spheres come from and go to other nodes
      */
-    internal fun columnsToWrite(tracksLastCollision: Boolean): PopulationColumns {
-        val columns = spare?.takeIf { it.size == size } ?: PopulationColumns(size, lastCollision)
+    internal fun columnsToWrite(tracksLastCollision: Boolean, count: Int = size): PopulationColumns {
+        val columns = spare?.takeIf { it.size == count } ?: PopulationColumns(count, lastCollision)
         spare = null
-        if (tracksLastCollision) {
+        if (count != size) {
+            columns.ownLastCollision()
+        } else if (tracksLastCollision) {
             columns.separateLastCollision(now)
             before?.let { columns.separateLastCollision(it) }
         } else {

@@ -41,6 +41,11 @@ internal class PopulationColumns(
         if (lastCollision === other.lastCollision) lastCollision = DoubleArray(size)
     }
 
+    /** Ensures an array of the right length that is that of no other set, with no collision in it. */
+    fun ownLastCollision() {
+        lastCollision = DoubleArray(size) { Double.NEGATIVE_INFINITY }
+    }
+
     /** Copies all but positions to [to]. */
     fun copyAllButPositionsInto(to: PopulationColumns) {
         vx.copyInto(to.vx)

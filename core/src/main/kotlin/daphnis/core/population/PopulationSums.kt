@@ -1,7 +1,6 @@
 package daphnis.core.population
 
 import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import kotlin.math.sqrt
 
@@ -28,29 +27,24 @@ public class PopulationSums @JvmOverloads constructor(
     private val rate = flow?.rate ?: 0.0
     private val fit = FlowFit(flowAxis)
     private val means = Means()
-
-    // One of each per worker of the loop, merged into the first.
-    private val first = Workers { FirstMoments(normalAxis, firstBody) }
-    private val central = Workers { CentralMoments(flow, firstBody) }
-    private var population: Population? = null
-    private val takeFirst = RangeBody { worker, from, to -> first[worker].add(population!!, from, to) }
-    private val takeCentral = RangeBody { worker, from, to -> central[worker].add(population!!, from, to) }
+    private val first = FirstMoments(normalAxis, firstBody)
+    private val central = CentralMoments(flow, firstBody)
+    private val whole = PopulationFold(flow, firstBody)
 
     /** Number of spheres, including bodies. */
-    public var count: Int = 0
-        private set
+    public val count: Int get() = first.spheres
 
     /** Σ m of particles and bodies. */
-    public val mass: Double get() = first[0].mass
+    public val mass: Double get() = first.mass
 
     /** Σ m v²/2 of particles and bodies. */
-    public val kineticEnergy: Double get() = first[0].kineticEnergy
+    public val kineticEnergy: Double get() = first.kineticEnergy
 
     /** Σ m v along [axis] of particles and bodies. */
-    public fun momentum(axis: Int): Double = first[0].momentum(axis)
+    public fun momentum(axis: Int): Double = first.momentum(axis)
 
     /** Σ m of the particles. */
-    public val particleMass: Double get() = first[0].particleMass
+    public val particleMass: Double get() = first.particleMass
 
     /**
      * ⟨c_a c_b⟩ in (length/time)²: xx, yy, zz, xy, xz, yz; c is the peculiar velocity, which is the velocity minus the
@@ -87,19 +81,19 @@ public class PopulationSums @JvmOverloads constructor(
     /** Takes the sums of the present state of [population] on the threads of [loop]. All are 0 for an empty one. */
     @JvmOverloads
     public fun take(population: Population, loop: RangeLoop = InlineLoop) {
-        count = population.size
-        this.population = population
-        first.upTo(loop.workers)
-        for (worker in 0 until first.count) first[worker].clear()
-        loop.run(population.size, body = takeFirst)
-        for (worker in 1 until first.count) first[0].merge(first[worker])
-        setMeans(first[0])
-        central.upTo(loop.workers)
-        for (worker in 0 until central.count) central[worker].clear(means)
-        loop.run(population.size, body = takeCentral)
-        for (worker in 1 until central.count) central[0].merge(central[worker])
-        this.population = null
-        finish(particleMass, central[0])
+        whole.over(population, loop) { take(whole) }
+    }
+
+    /**
+     * Takes the sums of a population that is held in [parts]: those of first moments, then the means, then those of
+     * second moments around them. The result has the same bits for any division. When this throws, the sums are not to
+     * be used before the next call.
+     */
+    internal fun take(parts: SumParts) {
+        parts.first(first)
+        setMeans(first)
+        parts.central(means, central)
+        finish(particleMass, central)
     }
 
     private fun setMeans(sums: FirstMoments) {
@@ -125,24 +119,6 @@ public class PopulationSums @JvmOverloads constructor(
         }
         scaleHeight = sqrt(sums.squareOfHeight * over)
         if (flowAxis >= 0) sums.fill(fit)
-        fit.solve(first[0].count, mass, means.slabCount)
-    }
-}
-
-/** One object per worker, made by [make] when it is first needed. */
-private class Workers<T>(private val make: () -> T) {
-    private val all = ArrayList<T>()
-
-    /** How many there are; there is at least one. */
-    val count: Int get() = all.size
-
-    init {
-        upTo(1)
-    }
-
-    operator fun get(worker: Int): T = all[worker]
-
-    fun upTo(workers: Int) {
-        while (all.size < workers) all += make()
+        fit.solve(first.count, mass, means.slabCount)
     }
 }

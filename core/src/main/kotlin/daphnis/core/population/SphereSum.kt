@@ -6,16 +6,25 @@ package daphnis.core.population
  */
 internal class SphereSum {
     private val sum = ExactSum()
-    private val terms = DoubleArray(ParticleBlock.SPHERES)
+
+    /** For one block. */
+    val terms = DoubleArray(ParticleBlock.SPHERES)
 
     /** Σ [term] over [population]. */
     fun of(population: Population, term: SphereTerm): Double {
         sum.clear()
-        ParticleBlock.forEach(0, population.size) { from, to ->
-            for (k in from until to) terms[k - from] = term.of(k)
-            sum.addAll(terms, 0, to - from)
+        addBlocks(0, population.size, sum) { from, to, into ->
+            for (k in from until to) into[k - from] = term.of(k)
         }
         return sum.value()
+    }
+
+    /** Adds to [sum] what [fill] writes for each range of the indices [from] until [to], from its first entry on. */
+    inline fun addBlocks(from: Int, to: Int, sum: ExactSum, fill: (from: Int, to: Int, into: DoubleArray) -> Unit) {
+        ParticleBlock.forEach(from, to) { start, end ->
+            fill(start, end, terms)
+            sum.addAll(terms, 0, end - start)
+        }
     }
 }
 

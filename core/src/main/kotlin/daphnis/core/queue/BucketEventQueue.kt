@@ -49,6 +49,11 @@ public class BucketEventQueue : EventQueue {
         current = -1
     }
 
+    /** Makes [slot] known after the [reset], see [EventHeap.include]. */
+    internal fun include(slot: Int, ids: IntArray) {
+        heap.include(slot, ids)
+    }
+
     override fun add(time: Double, first: Int, second: Int, image: Int) {
         if (store.size == store.capacity) squeezeOrGrow()
         store.add(time, first, second, image)

@@ -11,16 +11,17 @@ import daphnis.core.force.Drift
  * @property total kinetic and [potential]; NaN in a rotating frame, in which it is not conserved
  * @property hill [kinetic][total] and [potential] energy plus that of the rotating frame; NaN without one
  */
-internal class Energies(simulation: Simulation, kinetic: Double) {
+internal class Energies(simulation: Simulation, sums: StepSums) {
     val potential: Double
     val total: Double
     val hill: Double
 
     init {
+        val kinetic = sums.of(simulation).kineticEnergy
         var forces = 0.0
         var frame = Double.NaN
         for (force in simulation.forces) {
-            val energy = force.potentialEnergy(simulation.population, simulation.boundary, simulation.time)
+            val energy = sums.potentialEnergy(simulation, force)
             if (force is Drift) frame = energy else forces += energy
         }
         potential = forces

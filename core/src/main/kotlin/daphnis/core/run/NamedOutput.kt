@@ -4,13 +4,16 @@ import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.OutputState
 import daphnis.core.Simulation
+import daphnis.core.cluster.FleetException
+import daphnis.core.cluster.NodeException
 import java.io.IOException
 import java.io.UncheckedIOException
 
 /**
  * The output [output] of a run of [simulation], which is called [title] when it throws. Every exception from it comes
- * out as a [RunException] with the step and [title]; only an [IOException] is passed on as it is, also from within the
- * [UncheckedIOException] that Java code throws instead. An [Error] is passed on.
+ * out as a [RunException] with the step and [title]. Passed on as they are: an [IOException], also from within the
+ * [UncheckedIOException] that Java code throws instead; a [FleetException] or [NodeException] of nodes that were asked
+ * for the state; and an [Error].
  */
 internal class NamedOutput(private val title: String, private val output: Output, private val simulation: Simulation) :
     Output {
@@ -35,6 +38,10 @@ internal class NamedOutput(private val title: String, private val output: Output
             throw e
         } catch (e: UncheckedIOException) {
             throw e.cause ?: e
+        } catch (e: FleetException) {
+            throw e
+        } catch (e: NodeException) {
+            throw e
         } catch (e: Exception) {
             if (e is InterruptedException) Thread.currentThread().interrupt()
             throw RunException("step ${simulation.step}: $title$what: ${e.message ?: e.javaClass.name}", e)

@@ -4,6 +4,8 @@ import daphnis.core.Engines
 import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.Simulation
+import daphnis.core.cluster.FleetException
+import daphnis.core.cluster.NodeException
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.EngineFactory
 import daphnis.core.scenario.InputException
@@ -73,6 +75,10 @@ public class Run internal constructor(
             throw failed(e)
         } catch (e: IllegalArgumentException) {
             throw failed(e)
+        } catch (e: FleetException) {
+            throw failed(e)
+        } catch (e: NodeException) {
+            throw failed(e)
         } catch (e: IOException) {
             throw RunException("${cannotWrite(directory, e).message}; ${wayOn()}", e)
         }
@@ -129,6 +135,10 @@ public class Run internal constructor(
             } catch (e: IOException) {
                 // From an output: the disk is the cause, and nothing more can be written.
                 throw e
+            } catch (e: FleetException) {
+                // Without nodes the state before cannot be had, and at the first step this has nothing to do with it.
+                val step = if (simulation.step == resumedFrom) "" else "step ${simulation.step + 1}: "
+                throw RunException("$step${e.message}", e)
             } catch (e: Exception) {
                 keepStateBefore(e)
                 throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}", e)

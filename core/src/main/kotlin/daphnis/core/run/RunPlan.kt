@@ -2,6 +2,8 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
+import daphnis.core.cluster.FleetEngine
+import daphnis.core.cluster.FleetEngines
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.population.PopulationSums
@@ -56,19 +58,24 @@ internal fun planOf(
     val scenario = setup.scenario
     val output = scenario.output
     val records = PeriodicOutputs.readingCollisions(output).isNotEmpty()
-    val engine = engineOf(scenario, source, engines)
+    val engine = if (engines is FleetEngines) engines.create() else engineOf(scenario, source, engines)
     val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, scenario.search)
     meta?.countInto(forcing.counters)
+    val time = meta?.time ?: scenario.startTime
+    val step = meta?.step ?: 0
+    val elsewhere = closingIfItThrows(engine) {
+        (engine as? FleetEngine)?.steps(setup, source, setup.population, forcing, time, step)
+    }
     val simulation = Simulation(
-        setup.population,
-        setup.boundary,
-        forcing,
-        setup.timeStep,
-        setup.forces,
-        startTime = meta?.time ?: scenario.startTime,
-        startStep = meta?.step ?: 0,
-        runStart = scenario.startTime,
+        setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
+        scenario.startTime, elsewhere,
     )
     val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, scenario.firstBody)
     return RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
+}
+
+private inline fun <T> closingIfItThrows(owner: AutoCloseable, make: () -> T): T = try {
+    make()
+} catch (e: Throwable) {
+    owner.use { throw e }
 }

@@ -29,14 +29,15 @@ internal class Series(private val every: Int, private val sums: StepSums, files:
 
     override fun write(simulation: Simulation) {
         if (!isDue(every, simulation.step)) return
-        SeriesColumns.rows.write(SeriesRow(simulation, sums.of(simulation)), file.line())
+        SeriesColumns.rows.write(SeriesRow(simulation, sums), file.line())
         file.endLine()
     }
 }
 
-/** The source of a row of `series.csv`: a [simulation] after a step and the [sums] over its population. */
-internal class SeriesRow(val simulation: Simulation, val sums: PopulationSums) {
-    val energies = Energies(simulation, sums.kineticEnergy)
+/** The source of a row of `series.csv`: a [simulation] after a step and the sums over its population. */
+internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
+    val sums: PopulationSums = stepSums.of(simulation)
+    val energies = Energies(simulation, stepSums)
 }
 
 /** The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */

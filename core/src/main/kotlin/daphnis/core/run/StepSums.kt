@@ -1,22 +1,54 @@
 package daphnis.core.run
 
 import daphnis.core.Simulation
+import daphnis.core.force.EnergySums
+import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.PopulationSums
 
-/** The [sums] over a population, taken once after a step for any number of outputs. */
+/**
+ * The [sums] over a population, taken once after a step for any number of outputs: by the threads of this process, or,
+ * where nodes hold the spheres, by them. Both give the same bits.
+ */
 internal class StepSums(private val sums: PopulationSums) {
     private var takenAt = -1L
+    private var energies: EnergySums? = null
+    private var hasEnergies = false
 
     /** Sums of the state that [simulation] has after its step. */
     fun of(simulation: Simulation): PopulationSums = if (takenAt == simulation.step) sums else take(simulation)
 
-    /** Takes the sums again. */
+    /** Takes the sums again, and energies when they are asked for. */
     fun take(simulation: Simulation): PopulationSums {
-        sums.take(simulation.population, simulation.collisions?.engine?.loop ?: InlineLoop)
+        val energies = energiesIn(simulation)
+        takenAt = -1
+        hasEnergies = false
+        val isElsewhere = simulation.sumElsewhere { parts ->
+            sums.take(parts)
+            energies.clear()
+            energies.merge(parts.energies)
+        }
+        if (isElsewhere) hasEnergies = true else sums.take(simulation.population, loopOf(simulation))
         takenAt = simulation.step
         return sums
     }
+
+    /** Potential energy in [force], one of those of [simulation], after its step. */
+    fun potentialEnergy(simulation: Simulation, force: Force): Double {
+        val energies = energiesIn(simulation)
+        val time = simulation.time
+        if (!energies.have(force)) return force.potentialEnergy(simulation.population, simulation.boundary, time)
+        of(simulation)
+        if (!hasEnergies) energies.take(simulation.population, time, loopOf(simulation))
+        hasEnergies = true
+        return energies.of(force)
+    }
+
+    private fun energiesIn(simulation: Simulation): EnergySums =
+        energies ?: EnergySums(simulation.forces, simulation.boundary).also { energies = it }
+
+    private fun loopOf(simulation: Simulation): RangeLoop = simulation.collisions?.engine?.loop ?: InlineLoop
 }
 
 /** Whether something that happens every [every] steps, 0 for never, is due after step [step]. */

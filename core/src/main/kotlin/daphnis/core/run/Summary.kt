@@ -95,7 +95,7 @@ public class Summary(
                     population,
                     simulation.boundary,
                     simulation.time,
-                    engine?.threads ?: 1,
+                    minOf(engine?.threads ?: 1, Runtime.getRuntime().availableProcessors()),
                 ).depth,
                 guardActivations = c.guardActivations,
                 redoneSteps = c.redoneSteps,

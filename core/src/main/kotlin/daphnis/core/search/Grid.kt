@@ -98,7 +98,7 @@ public class Grid @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) 
      * @param loop runs the loops over spheres
      * @param structure whether sizes are kept apart
      * @param middle for spheres that lie in a part of a periodic box only: along x, y, z about the middle of that part,
-     *   NaN along axes on which they may lie anywhere. Cells are then laid over that part alone, which affects only time
+     *   NaN along axes on which they may lie anywhere. Cells are then laid over that part alone; that affects only time
      *   and memory
      * @throws IllegalArgumentException when a periodic box is so thin compared with the range that images beyond
      *   ±[ImageRange.MOST_BOXES] would matter

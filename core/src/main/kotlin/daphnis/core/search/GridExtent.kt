@@ -23,6 +23,32 @@ internal class GridExtent {
     val spanFrom = DoubleArray(3)
     val span = DoubleArray(3)
 
+    /** Takes over the stretch in which spheres lie that are [measured] along axes without images. */
+    fun take(measured: StepBounds, boundary: BoundaryConditions) {
+        for (axis in 0..2) {
+            val isPeriodic = boundary.hasImages(axis)
+            from[axis] =
+                if (isPeriodic) {
+                    boundary.box.lower(axis)
+                } else if (measured.isEmpty) {
+                    0.0
+                } else {
+                    measured.lowest[axis]
+                }
+            size[axis] =
+                if (isPeriodic) {
+                    boundary.box.length(axis)
+                } else if (measured.isEmpty) {
+                    0.0
+                } else {
+                    measured.highest[axis] -
+                        measured.lowest[axis]
+                }
+            spanFrom[axis] = from[axis]
+            span[axis] = size[axis]
+        }
+    }
+
     /** Measures [spheres]; for [middle] see [Grid.build]. */
     fun measure(spheres: SphereColumns, boundary: BoundaryConditions, middle: DoubleArray, loop: RangeLoop) {
         for (axis in 0..2) {

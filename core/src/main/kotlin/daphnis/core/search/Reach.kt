@@ -2,7 +2,6 @@ package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.StepRows
-import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
@@ -22,12 +21,13 @@ import kotlin.math.abs
 public class Reach {
     private val fastest = DoubleArray(AXES)
     private val most = DoubleArray(AXES)
-    private val extremes = Extremes()
     private var headroom = LEAST_HEADROOM
 
+    /** What was found of the spheres, or of all parts of them. */
+    internal val measured = StepBounds()
+
     /** The largest radius of the spheres that were measured; 0 when there are none. */
-    internal var largestRadius = 0.0
-        private set
+    internal val largestRadius: Double get() = measured.largestRadius
 
     /** The bound along x, y, z, in units of length. */
     public val bound: DoubleArray = DoubleArray(AXES)
@@ -39,8 +39,8 @@ public class Reach {
      * Computes the bounds from all velocities and radii of [population] for a step of [duration] within [boundary].
      *
      * @throws IllegalArgumentException when a sphere goes so far that it meets images farther away than are searched,
-     *   when a number of the population is not finite, when a sphere is outside a periodic box, or when sizes, speeds and
-     *   duration are beyond what can be computed
+     *   when a number of the population is not finite, when a sphere is outside a periodic box, or when sizes, speeds
+     *   and duration are beyond what can be computed
      */
     @JvmOverloads
     public fun measure(
@@ -49,16 +49,29 @@ public class Reach {
         duration: Double,
         loop: RangeLoop = InlineLoop,
     ) {
-        headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
-        population.firstNotFinite(loop)?.let { throw IllegalArgumentException("$it; it must be finite") }
-        fastest[0] = extremes.measure(population.vx, population.size, loop).magnitude
-        fastest[1] = extremes.measure(population.vy, population.size, loop).magnitude
-        fastest[2] = extremes.measure(population.vz, population.size, loop).magnitude
-        for (axis in 0 until AXES) requireInBox(axis, population, boundary, loop)
-        extremes.measure(population.radius, population.size, loop)
-        largestRadius = extremes.magnitude
-        if (population.size > 0) {
-            Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), extremes.least, duration)
+        look(population, boundary, everywhere = false, loop)
+        apply(boundary, duration)
+    }
+
+    /**
+     * The first half of [measure]: looks at the spheres and fills [measured]. A driver of several parts of a population
+     * makes that the bounds of all of them before it calls [apply].
+     *
+     * @param everywhere whether positions are measured along axes without images too
+     */
+    internal fun look(spheres: SphereColumns, boundary: BoundaryConditions, everywhere: Boolean, loop: RangeLoop) {
+        spheres.firstNotFinite(loop)?.let { throw IllegalArgumentException("$it; it must be finite") }
+        measured.measure(spheres, boundary, everywhere, loop)
+        measured.headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
+    }
+
+    /** The second half of [measure]: computes the bounds from what was [measured]. */
+    internal fun apply(boundary: BoundaryConditions, duration: Double) {
+        headroom = measured.headroom
+        measured.fastest.copyInto(fastest)
+        for (axis in 0 until AXES) requireInBox(axis, boundary)
+        if (!measured.isEmpty) {
+            Scales.requireSpeeds(maxOf(fastest[0], fastest[1], fastest[2]), measured.leastRadius, duration)
         }
         for (axis in 0 until AXES) {
             val mostReach = ImageRange.mostReach(boundary, axis, largestRadius, duration)
@@ -89,14 +102,14 @@ public class Reach {
     }
 
     /** Images are counted from the box, so a sphere elsewhere would be looked for at the wrong ones. */
-    private fun requireInBox(axis: Int, population: SphereColumns, boundary: BoundaryConditions, loop: RangeLoop) {
-        if (!boundary.hasImages(axis) || population.size == 0) return
-        extremes.measure(population.position(axis), population.size, loop)
+    private fun requireInBox(axis: Int, boundary: BoundaryConditions) {
+        if (!boundary.hasImages(axis) || measured.isEmpty) return
         val low = boundary.box.lower(axis)
         val high = low + boundary.box.length(axis)
         val rounding = ImageRange.rounding(low, high)
-        require(extremes.least >= low - rounding && extremes.greatest <= high + rounding) {
-            val place = if (extremes.least < low - rounding) extremes.least else extremes.greatest
+        val isBelow = measured.lowest[axis] < low - rounding
+        require(!isBelow && measured.highest[axis] <= high + rounding) {
+            val place = if (isBelow) measured.lowest[axis] else measured.highest[axis]
             "a sphere is at ${"xyz"[axis]} = $place, outside the box, which goes from $low to $high; " +
                 "BoundaryConditions.endStep brings it back"
         }

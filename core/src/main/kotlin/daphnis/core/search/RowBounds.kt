@@ -71,6 +71,11 @@ public class RowBounds {
         }
     }
 
+    /** There are no rows of cells in this step. */
+    internal fun rest() {
+        isInUse = false
+    }
+
     private fun measureRow(row: Int, from: Int, to: Int, rows: StepRows) {
         for (slot in from until to) rowOf[slot] = row
         for (k in 0..2) {

@@ -13,12 +13,13 @@ import daphnis.core.queue.Schedule
  * step, and queues what the two can touch now. Each worker has its own object.
  *
  * Engines differ in two things after a collision, and override the functions for them. Bricks also say which collisions
- * they count ([isCounted]) and follow all ([changed]).
+ * they count ([isCounted]) and follow all ([changed]). An epoch follows all too, and needs no bound ([outrun]).
  *
  * | engine | [slotOf] a place | [search] from a place |
  * |---|---|---|
  * | serial, bricks | the place itself | always goes on |
  * | thread pool | the place itself | ends when the collision may have come too late |
+ * | horizon | the slot whose row was made there | ends when the epoch does |
  * | islands | the slot that was copied there | ends when the island needs a sphere that it may not have |
  *
  * @param rows the rows of the colliding spheres, addressed by place: those of the step, or a worker's copies
@@ -72,7 +73,8 @@ internal open class Impact(
         if (!isWall) schedule.removeAllOf(second)
         prepared.limits.checkProgress(rows, first, second, time)
         prepared.limits.checkWork(counted.collisions + counted.wallCollisions)
-        if (prepared.isOutrun(rows, first) || !isWall && prepared.isOutrun(rows, second)) return End.OUTRUN
+        val isOutrun = prepared.isOutrun(rows, first) || !isWall && prepared.isOutrun(rows, second)
+        if (isOutrun && !outrun(first, second)) return End.OUTRUN
         // The pair itself is searched once, from the first sphere; the second leaves it out.
         val isDone = goOn(first, NOBODY) && (isWall || goOn(second, slotOf(first)))
         return if (isDone) End.DONE else End.VOID
@@ -96,6 +98,13 @@ internal open class Impact(
 
     /** Told of every impact, also of one that changes nothing; [second] is negative for a wall. */
     protected open fun changed(first: Int, second: Int, time: Double): Unit = Unit
+
+    /**
+     * Told that [first] or [second] went beyond the bound.
+     *
+     * @return whether the step can go on all the same, since the bound has been enlarged and no search relied on it
+     */
+    protected open fun outrun(first: Int, second: Int): Boolean = false
 
     /** The slot of the step whose sphere is at [place] of the rows. */
     protected open fun slotOf(place: Int): Int = place

@@ -12,6 +12,7 @@ import daphnis.core.search.Grid
 import daphnis.core.search.GridSort
 import daphnis.core.search.Reach
 import daphnis.core.search.RowBounds
+import daphnis.core.search.StepBounds
 
 /**
  * A step made ready for its collisions: the single owner of the spheres' order, their rows, the bounds on how far they
@@ -80,6 +81,18 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     }
 
     /**
+     * The same for a step whose spheres are a part of all: [merge] makes what was measured of them that of all.
+     * Positions are measured along every axis.
+     */
+    internal fun measure(step: CollisionStep, loop: RangeLoop, merge: (StepBounds) -> Unit) {
+        take(step, step.population, Grid.WHOLE)
+        reach.look(step.population, step.boundary, everywhere = true, loop)
+        merge(reach.measured)
+        reach.apply(step.boundary, duration)
+        stage = Stage.MEASURED
+    }
+
+    /**
      * Takes over the step of [whole], which has been measured, for some of its spheres only: for [part], which lies
      * about [middle], see [Grid.build]. Such a step is not to be written with [store].
      */
@@ -108,6 +121,28 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         limits.start(rows.size, step.start)
         version++
         stage = Stage.PREPARED
+    }
+
+    /**
+     * In place of [prepare], for an engine which finds potential collisions by itself and keeps rows of its own: there
+     * are images and limits, but neither a grid nor rows. [measure] follows, for the next step or for this one again.
+     */
+    internal fun prepareWithoutGrid() {
+        requireStage(Stage.MEASURED, "prepareWithoutGrid() follows measure()")
+        images.prepare(step.boundary, step.start)
+        bounds.rest()
+        limits.start(spheres.size, step.start)
+        version++
+        stage = Stage.UNMEASURED
+    }
+
+    /**
+     * Enlarges the bound while the step goes on, for an engine whose search does not rely on it; see [enlarge].
+     *
+     * @throws IllegalArgumentException as [enlarge]
+     */
+    internal fun widen(rows: StepRows, first: Int, second: Int) {
+        reach.enlarge(rows, first, second, spheres, duration)
     }
 
     private fun requireStage(required: Stage, rule: String) {

@@ -10,6 +10,8 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.bricks.BrickDivision
 import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.FixedPool
@@ -61,6 +63,8 @@ class EndsAgreeTest {
 
     private fun islands(threads: Int) = IslandsEngine(FixedPool(threads), fewest = 0)
 
+    private fun horizon(steps: Int) = HorizonEngine(fewest = 0, tuning = HorizonTuning(steps))
+
     /** The end that all engines agree on. */
     private fun common(
         start: Population,
@@ -81,6 +85,9 @@ class EndsAgreeTest {
             assertEquals(expected, end(start, boundary, dt, restitution, islands(threads))) { "islands on $threads" }
             assertEquals(expected, end(start.permuted(4), boundary, dt, restitution, ThreadPoolEngine(threads))) {
                 "thread-pool on $threads"
+            }
+            assertEquals(expected, end(start.permuted(5), boundary, dt, restitution, horizon(threads))) {
+                "horizon, epochs of $threads steps"
             }
         }
         return expected
@@ -206,6 +213,7 @@ class EndsAgreeTest {
             islands(2),
             BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 1, 1)),
             ThreadPoolEngine(2),
+            horizon(2),
         )) {
             assertEquals("ArithmeticException: on purpose", end(pairs, Open, 1.0, broken, engine))
         }

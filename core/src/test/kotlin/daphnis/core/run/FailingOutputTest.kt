@@ -168,6 +168,15 @@ class FailingOutputTest {
     }
 
     @Test
+    fun `when it was interrupted, the thread stays so`() {
+        for ((of, start) in starts) {
+            val e = failure(start(home.resolve(of), Bad("write" to InterruptedException("by a friend"))))
+            assertTrue(Thread.interrupted()) { of }
+            assertEquals("step 5: output 'bad': by a friend", e.message)
+        }
+    }
+
+    @Test
     fun `an error is passed on, and the watcher is named as such`() {
         for ((of, start) in starts) {
             val error = AssertionError("on purpose")

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.TimeoutException
 
 /** A sheared gas with a law of its own, every table, and an output that counts. */
 private open class ShearedGas(
@@ -288,5 +289,24 @@ class ProgramTest {
         }
         assertEquals(whole, results(path))
         assertEquals(8L, resumed.counts.getValue("count").steps)
+    }
+
+    @Test
+    fun `a checked exception in a step, which Kotlin may throw, ends the run like any other`() {
+        var seen = 0
+        val program = object : ShearedGas() {
+            override fun simulation(population: Population): Simulation {
+                val made = super.simulation(population)
+                // Within step 4, which has the 15th to the 17th.
+                val law = Restitution { if (++seen == 16) throw TimeoutException("out of hours") else 1 / (1 + it) }
+                val collisions = CollisionForcing(law, recordCollisions = true)
+                return Simulation(population, made.boundary, collisions, FixedTimeStep(0.1), startTime = 0.5)
+            }
+        }
+        val path = home.resolve("checked")
+        val e = Run.start(program, path).use { assertThrows(RunException::class.java) { it.execute() } }
+        assertEquals("step 4: out of hours", e.message)
+        Run.resume(ShearedGas(), path).use { it.execute() }
+        assertEquals(whole, results(path))
     }
 }

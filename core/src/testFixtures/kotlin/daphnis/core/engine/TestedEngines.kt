@@ -2,6 +2,8 @@ package daphnis.core.engine
 
 import daphnis.core.engine.bricks.BrickDivision
 import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.parallel.FixedPool
 
@@ -14,12 +16,25 @@ open class TestedEngines(val registry: EngineFactory) {
     open fun make(name: String, settings: EngineSettings): CollisionEngine = when (name) {
         "islands" -> IslandsEngine(FixedPool(settings.threads()), fewest = 0)
         "bricks" -> BricksEngine(FixedPool(settings.threads()), fewest = 0, division = division(settings))
+        "horizon" -> HorizonEngine(fewest = 0, tuning = tuning(settings))
         else -> checkNotNull(registry.create(name, settings.threads())) { "$name is registered, but cannot be made" }
     }
 
     private fun division(settings: EngineSettings): BrickDivision {
         fun parts() = 1 + settings.random.nextInt(MOST_PARTS)
         return BrickDivision(parts(), parts(), parts())
+    }
+
+    private fun tuning(settings: EngineSettings): HorizonTuning {
+        val random = settings.random
+        fun between(least: Double, most: Double) = least * Math.pow(most / least, random.nextDouble(0.0, 1.0))
+        return HorizonTuning(
+            steps = 1 + random.nextInt(MOST_STEPS),
+            classBound = between(0.1, 5.0),
+            deviation = if (random.nextInt(2) == 0) 0.0 else between(1e-3, 0.3),
+            cellsAlong = between(0.3, 8.0),
+            cellsAcross = between(0.3, 4.0),
+        )
     }
 
     /** One of each but the serial one, which the others are compared with. */
@@ -29,5 +44,8 @@ open class TestedEngines(val registry: EngineFactory) {
     private companion object {
         /** Into which an engine of bricks cuts space along an axis. */
         const val MOST_PARTS = 3
+
+        /** Of an epoch. */
+        const val MOST_STEPS = 6
     }
 }

@@ -49,6 +49,14 @@ internal class Bodies {
         index.sort(0, size)
     }
 
+    /** Takes over [bodies], which were found elsewhere, at most [MOST]; other spheres have at most the radius [ordinary]. */
+    fun take(bodies: SphereColumns, ordinary: Double) {
+        spheres = bodies
+        size = bodies.size
+        this.ordinary = ordinary
+        for (k in 0 until size) index[k] = k
+    }
+
     /**
      * By brick of [territory]: how far beyond its end, along an axis that is cut, the surface of one of its spheres can
      * be at the start of the step. That is the largest radius of its ordinary spheres, or the part of a body that

@@ -10,15 +10,26 @@ import daphnis.core.step.PreparedStep
 
 /**
  * The bricks of one process and their agreement, driven phase by phase on the threads of a loop. A phase is a loop over
- * bricks: each takes its messages and posts others. Its end is a barrier.
+ * bricks: each takes its messages and posts others. Its end is a barrier, also for the processes that have the other
+ * bricks, if there are any.
  *
- * @param whole the step for all spheres
+ * @param whole the step for the spheres of this process, measured for all
+ * @param places which bricks are here
+ * @param guesses see [Agreement]
  */
-internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargins) {
+internal class BrickCrew(
+    private val whole: PreparedStep,
+    val margins: HaloMargins,
+    private val places: BrickPlaces = BrickPlaces.Here,
+    private val guesses: Int = Int.MAX_VALUE,
+) {
     private var bricks = emptyList<Brick>()
     private var nodes = emptyList<BrickNode>()
     private var boxes = Mailboxes(0)
     private var agreement = Agreement(0, margins) { _, _ -> }
+
+    /** Number of the first brick here. */
+    private var first = 0
     private var starts = IntArray(1)
     private val counted = CollisionCounters()
     private var steps = 0L
@@ -30,8 +41,15 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
     /** See [BrickNode.isTrusting]. */
     var isTrusting = false
 
+    /** What all bricks have counted in the last step. */
+    val counts: BrickCounts get() = agreement.counts
+
     /** Attempts since the start that were redone with wider halos. */
     var redone = 0L
+        private set
+
+    /** Seconds since the start in which bricks here were computed, without waiting for those elsewhere. */
+    var busy = 0.0
         private set
 
     /** Spheres in halos in the last step. */
@@ -39,12 +57,16 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
 
     /** Divides space anew. */
     fun settle(territory: Territory) {
-        val count = territory.size
+        val all = territory.size
+        first = places.from(all)
+        val count = places.to(all) - first
         bricks = List(count) { bricks.getOrNull(it) ?: Brick() }
-        boxes = Mailboxes(count)
-        nodes = List(count) { BrickNode(it, territory, bricks[it], boxes.post(it)) }
-        agreement = Agreement(count, margins, boxes.postBetween())
-        margins.reset(count)
+        boxes = Mailboxes(all)
+        nodes = List(count) { BrickNode(first + it, territory, bricks[it], boxes.post(first + it)) }
+        val post = boxes.postBetween()
+        agreement =
+            Agreement(all, margins, guesses) { to, message -> if (to - first in 0 until count) post.send(to, message) }
+        margins.reset(all)
         starts = IntArray(count + 1)
         // Last, so that it is done again when it has failed.
         this.territory = territory
@@ -53,31 +75,38 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
     /**
      * Computes the step that [whole] has measured, writes nothing to the population.
      *
+     * @param total number of all spheres
      * @param extent of all spheres
      * @param isLate whether the step is to be given up
      * @return how it ended; unless all have agreed it was given up
+     * @throws IllegalArgumentException when the step has too many collisions
      */
-    fun compute(bodies: Bodies, extent: GridExtent, loop: RangeLoop, isLate: () -> Boolean): End {
+    fun compute(total: Int, bodies: Bodies, extent: GridExtent, loop: RangeLoop, isLate: () -> Boolean): End {
         val population = whole.step.population
         val halt = Halt()
         val widths = firstWidths(bodies, extent)
         val key = AttemptKey(territory!!.epoch, steps++, 0)
-        val input = StepInput(key, whole, population.size, widths, halt)
+        val input = StepInput(key, whole, total, widths, halt)
         if (starts.last() != population.size) divideEvenly(population.size)
-        boxes.clear()
         agreement.begin(key, widths)
-        for (node in nodes) node.isTrusting = isTrusting
+        for (node in nodes) {
+            node.isTrusting = isTrusting
+            node.answersFailures = guesses < Int.MAX_VALUE
+        }
         each(loop, halt) { nodes[it].begin(input, Held(population, starts[it], starts[it + 1])) }
         while (true) {
             boxes.turn()
+            places.carry(boxes)
             boxes.take(BrickMessage.AGREEMENT) { agreement.receive(it) }
             if (agreement.isDone) break
+            if (agreement.hasFailed) throw nodes.firstNotNullOfOrNull { it.failure } ?: FailedElsewhereException()
             if (agreement.redone > MOST_REDOS) return End.DISAGREED
             if (isLate()) return End.LATE
-            each(loop, halt) { k -> boxes.take(k) { nodes[k].receive(it) } }
+            each(loop, halt) { k -> boxes.take(first + k) { nodes[k].receive(it) } }
         }
+        checkCounts(total)
         redone += agreement.redone
-        margins.keep(agreement.widths)
+        if (!agreement.widths.isEverything) margins.keep(agreement.widths)
         return End.AGREED
     }
 
@@ -93,6 +122,7 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
     }
 
     private inline fun each(loop: RangeLoop, halt: Halt, crossinline phase: (Int) -> Unit) {
+        val begin = System.nanoTime()
         loop.run(bricks.size, 1) { _, from, to ->
             try {
                 for (k in from until to) phase(k)
@@ -102,49 +132,59 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
                 throw e
             }
         }
+        busy += (System.nanoTime() - begin) * 1e-9
     }
 
     /**
-     * Collects what was counted, and what was recorded into [record], in order.
-     *
-     * @throws IllegalArgumentException when the step has too many collisions
-     */
+     * Collects what was counted here, and what was recorded into [record], in order.
+     *     */
     fun collect(record: CollisionRecord?) {
         counted.clear()
         for (brick in bricks) counted.add(brick.counted)
-        whole.limits.start(whole.step.population.size, whole.step.start)
-        whole.limits.checkWork(counted.collisions + counted.wallCollisions)
-        counted.redoneSteps = bricks.maxOf { it.outrun }.toLong()
+        counted.redoneSteps = bricks.maxOfOrNull { it.outrun }?.toLong() ?: 0
         if (record == null) return
         record.clear()
         for (brick in bricks) record.addAll(brick.record, 0, brick.record.size)
         record.sort()
     }
 
-    /** Writes all spheres to the population. When this throws, it is as it was. */
+    /**
+     * Checks what all bricks have counted.
+     *
+     * @throws IllegalArgumentException when the step has too many collisions
+     */
+    private fun checkCounts(total: Int) {
+        whole.limits.start(total, whole.step.start)
+        whole.limits.checkWork(counts.collisions + counts.wallCollisions)
+        check(counts.spheres == total.toLong()) { "bricks own ${counts.spheres} spheres of $total" }
+    }
+
+    /** Writes the spheres of the bricks here to the population. When this throws, it is as it was. */
     fun store(loop: RangeLoop) {
         val population = whole.step.population
-        val columns = population.columnsToWrite(whole.step.law.guard.needsLastCollision)
         var next = 0
         for (k in bricks.indices) {
             starts[k] = next
             next += bricks[k].own
         }
         starts[bricks.size] = next
-        check(next == population.size) { "bricks own $next spheres of ${population.size}" }
+        val columns = population.columnsToWrite(whole.step.law.guard.needsLastCollision, next)
         each(loop, Halt()) { k ->
-            boxes.take(k) { nodes[k].receive(it) }
-            check(nodes[k].isDone) { "brick $k has not heard of the agreement" }
+            boxes.take(first + k) { nodes[k].receive(it) }
+            check(nodes[k].isDone) { "brick ${first + k} has not heard of the agreement" }
             bricks[k].store(columns, starts[k])
         }
         population.take(columns)
         for (brick in bricks) brick.teach(whole)
     }
 
-    /** Adds the counts of the step to [counters]. To be called last, when nothing can fail any more. */
+    /**
+     * Adds the counts of the step here to [counters]. To be called last, when nothing can fail any more.
+     */
     fun addTo(counters: CollisionCounters) {
         counters.add(counted)
-        margins.collisionsPerSphere = 2.0 * counted.collisions / maxOf(1, whole.step.population.size)
+        if (agreement.widths.isEverything) counters.causalityReplays++
+        margins.collisionsPerSphere = 2.0 * counts.collisions / maxOf(1L, counts.spheres)
     }
 
     /** How [compute] ended. */
@@ -155,3 +195,6 @@ internal class BrickCrew(private val whole: PreparedStep, val margins: HaloMargi
         const val MOST_REDOS = 8
     }
 }
+
+/** A step has ended with an exception in all processes; this one has no brick that could tell which. */
+internal class FailedElsewhereException : RuntimeException("the step has failed on another node")

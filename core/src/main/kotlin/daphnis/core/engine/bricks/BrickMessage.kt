@@ -68,13 +68,36 @@ internal class Outcome(
  * Node → agreement: whether the sender has worked with the right paths of all spheres in its sight.
  *
  * @property bound how far any sphere could go along x, y, z in its computation
+ * @property counts of its own spheres and impacts in this attempt
+ * @property hasFailed whether its computation has ended with an exception, which may come from a wrong guess
  */
 internal class Agreed(
     override val key: AttemptKey,
     override val from: Int,
     val isRight: Boolean,
     val bound: DoubleArray,
+    val counts: BrickCounts,
+    val hasFailed: Boolean = false,
 ) : BrickMessage
+
+/**
+ * What a brick counts in a step, or several together.
+ *
+ * @property spheres that it owns
+ * @property collisions of spheres of which it owns the one with the lower id
+ * @property wallCollisions of its spheres
+ */
+internal data class BrickCounts(val spheres: Long, val collisions: Long, val wallCollisions: Long) {
+    operator fun plus(other: BrickCounts): BrickCounts = BrickCounts(
+        spheres + other.spheres,
+        collisions + other.collisions,
+        wallCollisions + other.wallCollisions,
+    )
+
+    companion object {
+        val NONE = BrickCounts(0, 0, 0)
+    }
+}
 
 /** Agreement → nodes: all were right at once, so what each has found for its own spheres is the step. */
 internal class Go(override val key: AttemptKey) : BrickMessage {

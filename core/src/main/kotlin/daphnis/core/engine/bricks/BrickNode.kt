@@ -50,6 +50,13 @@ internal class BrickNode(
     /** Whether it takes whatever it has computed for right; for tests of what happens then. */
     var isTrusting = false
 
+    /** Whether it answers, too, when its computation ends with an exception, which then is its [failure]. */
+    var answersFailures = false
+
+    /** What ended the computation of the present attempt; null when nothing did. */
+    var failure: Exception? = null
+        private set
+
     /** Whether the step that was begun is agreed on. */
     val isDone: Boolean get() = state == State.IDLE
 
@@ -129,7 +136,13 @@ internal class BrickNode(
     private fun computeIfComplete() {
         if (halosMissing > 0) return
         gather()
-        brick.solve(input.whole, middle, input.halt)
+        failure = null
+        try {
+            brick.solve(input.whole, middle, input.halt)
+        } catch (e: Exception) {
+            if (!answersFailures) throw e
+            failure = e
+        }
         sendOutcomes()
     }
 
@@ -151,7 +164,8 @@ internal class BrickNode(
         state = State.COMPARING
         for (list in paths) list.clear()
         val columns = brick.columns
-        for (k in 0 until brick.own) {
+        // After a failure others miss what is in their sight.
+        for (k in 0 until if (failure == null) brick.own else 0) {
             vicinity.look(columns, k)
             if (vicinity.size == 0) continue
             val hash = brick.wholePath(k)
@@ -166,8 +180,9 @@ internal class BrickNode(
     private fun compareIfComplete() {
         if (state != State.COMPARING || outcomesMissing > 0) return
         state = State.ANSWERED
-        val isRight = isTrusting || check.isRight(gathered, outcomes, input.total)
-        post.send(BrickMessage.AGREEMENT, Agreed(key, number, isRight, brick.bound))
+        val isRight = isTrusting || failure == null && check.isRight(gathered, outcomes, input.total)
+        val counts = BrickCounts(brick.own.toLong(), brick.counted.collisions, brick.counted.wallCollisions)
+        post.send(BrickMessage.AGREEMENT, Agreed(key, number, isRight, brick.bound, counts, failure != null))
     }
 
     private companion object {

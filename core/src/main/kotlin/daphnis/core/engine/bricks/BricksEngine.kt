@@ -41,7 +41,8 @@ import daphnis.core.step.PreparedStep
  *
  * So exactness does not rest on the width of the halo, which is a guess; that only decides how often bricks compute
  * again ([HaloMargins]). A guess may end with an exception, though. The step is then left to the serial engine, whose
- * result is the result, and is counted in `causalityReplays`. That happens too when bricks do not come to agree.
+ * result is the result, and is counted in `causalityReplays`. That happens too when bricks do not come to agree. A step
+ * that is given up because it takes too long is not counted: that depends on the machine.
  *
  * Where it should be quicker, and for few spheres, the engine takes steps in the serial engine's way. In dense gases it
  * makes more bricks than there are threads, since the rows of a small brick stay in the cache ([BrickCost]).
@@ -57,10 +58,11 @@ public class BricksEngine internal constructor(
     private val fewest: Int,
     division: BrickDivision?,
     margins: HaloMargins,
+    private val quicker: QuickerWay,
 ) : CollisionEngine {
     @JvmOverloads
     public constructor(handler: ThreadHandler, fewest: Int = WORTH_SPHERES, division: BrickDivision? = null) :
-        this(handler, fewest, division, HaloMargins())
+        this(handler, fewest, division, HaloMargins(), QuickerWay())
 
     public constructor(threads: Int) : this(FixedPool(threads))
 
@@ -73,10 +75,9 @@ public class BricksEngine internal constructor(
     private val alone = SerialEngine(prepared = whole)
     private val plan = TerritoryPlan(whole, margins, threads, division)
     internal val crew = BrickCrew(whole, margins)
-    private val quicker = QuickerWay()
     private var failed = false
 
-    /** Attempts that bricks computed again, with wider halos, since the start; not those of steps that were given up. */
+    /** Attempts that bricks computed again, with wider halos, since the start; without steps that were given up. */
     public val redone: Long get() = crew.redone
 
     /** Number of spheres in halos in the last step that bricks computed, each as often as it was computed. */
@@ -118,7 +119,8 @@ public class BricksEngine internal constructor(
             plan.prepare(loop)
             val territory = plan.territory ?: return false
             if (crew.territory !== territory) crew.settle(territory)
-            val end = crew.compute(plan.bodies, plan.extent, loop) { quicker.isLate }
+            val total = step.population.size
+            val end = crew.compute(total, plan.bodies, plan.extent, loop) { quicker.isLate }
             failed = end == BrickCrew.End.DISAGREED
             if (end != BrickCrew.End.AGREED) return false
             crew.collect(step.record)

@@ -45,6 +45,13 @@ internal class HaloWidths(
         return HaloWidths(DoubleArray(AXES) { maxOf(bound[it], reach[it]) }, rounding, edge, wider)
     }
 
+    /** Whether each brick computes all spheres. */
+    val isEverything: Boolean get() = widest == Double.POSITIVE_INFINITY
+
+    /** With these, every brick computes all spheres: what each finds is what the serial engine finds. */
+    fun everything(): HaloWidths =
+        HaloWidths(bound, rounding, edge, DoubleArray(extra.size) { Double.POSITIVE_INFINITY })
+
     companion object {
         /** No halo at all, of [bricks] bricks. */
         fun none(bricks: Int): HaloWidths =

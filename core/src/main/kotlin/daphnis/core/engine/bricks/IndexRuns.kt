@@ -38,6 +38,14 @@ internal class IndexRuns {
         runs++
     }
 
+    /** Adds all indices [from] until [to], which do not follow those before. */
+    fun addAll(from: Int, to: Int) {
+        if (from == to) return
+        add(from)
+        size += to - from - 1
+        ends[2 * runs - 1] = to
+    }
+
     private companion object {
         const val INITIAL = 4
     }

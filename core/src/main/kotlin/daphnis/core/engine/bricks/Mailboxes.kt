@@ -4,7 +4,8 @@ package daphnis.core.engine.bricks
  * Messages between the bricks of one process, and their agreement, from one phase of a step to the next. Within a phase
  * one thread works for a brick: it alone posts from the brick, and it alone takes what the phase before has posted to
  * the brick. Between two phases is a barrier, and [turn] is called, so a message is written, then the barrier, then
- * read. Nothing is copied: a message refers to the arrays of its sender.
+ * read. Nothing is copied: a message refers to the arrays of its sender. What a failed step has left is dropped by
+ * whoever takes it in the next, since it has the key of another step.
  */
 internal class Mailboxes(private val bricks: Int) {
     /** By place of the receiver, then by place of the sender, who alone adds. */
@@ -27,16 +28,21 @@ internal class Mailboxes(private val bricks: Int) {
         filling = filled.also { filled = filling }
     }
 
+    /** Brings [message] from another process to brick [to], or to the agreement, between two phases. */
+    fun deliver(to: Int, message: BrickMessage) {
+        filled[place(to)][place(message.from)].add(message)
+    }
+
+    /** Hands all messages to the agreement to [look]; they stay. */
+    inline fun look(look: (BrickMessage) -> Unit) {
+        for (box in filled[bricks]) for (k in box.indices) look(box[k])
+    }
+
     /** Hands all messages to [number] to [receive] and removes them. */
     inline fun take(number: Int, receive: (BrickMessage) -> Unit) {
         for (box in filled[place(number)]) {
             for (k in box.indices) receive(box[k])
             box.clear()
         }
-    }
-
-    /** Removes all messages, after a step that has failed. */
-    fun clear() {
-        for (boxes in listOf(filling, filled)) for (row in boxes) for (box in row) box.clear()
     }
 }

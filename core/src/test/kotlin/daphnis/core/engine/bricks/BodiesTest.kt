@@ -13,6 +13,8 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeBody
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
@@ -77,7 +79,7 @@ class BodiesTest {
         val bodies = Bodies().also { it.find(p, whole.reach.largestRadius, 0.4, InlineLoop) }
         assertEquals(1, bodies.size)
         val extent = GridExtent().also { it.measure(p, boundary, Grid.WHOLE, InlineLoop) }
-        assertEquals(BrickCrew.End.AGREED, crew.compute(bodies, extent, InlineLoop) { false })
+        assertEquals(BrickCrew.End.AGREED, crew.compute(p.size, bodies, extent, InlineLoop) { false })
         crew.collect(null)
         crew.store(InlineLoop)
         return crew.redone
@@ -113,6 +115,20 @@ class BodiesTest {
         val bodies = Bodies().also { it.find(p, 4.0, 0.41, InlineLoop) }
         val cuts = Cuts(listOf(doubleArrayOf(-10.0, 0.0), DoubleArray(0), DoubleArray(0)), Periodic(box))
         assertEquals(listOf(0.4, 3.0), bodies.edges(Territory(cuts, Periodic(box), 1)).asList())
+    }
+
+    @Test
+    fun `bodies come in the order of the spheres, whichever thread finds them first`() {
+        val p = populationOf(*Array(40) { Sphere(x = 10.0 * it, r = if (it % 9 == 4) 4.0 + it else 0.4) })
+        val backward = object : RangeLoop {
+            override val workers = 1
+
+            override fun run(size: Int, grain: Int, body: RangeBody) {
+                for (k in size - 1 downTo 0) body.run(0, k, k + 1)
+            }
+        }
+        val bodies = Bodies().also { it.find(p, 44.0, 0.41, backward) }
+        assertEquals(listOf(8.0, 17.0, 26.0, 35.0), List(bodies.size) { bodies.radius(it) })
     }
 
     @Test

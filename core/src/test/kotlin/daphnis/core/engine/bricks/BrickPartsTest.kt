@@ -128,7 +128,7 @@ class BrickPartsTest {
         val key = AttemptKey(1, 7, 0)
         agreement.begin(key, HaloWidths.none(3))
         fun answer(from: Int, isRight: Boolean, at: AttemptKey) =
-            agreement.receive(Agreed(at, from, isRight, doubleArrayOf(0.5, 0.0, 0.0)))
+            agreement.receive(Agreed(at, from, isRight, doubleArrayOf(0.5, 0.0, 0.0), BrickCounts(from + 1L, 2, 3)))
         answer(0, true, key)
         answer(2, false, key)
         answer(2, false, key)
@@ -144,5 +144,6 @@ class BrickPartsTest {
         assertEquals(0, sent.size)
         for (brick in 0..2) answer(brick, true, key.next)
         assertTrue(agreement.isDone && sent.all { it.second is Go } && sent.size == 3)
+        assertEquals(BrickCounts(6, 6, 9), agreement.counts)
     }
 }

@@ -5,6 +5,7 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.Case
 import daphnis.core.engine.Draw
 import daphnis.core.engine.OddDraw
+import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
@@ -30,7 +31,7 @@ class BricksAgreeTest {
         val random = case.random
         val division = BrickDivision(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))
         val margins = HaloMargins(WIDTHS[random.nextInt(WIDTHS.size)], 0.0)
-        return BricksEngine(FixedPool(1 + random.nextInt(2)), fewest = 0, division, margins)
+        return BricksEngine(FixedPool(1 + random.nextInt(2)), fewest = 0, division, margins, QuickerWay())
     }
 
     @Test
@@ -65,7 +66,7 @@ class BricksAgreeTest {
             val case = LongBox(seed)
             val start = case.population
             val serial = simulationOf(start.copy(), case.boundary, LongBox.DT)
-            val engine = BricksEngine(FixedPool(1), fewest = 0, case.slabs(4), HaloMargins(0.0, 0.0))
+            val engine = BricksEngine(FixedPool(1), fewest = 0, case.slabs(4), HaloMargins(0.0, 0.0), QuickerWay())
             engine.crew.isTrusting = true
             simulationOf(start.copy(), case.boundary, LongBox.DT, engine = engine).use {
                 serial.advance()
@@ -100,7 +101,7 @@ class BricksAgreeTest {
         for (seed in 1..10L) {
             val case = LongBox(seed)
             val serial = simulationOf(case.population.copy(), case.boundary, LongBox.DT)
-            val engine = BricksEngine(FixedPool(2), fewest = 0, case.slabs(5), HaloMargins(0.0, 0.0))
+            val engine = BricksEngine(FixedPool(2), fewest = 0, case.slabs(5), HaloMargins(0.0, 0.0), QuickerWay())
             simulationOf(case.population.copy(), case.boundary, LongBox.DT, engine = engine).use { bricks ->
                 for (step in 1..6) {
                     serial.advance()

@@ -1,0 +1,131 @@
+package daphnis.cluster
+
+import daphnis.cluster.TestedFleet.Companion.await
+import daphnis.cluster.TestedFleet.Companion.awaitThat
+import daphnis.core.cluster.FleetException
+import daphnis.core.cluster.MailClosedException
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentLinkedQueue
+
+/** Nodes in JVMs of their own, and signals. */
+@Timeout(120)
+class LocalNodesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val lines = ConcurrentLinkedQueue<String>()
+
+    private fun config(text: String) = Files.writeString(folder.resolve("daphnis.conf"), text)
+
+    private fun start(count: Int, config: Path) = LocalNodes.start(
+        count,
+        "local",
+        { LocalNodes.java("daphnis.cluster.TestNode").filter { "jdwp" !in it } + listOf("$it", "$config") },
+        lines::add,
+        config,
+    )
+
+    private fun signal(name: String, pid: Long) =
+        assertEquals(0, ProcessBuilder("kill", "-$name", "$pid").start().waitFor())
+
+    @Test
+    fun `a killed process closes the mail, and the others go on`() {
+        start(2, TestedFleet.quick(folder)).use { nodes ->
+            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            Echo.around(mail, ByteArray(1_000_000) { it.toByte() })
+            signal("KILL", nodes.pids[0])
+            val e = assertThrows(MailClosedException::class.java) { mail.receive(0) }
+            assertTrue(Regex("(node .*: )?node 127.0.0.1:\\d+ was lost").matches(e.message!!)) { e.message }
+            Echo.around(nodes.fleet.form(await(nodes.fleet, 1)), ByteArray(7))
+        }
+    }
+
+    @Test
+    fun `a process that was stopped for a while goes on in its crew`() {
+        val config = config("daphnis.cluster { heartbeat = 200 ms }")
+        start(1, config).use { nodes ->
+            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            Echo.around(mail, ByteArray(7))
+            signal("STOP", nodes.pids[0])
+            Thread.sleep(3000)
+            signal("CONT", nodes.pids[0])
+            Echo.around(mail, ByteArray(7))
+            assertFalse(mail.isClosed)
+        }
+    }
+
+    @Test
+    fun `a process that was stopped for too long is lost, and ends with one line`() {
+        start(2, TestedFleet.quick(folder)).use { nodes ->
+            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            val child = ProcessHandle.of(nodes.pids[1]).get()
+            signal("STOP", nodes.pids[1])
+            assertThrows(MailClosedException::class.java) { mail.receive(1) }
+            await(nodes.fleet, 1)
+            signal("CONT", nodes.pids[1])
+            awaitThat("end of the process") { !child.isAlive }
+            val last = lines.last { it.startsWith("process ${nodes.pids[1]}: ") }
+            assertTrue("daphnis: this process was cut off from the others" in last) { last }
+        }
+    }
+
+    @Test
+    fun `a leader that loses most of the cluster at once goes on with the rest, or with none`() {
+        start(3, TestedFleet.quick(folder)).use { nodes ->
+            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            for (pid in nodes.pids.take(2)) signal("KILL", pid)
+            assertThrows(MailClosedException::class.java) { mail.receive(1) }
+            Echo.around(nodes.fleet.form(await(nodes.fleet, 1)), ByteArray(7))
+            signal("KILL", nodes.pids[2])
+            await(nodes.fleet, 0)
+        }
+    }
+
+    @Test
+    fun `a leader that was stopped for too long joins its nodes again`() {
+        TestedFleet(folder).use { tested ->
+            val node = tested.node()
+            val command = LocalNodes.java("daphnis.cluster.TestLeader").filter { "jdwp" !in it } +
+                listOf("${node.address}", "${TestedFleet.quick(folder)}")
+            val leader = ProcessBuilder(command).redirectErrorStream(true).start()
+            try {
+                val said = leader.inputStream.bufferedReader()
+                generateSequence { said.readLine() }.first { it == "around" }
+                signal("STOP", leader.pid())
+                awaitThat("loss of the leader") { tested.lines.any { "was lost; waiting for a run" in it } }
+                signal("CONT", leader.pid())
+                val lines = generateSequence { said.readLine() }.takeWhile { it != "around" }.toList()
+                val cut = "this process was cut off from the nodes, or stopped for too long; joining again"
+                assertTrue(cut in lines) { "$lines" }
+            } finally {
+                leader.destroyForcibly().waitFor()
+            }
+        }
+    }
+
+    @Test
+    fun `a process that does not come is told with its last line`() {
+        val e = assertThrows(FleetException::class.java) {
+            LocalNodes.start(2, "local", { LocalNodes.java("daphnis.NoSuchClass") }, lines::add)
+        }
+        assertTrue("has ended with code 1: " in e.message!! && "NoSuchClass" in e.message!!) { e.message }
+        assertThrows(FleetException::class.java) { LocalNodes.start(1, "x", { listOf("/no/such/java") }, lines::add) }
+    }
+
+    @Test
+    fun `nodes end with their parent`() {
+        val nodes = start(1, TestedFleet.quick(folder))
+        val child = ProcessHandle.of(nodes.pids.single()).get()
+        nodes.close()
+        assertFalse(child.isAlive)
+        assertTrue(lines.any { "is waiting for a run" in it })
+    }
+}

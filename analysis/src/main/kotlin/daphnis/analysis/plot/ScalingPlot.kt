@@ -1,0 +1,42 @@
+package daphnis.analysis.plot
+
+import java.nio.file.Path
+
+/** Plots of how the time of a computation falls with the number of threads. Needs no display. */
+public object ScalingPlot {
+    /**
+     * Draws `NAME-time`, `NAME-speed` and `NAME-efficiency`, as SVG and PNG, into [directory], which is made.
+     *
+     * @param times for each engine, seconds against threads; an engine of one thread is a dashed line
+     * @param alone seconds of what all are compared with, on one thread
+     * @param title what stands above
+     * @throws IllegalArgumentException when there is no curve, or a time is not positive
+     */
+    @JvmStatic
+    public fun write(times: List<Curve>, alone: Double, directory: Path, name: String, title: String) {
+        require(times.isNotEmpty()) { "there is nothing to draw" }
+        require(times.all { c -> c.y.all { it > 0 } } && alone > 0) { "a time is not positive" }
+        val threads = times.flatMap { it.x.asList() }.map { it.toInt() }.distinct().sorted()
+        fun draw(kind: String, curves: List<Curve>, label: String, horizontal: Double?) {
+            val plot = Chart.lines(curves, "threads", label, title, horizontal = horizontal, ticks = threads)
+            Figures.write(plot, directory, "$name-$kind", Chart.WIDTH, Chart.HEIGHT)
+        }
+        draw("time", times, "time [s]", alone)
+        draw("speed", times.map { c -> mapped(c) { _, t -> alone / t } } + ideal(times), "speed", 1.0)
+        val measured = times.filter { 1.0 in it.x.asList() }
+        if (measured.isEmpty()) return
+        val efficiencies = measured.map { c ->
+            val one = c.y[c.x.indexOfFirst { it == 1.0 }]
+            mapped(c) { n, t -> one / t / n }
+        }
+        draw("efficiency", efficiencies, "efficiency", 1.0)
+    }
+
+    private fun mapped(curve: Curve, value: (x: Double, y: Double) -> Double) =
+        Curve(curve.name, curve.x, DoubleArray(curve.x.size) { value(curve.x[it], curve.y[it]) })
+
+    private fun ideal(times: List<Curve>): Curve {
+        val x = times.flatMap { it.x.asList() }.distinct().sorted().toDoubleArray()
+        return Curve("ideal", x, x)
+    }
+}

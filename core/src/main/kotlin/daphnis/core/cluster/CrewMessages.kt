@@ -1,0 +1,129 @@
+package daphnis.core.cluster
+
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionRecord
+import java.nio.ByteBuffer
+
+/** What the leader of a crew asks of each node. */
+internal enum class Command {
+    STEP,
+    GATHER,
+
+    /** First moments and potential energies of the node's spheres. */
+    FIRST_SUMS,
+
+    /** Second moments around the means that follow. */
+    CENTRAL_SUMS,
+}
+
+/** How a node answers [Command.STEP]. */
+internal enum class Answer { DONE, FAILED, FAILED_ELSEWHERE }
+
+/**
+ * The first message of the leader to a node, followed by the spheres that it is to begin with.
+ *
+ * @property scenario as the run has resolved it, in JSON
+ * @property step number of steps since the start of the run
+ * @property time at the end of that step
+ * @property records whether collisions are recorded
+ * @property threads by rank
+ * @property ids all ids of the run, where they are not dense
+ * @property idCount number of places for ids
+ */
+internal class Begin(
+    val scenario: String,
+    val step: Long,
+    val time: Double,
+    val records: Boolean,
+    val threads: IntArray,
+    val ids: IntArray?,
+    val idCount: Int,
+) {
+    fun message(): ByteBuffer = MessageWriter().text(scenario).long(step).double(time).byte(if (records) 1 else 0)
+        .int(threads.size).ints(threads).int(idCount).int(ids?.size ?: -1).ints(ids ?: IntArray(0)).message()
+
+    companion object {
+        fun read(from: ByteBuffer): Begin {
+            val scenario = from.text()
+            val step = from.long
+            val time = from.double
+            val records = from.get().toInt() == 1
+            val threads = from.ints(from.int)
+            val idCount = from.int
+            val sparse = from.int
+            return Begin(scenario, step, time, records, threads, if (sparse < 0) null else from.ints(sparse), idCount)
+        }
+    }
+}
+
+/**
+ * What a node has done in a step.
+ *
+ * @property time at the end of the step
+ * @property total number of spheres of all nodes
+ * @property held number of spheres that the node holds
+ * @property seconds that the step took
+ */
+internal class StepDone(
+    val time: Double,
+    val duration: Double,
+    val total: Int,
+    val held: Int,
+    val seconds: Double,
+    val cost: NodeCost,
+    val counted: CollisionCounters,
+    val record: CollisionRecord?,
+)
+
+/**
+ * What the bricks of a node have cost since the node began.
+ *
+ * @property redone attempts that bricks of the crew computed again
+ * @property haloSpheres in the last step
+ * @property bytesSent to other nodes
+ */
+internal class NodeCost(val redone: Long, val haloSpheres: Int, val bytesSent: Long)
+
+internal fun MessageWriter.stepDone(done: StepDone): MessageWriter = apply {
+    double(done.time).double(done.duration).int(done.total).int(done.held).double(done.seconds)
+    long(done.cost.redone).int(done.cost.haloSpheres).long(done.cost.bytesSent)
+    val c = done.counted
+    long(c.collisions).long(c.wallCollisions).long(c.guardActivations).long(c.redoneSteps).long(c.causalityReplays)
+    record(done.record)
+}
+
+internal fun ByteBuffer.stepDone(): StepDone = StepDone(
+    double,
+    double,
+    int,
+    int,
+    double,
+    NodeCost(long, int, long),
+    CollisionCounters().also {
+        it.collisions = long
+        it.wallCollisions = long
+        it.guardActivations = long
+        it.redoneSteps = long
+        it.causalityReplays = long
+    },
+    record(),
+)
+
+private fun MessageWriter.record(record: CollisionRecord?) {
+    if (record == null) {
+        int(-1)
+        return
+    }
+    int(record.size)
+    doubles(record.time, 0, record.size)
+    ints(record.rank, 0, record.size)
+    ints(record.lower, 0, record.size)
+    ints(record.higher, 0, record.size)
+    doubles(record.data, 0, record.size * CollisionRecord.WIDTH)
+}
+
+private fun ByteBuffer.record(): CollisionRecord? {
+    val size = int
+    if (size < 0) return null
+    return CollisionRecord(doubles(size), ints(size), ints(size), ints(size), doubles(size * CollisionRecord.WIDTH))
+}

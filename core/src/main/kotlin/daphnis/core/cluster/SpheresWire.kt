@@ -1,0 +1,48 @@
+package daphnis.core.cluster
+
+import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
+
+/** Any number of spheres as messages of limited length. */
+internal object SpheresWire {
+    /** Sends the entries [from] until [until] of [spheres]. */
+    fun send(mail: Mail, to: Int, spheres: SphereColumns, from: Int, until: Int) {
+        mail.send(to, MessageWriter().int(until - from).message())
+        var at = from
+        while (at < until) {
+            val end = minOf(until, at + BLOCK)
+            val message = MessageWriter((end - at) * SphereBlock.BYTES + Int.SIZE_BYTES)
+            SphereBlock.write(message, spheres, at, end)
+            mail.send(to, message.message())
+            at = end
+        }
+    }
+
+    /** Receives what [send] has sent. */
+    fun receive(mail: Mail, from: Int): SphereBlock {
+        val count = mail.receive(from).int
+        val blocks = ArrayList<SphereBlock>()
+        receive(mail, from, count) { blocks += it }
+        return blocks.singleOrNull() ?: SphereBlock.joined(blocks)
+    }
+
+    /** Receives the [count] spheres that follow their number, and hands each message of them to [take]. */
+    inline fun receive(mail: Mail, from: Int, count: Int, take: (SphereBlock) -> Unit) {
+        var received = 0
+        while (received < count) {
+            val block = SphereBlock.read(mail.receive(from))
+            received += block.size
+            take(block)
+        }
+    }
+
+    /** Sends all of [population] and what boxes were crossed since the last time. */
+    fun send(mail: Mail, to: Int, population: Population) {
+        send(mail, to, population, 0, population.size)
+        val message = MessageWriter()
+        population.takeCrossings { id, axis, boxes -> message.int(id).int(axis).int(boxes) }
+        mail.send(to, message.message())
+    }
+
+    private const val BLOCK = 1 shl 20
+}

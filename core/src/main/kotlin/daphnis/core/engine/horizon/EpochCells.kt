@@ -1,0 +1,262 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.population.SphereColumns
+import kotlin.math.abs
+import kotlin.math.floor
+import kotlin.math.sqrt
+
+/**
+ * The cells of an epoch: a regular grid into which spheres are sorted by where their lines are at the middle of the
+ * epoch. **Slot** is the place of a sphere in this order; slots of a cell are consecutive.
+ *
+ * A sphere which is at the middle of the epoch at g, with a velocity of at most [bound], is never farther than
+ * `bound · T / 2` from g. So a search looks as far around a path as the radii and that [reach]; cells sorted by where
+ * spheres are at the start would need twice as much. Along rows, velocities are relative to the mean flow of the layer.
+ *
+ * Spheres in cells are **members**: at each moment from its last change on, the line of a member is within [reach] of
+ * its cell ([holds]), which moves with the flow of its layer. A sphere that is too fast, or was thrown out of its
+ * place by a collision, is a roamer instead.
+ *
+ * Arrays are indexed by row axis, middle axis and slow axis.
+ */
+internal class EpochCells(private val frame: EpochFrame, private val lines: Lines) {
+    /** Numbers of cells. */
+    val count = IntArray(AXES)
+
+    /** Bound on the velocities of members. */
+    val bound = DoubleArray(AXES)
+
+    /** How far a member may be from its cell. */
+    val reach = DoubleArray(AXES)
+
+    /** Root mean square of the velocities relative to the mean flow. */
+    val rms = DoubleArray(AXES)
+
+    /** Greatest velocity of any sphere at the start, relative to the mean flow. */
+    val fastest = DoubleArray(AXES)
+
+    /** Velocity of the mean flow by layer. */
+    var flow = DoubleArray(0)
+        private set
+
+    /** First slot of each cell; entry c + 1 is one past its last. */
+    var start = IntArray(0)
+        private set
+
+    /** Cell by slot; that after the last cell for spheres which were no members at the start. */
+    var cellOf = IntArray(0)
+        private set
+
+    /** Index in the population, at the start of the epoch, by slot. */
+    var order = IntArray(0)
+        private set
+
+    /** Slots below this are those of spheres that were members at the start. */
+    var members = 0
+        private set
+    private var cellOfIndex = IntArray(0)
+    private var imageOfIndex = IntArray(0)
+    private val perLength = DoubleArray(AXES)
+
+    private val cells: Int get() = count[0] * count[1] * count[2]
+
+    /** Sorts [spheres], which have been measured, into cells. */
+    fun sort(spheres: SphereColumns, tuning: HorizonTuning) {
+        layOut(spheres.size, tuning)
+        reserve(spheres.size)
+        count(spheres)
+        fill(spheres.size)
+    }
+
+    /** Measures velocities relative to the mean flow: [rms] and [fastest]. */
+    fun measure(spheres: SphereColumns) {
+        val normal = spheres.position(frame.axes[2])
+        for (k in 0 until AXES) {
+            val velocity = spheres.velocity(frame.axes[k])
+            val rate = if (k == 0) frame.flowRate else 0.0
+            var sum = 0.0
+            var most = 0.0
+            for (i in 0 until spheres.size) {
+                val own = velocity[i] - rate * normal[i]
+                sum += own * own
+                if (abs(own) > most) most = abs(own)
+            }
+            rms[k] = sqrt(sum / spheres.size)
+            fastest[k] = most
+        }
+    }
+
+    /** [rms], but not much less than along the fastest axis. */
+    fun rmsAtLeast(k: Int): Double = maxOf(rms[k], LEAST_SHARE * maxOf(rms[0], rms[1], rms[2]))
+
+    private fun layOut(spheres: Int, tuning: HorizonTuning) {
+        for (k in 0 until AXES) bound[k] = tuning.classBound * rmsAtLeast(k)
+        for (k in 0 until AXES) {
+            val range = 2 * (2 * frame.largestRadius + frame.inflation + bound[k] * frame.middle)
+            val perRange = if (k == 0) tuning.cellsAlong else tuning.cellsAcross
+            count[k] = (frame.length[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
+        }
+        val most = CELLS_A_SPHERE * spheres + LEAST_CELLS
+        while (count[0].toLong() * count[1] * count[2] > most) {
+            val k = (0 until AXES).maxBy { count[it] }
+            count[k] = maxOf(1, (count[k] * SHRINKING).toInt())
+        }
+        for (k in 0 until AXES) perLength[k] = if (frame.length[k] > 0) count[k] / frame.length[k] else 1.0
+        if (flow.size < count[2]) flow = DoubleArray(count[2])
+        for (c in 0 until count[2]) flow[c] = frame.flowRate * (frame.low[2] + (c + 0.5) / perLength[2])
+        // Within a layer the flow differs from that of its middle.
+        bound[0] += abs(frame.flowRate) / (2 * perLength[2])
+        for (k in 0 until AXES) reach[k] = bound[k] * frame.middle
+    }
+
+    private fun reserve(spheres: Int) {
+        if (order.size < spheres) {
+            order = IntArray(spheres)
+            cellOf = IntArray(spheres)
+            cellOfIndex = IntArray(spheres)
+            imageOfIndex = IntArray(spheres)
+        }
+        if (start.size < cells + 2) start = IntArray(cells + cells / 4 + 2)
+        start.fill(0, 0, cells + 2)
+    }
+
+    /** Finds the cell of each sphere, and how many each cell has. */
+    private fun count(spheres: SphereColumns) {
+        val p0 = spheres.position(frame.axes[0])
+        val p1 = spheres.position(frame.axes[1])
+        val p2 = spheres.position(frame.axes[2])
+        val v0 = spheres.velocity(frame.axes[0])
+        val v1 = spheres.velocity(frame.axes[1])
+        val v2 = spheres.velocity(frame.axes[2])
+        val t = frame.middle
+        val slide = frame.images.shearVelocity
+        for (i in 0 until spheres.size) {
+            val m2 = p2[i] + v2[i] * t
+            val m1 = p1[i] + v1[i] * t
+            val slow = boxes(m2, 2)
+            val middle = boxes(m1, 1)
+            val along = v0[i] - slow * slide
+            val m0 = p0[i] + v0[i] * t - if (frame.slides) slow * frame.offset(t) else 0.0
+            val row = boxes(m0, 0)
+            val c2 = cellAt(m2 - slow * frame.length[2], 2)
+            val isMember = abs(along - flow[c2]) <= bound[0] && abs(v1[i]) <= bound[1] && abs(v2[i]) <= bound[2]
+            val c1 = cellAt(m1 - middle * frame.length[1], 1)
+            val c0 = cellAt(m0 - row * frame.length[0], 0)
+            val c = if (isMember) (c2 * count[1] + c1) * count[0] + c0 else cells
+            cellOfIndex[i] = c
+            imageOfIndex[i] = frame.code(row, middle, slow)
+            start[c]++
+        }
+    }
+
+    /** How many boxes away from the box [position] along axis [k] is. */
+    private fun boxes(position: Double, k: Int): Int =
+        if (frame.isPeriodic[k]) floor((position - frame.low[k]) / frame.length[k]).toInt() else 0
+
+    /** Makes [start] of the numbers of spheres, and puts the spheres in order. */
+    private fun fill(spheres: Int) {
+        var sum = 0
+        for (c in 0..cells) {
+            sum += start[c]
+            start[c] = sum
+        }
+        start[cells + 1] = sum
+        for (i in spheres - 1 downTo 0) {
+            val slot = --start[cellOfIndex[i]]
+            order[slot] = i
+            cellOf[slot] = cellOfIndex[i]
+        }
+        members = start[cells]
+    }
+
+    /** The boxes by which the line in [slot] has to be moved back at the start of the epoch. */
+    fun imageAtStart(slot: Int): Int = imageOfIndex[order[slot]]
+
+    /** The cell along axis [k] in which [position] is. */
+    fun cellAt(position: Double, k: Int): Int {
+        val c = ((position - frame.low[k]) * perLength[k]).toInt()
+        return if (c >= count[k]) {
+            count[k] - 1
+        } else if (c < 0) {
+            0
+        } else {
+            c
+        }
+    }
+
+    /** The same, counted on beyond the faces along a periodic axis. */
+    fun cellToward(position: Double, k: Int): Int {
+        val c = floor((position - frame.low[k]) * perLength[k])
+        return if (frame.isPeriodic[k]) {
+            c.toInt()
+        } else if (c >= count[k]) {
+            count[k] - 1
+        } else if (c < 0) {
+            0
+        } else {
+            c.toInt()
+        }
+    }
+
+    /** The middle of cell [c] along axis [k]. */
+    private fun middleOf(c: Int, k: Int): Double = frame.low[k] + (c + 0.5) / perLength[k]
+
+    /** Whether [slot] has a cell, so that searches that look at the cell meet it. */
+    fun hasCell(slot: Int): Boolean = cellOf[slot] < cells
+
+    /** The boxes by which the line in [slot] is to be moved back to be near its cell at the middle of the epoch. */
+    fun imageAtCell(slot: Int): Int = imageOf(slot) { position, k ->
+        Math.rint((position - middleOf(coordinate(slot, k), k)) / frame.length[k]).toInt()
+    }
+
+    /** The boxes by which the line in [slot] is to be moved back to be in the box at the middle of the epoch. */
+    fun imageInBox(slot: Int): Int = imageOf(slot) { position, k -> boxes(position, k) }
+
+    private inline fun imageOf(slot: Int, boxes: (position: Double, k: Int) -> Int): Int {
+        val t = frame.middle
+        val slow = if (frame.isPeriodic[2]) boxes(lines.at(slot, frame.axes[2], t), 2) else 0
+        val middle = if (frame.isPeriodic[1]) boxes(lines.at(slot, frame.axes[1], t), 1) else 0
+        val shift = if (frame.slides) slow * frame.offset(t) else 0.0
+        val along = if (frame.isPeriodic[0]) boxes(lines.at(slot, frame.axes[0], t) - shift, 0) else 0
+        return if ((along or middle or slow) == 0) 0 else frame.code(along, middle, slow)
+    }
+
+    /** The number along axis [k] of the cell of [slot]. */
+    fun coordinate(slot: Int, k: Int): Int = when (k) {
+        0 -> cellOf[slot] % count[0]
+        1 -> cellOf[slot] / count[0] % count[1]
+        else -> cellOf[slot] / (count[0] * count[1])
+    }
+
+    /** Whether the line in [slot] is within [reach] of its cell from time [from] to the end of the epoch. */
+    fun holds(slot: Int, from: Double): Boolean {
+        if (!hasCell(slot)) return false
+        for (k in 0 until AXES) {
+            val c = coordinate(slot, k)
+            val drift = if (k == 0) flow[coordinate(slot, 2)] else 0.0
+            val axis = frame.axes[k]
+            if (!isNear(lines.at(slot, axis, from) - drift * (from - frame.middle), c, k)) return false
+            if (!isNear(lines.at(slot, axis, frame.end) - drift * (frame.end - frame.middle), c, k)) return false
+        }
+        return true
+    }
+
+    private fun isNear(position: Double, c: Int, k: Int): Boolean {
+        val room = reach[k] + 0.5 / perLength[k]
+        val offset = position - middleOf(c, k)
+        // The cells at the ends of an axis without images have all that is beyond.
+        val isAbove = offset <= room || !frame.isPeriodic[k] && c == count[k] - 1
+        return isAbove && (offset >= -room || !frame.isPeriodic[k] && c == 0)
+    }
+
+    private companion object {
+        const val AXES = 3
+
+        /** Along each axis the bound is at least this part of that of the fastest axis. */
+        const val LEAST_SHARE = 0.05
+        const val MOST_CELLS_ALONG = 1e5
+        const val CELLS_A_SPHERE = 4L
+        const val LEAST_CELLS = 64L
+        const val SHRINKING = 0.8
+    }
+}

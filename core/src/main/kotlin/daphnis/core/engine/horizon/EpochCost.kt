@@ -1,0 +1,107 @@
+package daphnis.core.engine.horizon
+
+import kotlin.math.PI
+import kotlin.math.sqrt
+
+/**
+ * What a step is expected to cost per sphere, in nanoseconds of the machine on which it was fitted; only ratios count.
+ *
+ * @param crowding how many more lines a search tests than in an even distribution
+ * @param collisions per sphere and step; that of a gas when negative
+ * @param strays spheres found off their lines per sphere and step
+ * @param deviation see [HorizonTuning]
+ */
+internal class EpochCost(
+    private val spheres: Int,
+    private val frame: EpochFrame,
+    private val cells: EpochCells,
+    private val crowding: Double,
+    collisions: Double,
+    private val strays: Double,
+    private val deviation: Double,
+) {
+    private val radius = frame.largestRadius
+    private val dt = frame.duration
+
+    /** Extents along row axis, middle axis and slow axis; a layer without extent is as thick as its spheres. */
+    private val length = DoubleArray(AXES) { maxOf(frame.length[it], 2 * radius) }
+    private val density = spheres / (length[0] * length[1] * length[2])
+    private val collisions = if (collisions >= 0) collisions else crowding * ofGas()
+
+    /** Lines that the search for all tests per sphere, with the numbers that were asked for last. */
+    var testsAhead = 0.0
+        private set
+
+    // What a search around a sphere looks at.
+    private var rows = 0.0
+    private var tests = 0.0
+
+    /** Collisions per sphere and step of a gas: Enskog's, with the contact value of Carnahan and Starling. */
+    private fun ofGas(): Double {
+        val speed = sqrt((0 until AXES).sumOf { cells.rms[it] * cells.rms[it] } / AXES)
+        val filling = minOf(4 * PI / 3 * radius * radius * radius * density, MOST_FILLING)
+        val free = 1 - filling
+        val contact = (1 - filling / 2) / (free * free * free)
+        return 2 * sqrt(PI) * density * (2 * radius) * (2 * radius) * speed * dt * contact
+    }
+
+    /** In epochs with these numbers of a [HorizonTuning]. */
+    fun of(steps: Int, classBound: Double, along: Double, across: Double): Double {
+        val time = steps * dt
+        val own = 2 * radius * (1 + deviation)
+        look(time, along, across) { own + classBound * cells.rmsAtLeast(it) * time / 2 }
+        testsAhead = tests / 2
+        val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
+        val around = SEARCH + ROAMERS + FAR * (ROW * rows + TEST * tests)
+        return PASS + (EPOCH + ahead) / steps + collisions * COLLISION + (2 * collisions + strays) * around
+    }
+
+    /** In steps of the serial engine. */
+    fun ofSerial(): Double {
+        look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.fastest[it] * dt }
+        val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
+        val around = SEARCH + FAR * (ROW * rows + TEST * tests)
+        return SERIAL_PASS + ahead + collisions * (COLLISION + 2 * around)
+    }
+
+    private inline fun look(time: Double, along: Double, across: Double, margin: (k: Int) -> Double) {
+        rows = 1.0
+        tests = spheres * crowding
+        for (k in 0 until AXES) {
+            val range = 2 * margin(k)
+            val count = maxOf(1.0, Math.floor(length[k] / range * if (k == 0) along else across))
+            val width = length[k] / count
+            var seen = range + MEAN_WAY * cells.rms[k] * time + width
+            if (!frame.isPeriodic[k]) seen = minOf(seen, length[k])
+            if (k > 0) rows *= seen / width
+            tests *= seen / length[k]
+        }
+    }
+
+    private companion object {
+        const val AXES = 3
+        const val MOST_FILLING = 0.6
+
+        /** Mean speed along an axis of a gas, in units of the root mean square. */
+        const val MEAN_WAY = 0.8
+
+        // Nanoseconds: of a search, of a row of cells in it, of a line or sphere tested.
+        const val SEARCH = 30.0
+        const val ROW = 8.0
+        const val TEST = 1.6
+
+        /** For searches all over memory, in units of searches one after the other. */
+        const val FAR = 1.6
+        const val ROAMERS = 50.0
+        const val COLLISION = 250.0
+
+        /** Of the passes over all in a step, and of those at the start of an epoch. */
+        const val PASS = 18.0
+        const val EPOCH = 50.0
+        const val SERIAL_PASS = 35.0
+
+        /** Cells in the length that a pair can bridge, in the serial engine's grid. */
+        const val SERIAL_ALONG = 4.0
+        const val SERIAL_ACROSS = 1.0
+    }
+}

@@ -1,0 +1,182 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.Images
+import daphnis.core.parallel.Extremes
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.search.Reach
+import daphnis.core.step.CollisionStep
+import kotlin.math.abs
+
+/**
+ * Space and time of an epoch: its steps, its box, how images slide in it, and the lengths by which everything else is
+ * rounded up. Arrays are indexed by row axis (0), middle axis (1) and slow axis (2), as in the grid of a step.
+ *
+ * The time of an epoch is counted from its start. Step k lasts from `k · duration` to `(k + 1) · duration`.
+ */
+internal class EpochFrame {
+    /** Which of x, y, z the row axis, the middle axis and the slow axis are. Images slide along rows. */
+    val axes = intArrayOf(0, 2, 1)
+    val isPeriodic = BooleanArray(AXES)
+
+    /** The box along a periodic axis, elsewhere the stretch in which the spheres are at the start. */
+    val low = DoubleArray(AXES)
+    val length = DoubleArray(AXES)
+
+    /** Images as they are at the start of the epoch. */
+    val images = Images()
+
+    /** The mean flow along the row axis by position along the slow axis; 0 when there is none of that kind. */
+    var flowRate = 0.0
+        private set
+
+    /** Length of a step, and of the epoch; its middle. */
+    var duration = 0.0
+        private set
+    var steps = 0
+        private set
+    var end = 0.0
+        private set
+    var middle = 0.0
+        private set
+    var largestRadius = 0.0
+        private set
+
+    /** How far the path of a sphere may be from its line. */
+    var deviation = 0.0
+        private set
+
+    /** What has to be added to the radii of two spheres: their paths cannot touch unless the lines come that near. */
+    var inflation = 0.0
+        private set
+
+    /** Coordinates of lines are no larger. */
+    var farthest = 0.0
+        private set
+
+    /** Velocities of lines along x, y, z are no larger. */
+    val fastest = DoubleArray(AXES)
+
+    /** A bound on the rounding of a line to floats: the least [deviation]. */
+    private var rounding = 0.0
+    private var boundary: BoundaryConditions? = null
+
+    /** Greatest speed of any sphere along x, y, z. */
+    private val speed = DoubleArray(AXES)
+    private val extremes = Extremes()
+
+    /** Whether images slide along the rows. */
+    val slides: Boolean get() = images.normalAxis >= 0
+
+    /** Takes over the space of [step], whose population [reach] has measured; [begin] follows. */
+    fun takeOver(step: CollisionStep, reach: Reach) {
+        boundary = step.boundary
+        duration = step.duration
+        largestRadius = reach.largestRadius
+        layOutAxes(step)
+        reach.measured.fastest.copyInto(speed)
+    }
+
+    /**
+     * Begins an epoch that is laid out by [tuning].
+     *
+     * @return false when lines cannot be used: there are walls, images are too near or too far, or numbers are too far
+     *   apart for floats
+     */
+    fun begin(tuning: HorizonTuning): Boolean {
+        if ((0 until AXES).any { boundary!!.contactFaces(it) == ContactFaces.WALL }) return false
+        steps = tuning.steps
+        end = steps * duration
+        middle = end / 2
+        var span = 0.0
+        for (k in 0 until AXES) {
+            val way = speed[axes[k]] * end
+            span = maxOf(span, maxOf(abs(low[k]), abs(low[k] + length[k])) + way)
+            if (isPeriodic[k] && (length[k] < LEAST_BOX * largestRadius || way > MOST_BOXES * length[k])) return false
+        }
+        if (slides && abs(images.shearVelocity) * end > MOST_BOXES * length[0]) return false
+        farthest = ROOM * span
+        for (k in 0 until AXES) {
+            fastest[axes[k]] = minOf(farthest, if (isPeriodic[k]) 2 * MOST_BOXES * length[k] else farthest) / end
+        }
+        rounding = farthest * FLOAT
+        deviation = maxOf(tuning.deviation * largestRadius, 2 * rounding)
+        inflation = 2 * deviation + 8 * rounding + LEAST_INFLATION * largestRadius
+        return rounding < MOST_ROUNDING * largestRadius && isComputable()
+    }
+
+    private fun layOutAxes(step: CollisionStep) {
+        val boundary = step.boundary
+        val flow = boundary.meanFlow
+        images.prepare(boundary, step.start)
+        axes[0] = boundary.shear?.slideAxis ?: flow?.flowAxis ?: 0
+        axes[2] = boundary.shear?.normalAxis ?: flow?.normalAxis ?: 1
+        axes[1] = AXES - axes[0] - axes[2]
+        flowRate = if (flow != null && flow.flowAxis == axes[0] && flow.normalAxis == axes[2]) flow.rate else 0.0
+        for (k in 0 until AXES) {
+            isPeriodic[k] = boundary.hasImages(axes[k])
+            if (isPeriodic[k]) {
+                low[k] = boundary.box.lower(axes[k])
+                length[k] = boundary.box.length(axes[k])
+            } else {
+                extremes.measure(step.population.position(axes[k]), step.population.size, InlineLoop)
+                low[k] = extremes.least
+                length[k] = extremes.greatest - extremes.least
+            }
+        }
+    }
+
+    /** Whether squares of lengths times speeds are within the range of floats, with room on either side. */
+    private fun isComputable(): Boolean {
+        val rate = largestRadius / end * largestRadius
+        return largestRadius in 1 / MOST_RADIUS..MOST_RADIUS &&
+            rate in LEAST_RATE..MOST_RATE &&
+            farthest <= MOST_RADII * largestRadius
+    }
+
+    /**
+     * Whether step number [index] of this epoch can be [step], whose images are [now].
+     */
+    fun continues(step: CollisionStep, index: Int, now: Images): Boolean {
+        if (index >= steps || step.duration != duration || step.boundary !== boundary) return false
+        return !slides || abs(now.shearOffset - offset(index * duration)) <= rounding
+    }
+
+    /** Displacement along the rows, at time [t], of the image one box up the slow axis. */
+    fun offset(t: Double): Double = images.shearOffset + images.shearVelocity * t
+
+    /** The step in which time [t] lies, or the one before when it is close. */
+    fun stepAt(t: Double): Int = (t / duration - TIME_SLACK).toInt()
+
+    /** The code of the image as many boxes away along row axis, middle axis and slow axis. */
+    fun code(along: Int, middle: Int, slow: Int): Int =
+        ((along and 0xff) shl (8 * axes[0])) or ((middle and 0xff) shl (8 * axes[1])) or
+            ((slow and 0xff) shl (8 * axes[2]))
+
+    private companion object {
+        const val AXES = 3
+
+        /** Periodic boxes are at least so many of the largest radii long: no sphere meets its own image. */
+        const val LEAST_BOX = 3.0
+
+        /**
+         * Boxes that spheres and images go within an epoch, at most, at its start. With twice as many after collisions
+         * all codes are valid: 7 boxes for path and margin, 4 × 7 where images slide, 12 for the image of a line.
+         */
+        const val MOST_BOXES = 2.0
+
+        /** Room for speeds that collisions create. */
+        const val ROOM = 4.0
+
+        /** Eight units in the last place of a float. */
+        const val FLOAT = 8.0 / (1 shl 23)
+        const val MOST_ROUNDING = 0.01
+        const val LEAST_INFLATION = 1e-3
+        const val MOST_RADIUS = 1e9
+        const val LEAST_RATE = 1e-12
+        const val MOST_RATE = 1e6
+        const val MOST_RADII = 1e6
+        const val TIME_SLACK = 1e-6
+    }
+}

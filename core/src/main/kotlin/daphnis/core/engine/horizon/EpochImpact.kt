@@ -1,0 +1,35 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.step.Impact
+import daphnis.core.step.PreparedStep
+
+/** What an epoch does at a collision: the two spheres get new lines, and only then is searched along them. */
+internal class EpochImpact(prepared: PreparedStep, private val bodies: EpochBodies, private val course: Course) :
+    Impact(prepared, bodies.rows, bodies.queue) {
+    /** The rest of the epoch. */
+    interface Course {
+        /** The sphere at [place], in [slot], has another path from its local time on. */
+        fun bend(slot: Int, place: Int)
+
+        /**
+         * Finds what the sphere at [place], in [slot], can touch from its local time on, except slot [except].
+         *
+         * @return false when the epoch has come to an end
+         */
+        fun lookOut(slot: Int, place: Int, except: Int): Boolean
+    }
+
+    override fun slotOf(place: Int): Int = bodies.slotOf(place)
+
+    override fun changed(first: Int, second: Int, time: Double) {
+        course.bend(bodies.slotOf(first), first)
+        course.bend(bodies.slotOf(second), second)
+    }
+
+    override fun outrun(first: Int, second: Int): Boolean {
+        prepared.widen(rows, first, second)
+        return true
+    }
+
+    override fun search(place: Int, except: Int): Boolean = course.lookOut(bodies.slotOf(place), place, except)
+}

@@ -1,0 +1,123 @@
+package daphnis.core.engine.horizon
+
+/**
+ * Chooses how long epochs are, how fine their cells, and whether they pay at all, from the work that is expected: a
+ * model of how many lines and rows of cells a search looks at, corrected by what the last epoch has measured. The clock
+ * is not asked, so a run takes the same epochs on every machine.
+ *
+ * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
+ * and spheres on curved paths leave their lines.
+ */
+internal class EpochPlan {
+    /** Collisions per sphere and step in the last epoch, or in a step since; unknown below 0. */
+    private var collisions = -1.0
+
+    /** Spheres found off their lines per sphere and step in the last epoch. */
+    private var strays = 0.0
+
+    /** How many more lines the last epoch tested than an even distribution in space would have had it test. */
+    private var crowding = 1.0
+    private var expectedTests = 0.0
+
+    /** Which of [DEVIATIONS] spheres are allowed. */
+    private var level = 0
+
+    /** The most steps of an epoch without too many spheres off their lines, and epochs since this was found. */
+    private var mostSteps = LONGEST
+    private var calm = 0
+
+    /** Steps to come that are left to the serial engine without asking. */
+    private var rest = 0
+
+    /** Whether the next step is to be left to the serial engine without asking. */
+    fun rests(): Boolean {
+        if (rest == 0) return false
+        rest--
+        return true
+    }
+
+    /**
+     * The layout of an epoch that starts now.
+     *
+     * @return null when the serial engine is expected to be quicker
+     */
+    fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells): HorizonTuning? {
+        val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level])
+        var least = WORTH * cost.ofSerial()
+        var bestSteps = 0
+        var bestAcross = 0.0
+        var bestAlong = 0.0
+        for (steps in STEPS) {
+            if (steps > mostSteps) break
+            for (across in CELLS_ACROSS) {
+                for (along in CELLS_ALONG) {
+                    val expected = cost.of(steps, CLASS_BOUND, along, across)
+                    if (expected < least) {
+                        least = expected
+                        bestSteps = steps
+                        bestAcross = across
+                        bestAlong = along
+                        expectedTests = cost.testsAhead
+                    }
+                }
+            }
+        }
+        if (bestSteps > 0) return HorizonTuning(bestSteps, CLASS_BOUND, DEVIATIONS[level], bestAlong, bestAcross)
+        rest = REST
+        return null
+    }
+
+    /** Told that a step of the serial engine had so many [collisions] per sphere. */
+    fun observe(collisions: Double) {
+        this.collisions = collisions
+    }
+
+    /** Told that all have been searched for, with [tests] lines tested per sphere. */
+    fun searched(tests: Double) {
+        if (expectedTests > 0) crowding = (crowding * tests / expectedTests).coerceIn(LEAST_CROWDING, MOST_CROWDING)
+    }
+
+    /**
+     * Told that an epoch has ended after [steps] steps with so many [collisions] and [strays] per sphere and step.
+     *
+     * @param isBroken whether it ended early, since too many spheres had left their lines
+     */
+    fun ended(steps: Int, collisions: Double, strays: Double, isBroken: Boolean) {
+        this.collisions = collisions
+        this.strays = if (isBroken) 0.0 else strays
+        if (isBroken || strays > MOST_STRAYS) {
+            calm = 0
+            if (level < DEVIATIONS.size - 1) {
+                level++
+            } else if (mostSteps > 1) {
+                mostSteps = maxOf(1, minOf(mostSteps, steps) - 1)
+            }
+            if (mostSteps == 1) rest = REST
+        } else if (++calm == PATIENCE) {
+            // What made spheres stray may be over.
+            calm = 0
+            if (mostSteps < LONGEST) mostSteps++
+        }
+    }
+
+    private companion object {
+        val STEPS = intArrayOf(1, 2, 3, 4, 5, 6, 8, 10, 12, 16)
+        val CELLS_ACROSS = doubleArrayOf(0.5, 0.7, 1.0, 1.4, 2.0, 2.8)
+        val CELLS_ALONG = doubleArrayOf(1.0, 2.0, 4.0)
+        const val LONGEST = 16
+        const val CLASS_BOUND = 3.0
+
+        /** In units of the largest radius: for free flight, for weak forces, for curved paths. */
+        val DEVIATIONS = doubleArrayOf(0.0, 0.06, 0.15)
+
+        /** Strays per sphere and step with which an epoch is as it should be. */
+        const val MOST_STRAYS = 0.03
+
+        /** Expected cost, in units of that of the serial engine, below which an epoch is begun. */
+        const val WORTH = 0.8
+        const val REST = 16
+        const val PATIENCE = 32
+        const val LEAST_CROWDING = 0.2
+        const val MOST_CROWDING = 100.0
+    }
+}

@@ -1,0 +1,30 @@
+package daphnis.core.engine.horizon
+
+/**
+ * How epochs are laid out. It affects only the time that steps take.
+ *
+ * @param steps steps of an epoch, at least 1
+ * @param classBound a sphere faster than this, in units of the root mean square velocity along an axis, is a roamer
+ * @param deviation how far a sphere may stray from its line, in units of the largest radius
+ * @param cellsAlong cells in the length that a pair can bridge, along a row
+ * @param cellsAcross the same along the other two axes
+ * @throws IllegalArgumentException when a number is out of range
+ */
+public class HorizonTuning @JvmOverloads constructor(
+    internal val steps: Int,
+    internal val classBound: Double = 3.0,
+    internal val deviation: Double = 0.06,
+    internal val cellsAlong: Double = 2.0,
+    internal val cellsAcross: Double = 1.0,
+) {
+    init {
+        require(steps in 1..MOST_STEPS) { "$steps steps of an epoch; it must be 1 to $MOST_STEPS" }
+        require(classBound > 0 && deviation >= 0 && cellsAlong > 0 && cellsAcross > 0) {
+            "class bound $classBound, deviation $deviation, cells $cellsAlong and $cellsAcross; they must be positive"
+        }
+    }
+
+    internal companion object {
+        const val MOST_STEPS = 64
+    }
+}

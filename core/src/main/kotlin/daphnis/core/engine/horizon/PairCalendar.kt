@@ -1,0 +1,58 @@
+package daphnis.core.engine.horizon
+
+/**
+ * The pairs that may touch, filed under the step before which they cannot. An entry holds as long as neither sphere has
+ * got a new line; that shows by the versions of the two.
+ */
+internal class PairCalendar(private val lines: Lines) {
+    private var heads = IntArray(0)
+    private var data = IntArray(INITIAL * WIDTH)
+
+    /** Entries filed since [begin], stale ones included. */
+    var size = 0
+        private set
+
+    /** Forgets all, for an epoch of [steps] steps. */
+    fun begin(steps: Int) {
+        if (heads.size < steps) heads = IntArray(steps)
+        heads.fill(NONE)
+        size = 0
+    }
+
+    /** Files slots [i] and [j], at the image [code] of the second line, under [step]. */
+    fun file(step: Int, i: Int, j: Int, code: Int) {
+        val p = size * WIDTH
+        if (p == data.size) data = data.copyOf(data.size * 2)
+        data[p] = i
+        data[p + 1] = j
+        data[p + 2] = code
+        data[p + 3] = lines.version[i]
+        data[p + 4] = lines.version[j]
+        data[p + 5] = heads[step]
+        heads[step] = size++
+    }
+
+    /**
+     * Calls [use] for each pair that is filed under [step] and holds. Pairs may be filed under later steps meanwhile.
+     */
+    inline fun forEachDue(step: Int, use: (i: Int, j: Int, code: Int) -> Unit) {
+        var e = first(step)
+        while (e != NONE) {
+            val p = e * WIDTH
+            if (holds(p)) use(entry(p), entry(p + 1), entry(p + 2))
+            e = entry(p + 5)
+        }
+    }
+
+    fun first(step: Int): Int = heads[step]
+
+    fun entry(p: Int): Int = data[p]
+
+    fun holds(p: Int): Boolean = lines.version[data[p]] == data[p + 3] && lines.version[data[p + 1]] == data[p + 4]
+
+    companion object {
+        const val NONE = -1
+        const val WIDTH = 6
+        private const val INITIAL = 1024
+    }
+}

@@ -1,0 +1,172 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
+
+/**
+ * The one pass over all spheres of a step: it writes each where it is at the end of the step if it does not collide,
+ * and finds those which have left their lines. Nothing else has to say what it has changed: whether a sphere was
+ * kicked, wrapped or moved by hand shows by its place at the start and at the end of its path.
+ *
+ * A sphere whose place at both ends of the step is within [EpochFrame.deviation] of its line is within it in between
+ * too, since both are straight.
+ */
+internal class Passage(private val frame: EpochFrame, private val lines: Lines) {
+    /** Slots of the spheres which have left their lines; the first [changed] entries count. */
+    var slots = IntArray(INITIAL)
+        private set
+    var changed = 0
+        private set
+
+    private var isGrown = false
+
+    /** The first step of an epoch: puts spheres into the order of [cells] and gives each its line. */
+    fun first(population: Population, cells: EpochCells, columns: PopulationColumns) {
+        val p = population
+        val order = cells.order
+        val dt = frame.duration
+        lines.begin(p.size)
+        changed = 0
+        for (slot in 0 until p.size) {
+            val k = order[slot]
+            val u = p.vx[k]
+            val v = p.vy[k]
+            val w = p.vz[k]
+            columns.x[slot] = p.x[k] + u * dt
+            columns.y[slot] = p.y[k] + v * dt
+            columns.z[slot] = p.z[k] + w * dt
+            columns.vx[slot] = u
+            columns.vy[slot] = v
+            columns.vz[slot] = w
+            columns.radius[slot] = p.radius[k]
+            columns.mass[slot] = p.mass[k]
+            columns.id[slot] = p.id[k]
+            lines.putRadius(slot, p.radius[k])
+            lines.put(slot, p.x[k], p.y[k], p.z[k], u, v, w, 0.0)
+            lines.moveBack(slot, cells.imageAtStart(slot))
+        }
+    }
+
+    /**
+     * A later step, number [step] of the epoch; slots are indices of [population].
+     *
+     * @return false when so many have left their lines, or a sphere has grown, that a new epoch is due
+     */
+    fun next(population: Population, columns: PopulationColumns, step: Int): Boolean {
+        changed = 0
+        isGrown = false
+        val count = population.size
+        val most = count / PART + FEW
+        var k = 0
+        while (k < count) {
+            val end = minOf(k + BLOCK, count)
+            pass(population, columns, step, k, end)
+            if (isGrown || changed > most) return false
+            k = end
+        }
+        population.mass.copyInto(columns.mass)
+        population.id.copyInto(columns.id)
+        return true
+    }
+
+    private fun pass(population: Population, columns: PopulationColumns, step: Int, from: Int, to: Int) {
+        val x = population.x
+        val y = population.y
+        val z = population.z
+        val vx = population.vx
+        val vy = population.vy
+        val vz = population.vz
+        val radius = population.radius
+        val toX = columns.x
+        val toY = columns.y
+        val toZ = columns.z
+        val toVx = columns.vx
+        val toVy = columns.vy
+        val toVz = columns.vz
+        val toRadius = columns.radius
+        val line = lines.state
+        val image = lines.image
+        val dt = frame.duration
+        val t = step * dt
+        val most = frame.deviation * frame.deviation
+        for (k in from until to) {
+            val u = vx[k]
+            val v = vy[k]
+            val w = vz[k]
+            val endX = x[k] + u * dt
+            val endY = y[k] + v * dt
+            val endZ = z[k] + w * dt
+            toX[k] = endX
+            toY[k] = endY
+            toZ[k] = endZ
+            toVx[k] = u
+            toVy[k] = v
+            toVz[k] = w
+            val r = radius[k]
+            toRadius[k] = r
+            val p = k * Lines.STRIDE
+            if (!(r <= line[p + Lines.RADIUS])) isGrown = true
+            val ex = x[k] - (line[p] + line[p + Lines.U] * t)
+            val ey = y[k] - (line[p + 1] + line[p + Lines.U + 1] * t)
+            val ez = z[k] - (line[p + 2] + line[p + Lines.U + 2] * t)
+            val fx = ex + (u - line[p + Lines.U]) * dt
+            val fy = ey + (v - line[p + Lines.U + 1]) * dt
+            val fz = ez + (w - line[p + Lines.U + 2]) * dt
+            val isOn = ex * ex + ey * ey + ez * ez <= most && fx * fx + fy * fy + fz * fz <= most
+            if (!isOn || image[k] != 0) look(population, k, t)
+        }
+    }
+
+    /** Looks closer at the sphere in slot [k]: it may be at another image than before. */
+    private fun look(p: Population, k: Int, t: Double) {
+        if (isOn(p, k, lines.image[k], t)) return
+        val code = imageAt(p, k, t)
+        if (code != lines.image[k] && isOn(p, k, code, t)) {
+            lines.image[k] = code
+        } else {
+            if (changed == slots.size) slots = slots.copyOf(changed * 2)
+            slots[changed++] = k
+        }
+    }
+
+    /** Whether the sphere in slot [k] follows its line, at the image [code], through the step that starts at [t]. */
+    private fun isOn(p: Population, k: Int, code: Int, t: Double): Boolean {
+        val dt = frame.duration
+        val images = frame.images
+        val sx = images.slide(code, 0)
+        val sy = images.slide(code, 1)
+        val ex = p.x[k] - (lines.at(k, 0, t) + images.shift(code, 0) + sx * t)
+        val ey = p.y[k] - (lines.at(k, 1, t) + images.shift(code, 1) + sy * t)
+        val ez = p.z[k] - (lines.at(k, 2, t) + images.shift(code, 2))
+        val fx = ex + (p.vx[k] - (lines.velocity(k, 0) + sx)) * dt
+        val fy = ey + (p.vy[k] - (lines.velocity(k, 1) + sy)) * dt
+        val fz = ez + (p.vz[k] - lines.velocity(k, 2)) * dt
+        val most = frame.deviation * frame.deviation
+        return ex * ex + ey * ey + ez * ez <= most && fx * fx + fy * fy + fz * fz <= most
+    }
+
+    /** The image of the line in slot [k] that is nearest to the sphere at time [t]. */
+    private fun imageAt(p: Population, k: Int, t: Double): Int {
+        val slow = boxes(p, k, t, 2, 0.0)
+        val along = boxes(p, k, t, 0, if (frame.slides) slow * frame.offset(t) else 0.0)
+        return frame.code(along, boxes(p, k, t, 1, 0.0), slow)
+    }
+
+    private fun boxes(p: Population, k: Int, t: Double, which: Int, shift: Double): Int {
+        if (!frame.isPeriodic[which]) return 0
+        val axis = frame.axes[which]
+        val boxes = Math.rint((p.position(axis)[k] - shift - lines.at(k, axis, t)) / frame.length[which])
+        // A sphere so far away, or nowhere, is on no line.
+        return if (boxes >= -FARTHEST && boxes <= FARTHEST) boxes.toInt() else 0
+    }
+
+    private companion object {
+        const val INITIAL = 256
+        const val BLOCK = 512
+
+        /** A new epoch is due when more than one in so many, and some more, have left their lines. */
+        const val PART = 8
+        const val FEW = 16
+        const val FARTHEST = 16.0
+    }
+}

@@ -1,0 +1,70 @@
+package daphnis.core.search
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.parallel.Extremes
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.SphereColumns
+
+/**
+ * What has to be known of all spheres before a step: extremes, so those of parts of a population together are the same
+ * in any order. Arrays are indexed by x, y, z.
+ */
+internal class StepBounds {
+    private val extremes = Extremes()
+
+    /** Greatest speed along each axis; 0 without spheres. */
+    val fastest = DoubleArray(AXES)
+
+    /** Least and greatest position along each axis that was measured; +∞ and −∞ without spheres. */
+    val lowest = DoubleArray(AXES)
+    val highest = DoubleArray(AXES)
+
+    /** Least radius; +∞ without spheres. */
+    var leastRadius = Double.POSITIVE_INFINITY
+        private set
+
+    /** Largest radius; 0 without spheres. */
+    var largestRadius = 0.0
+        private set
+
+    /** See [Reach]. */
+    var headroom = 0.0
+
+    val isEmpty: Boolean get() = leastRadius == Double.POSITIVE_INFINITY
+
+    /** Measures [spheres], their positions along periodic axes only unless [everywhere]. */
+    fun measure(spheres: SphereColumns, boundary: BoundaryConditions, everywhere: Boolean, loop: RangeLoop) {
+        for (axis in 0 until AXES) {
+            fastest[axis] = extremes.measure(spheres.velocity(axis), spheres.size, loop).magnitude
+            lowest[axis] = Double.POSITIVE_INFINITY
+            highest[axis] = Double.NEGATIVE_INFINITY
+            if (!everywhere && !boundary.hasImages(axis)) continue
+            extremes.measure(spheres.position(axis), spheres.size, loop)
+            lowest[axis] = extremes.least
+            highest[axis] = extremes.greatest
+        }
+        extremes.measure(spheres.radius, spheres.size, loop)
+        leastRadius = extremes.least
+        largestRadius = extremes.magnitude
+    }
+
+    /** Everything as numbers of which the greatest count, for [take]. */
+    fun numbers(): DoubleArray = fastest + DoubleArray(AXES) { -lowest[it] } + highest +
+        doubleArrayOf(-leastRadius, largestRadius, headroom)
+
+    /** Takes over the [numbers] of all parts, of which the greatest were found. */
+    fun take(numbers: DoubleArray) {
+        for (axis in 0 until AXES) {
+            fastest[axis] = numbers[axis]
+            lowest[axis] = -numbers[AXES + axis]
+            highest[axis] = numbers[2 * AXES + axis]
+        }
+        leastRadius = -numbers[3 * AXES]
+        largestRadius = numbers[3 * AXES + 1]
+        headroom = numbers[3 * AXES + 2]
+    }
+
+    private companion object {
+        const val AXES = 3
+    }
+}

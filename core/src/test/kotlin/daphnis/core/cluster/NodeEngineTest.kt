@@ -1,0 +1,107 @@
+package daphnis.core.cluster
+
+import daphnis.core.boundary.Box
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.Case
+import daphnis.core.engine.Draw
+import daphnis.core.engine.OddDraw
+import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.assertSameStep
+import daphnis.core.engine.bricks.HaloMargins
+import daphnis.core.engine.bricks.LongBox
+import daphnis.core.engine.failure
+import daphnis.core.hill.HillSheet
+import daphnis.core.population.stateDigest
+import daphnis.core.randomSpheres
+import daphnis.core.simulationOf
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import java.util.Random
+
+/** Nodes on threads of this process, with mail as bytes, against the serial engine. */
+@Timeout(600)
+class NodeEngineTest {
+    private val draws = java.lang.Long.getLong("daphnis.draws", if (LONG) 3000 else 150)
+
+    private fun case(seed: Long): Case = if (seed % 3 == 0L) OddDraw(seed) else Draw(seed)
+
+    private fun nodes(case: Case): NodesTogether {
+        val random = case.random
+        val threads = IntArray(1 + random.nextInt(4)) { 1 + random.nextInt(3) }
+        val width = WIDTHS[random.nextInt(WIDTHS.size)]
+        return NodesTogether(Random(random.nextInt(1 shl 30).toLong()), threads) { HaloMargins(width, 0.0) }
+    }
+
+    @Test
+    fun `nodes give the digest, counts, collisions and exceptions of the serial engine, whoever holds the spheres`() {
+        var redone = 0L
+        var replays = 0L
+        var failures = 0
+        for (seed in 1..draws) {
+            val case = case(seed)
+            val serial = case.simulation(SerialEngine())
+            val engine = nodes(case)
+            case.simulation(engine).use { nodes ->
+                for (step in 1..3) {
+                    val expected = failure(serial)
+                    val story = "$case, step $step, nodes with ${engine.threads} bricks"
+                    assertEquals(expected, failure(nodes)) { story }
+                    assertSameStep(serial, nodes, story)
+                    if (expected != null) failures++
+                    if (expected != null) break
+                }
+                replays += nodes.collisions!!.counters.causalityReplays
+            }
+            redone += engine.redone
+        }
+        println(
+            "$draws draws, $redone redone, $replays with all spheres everywhere, $failures that end by an exception",
+        )
+        if (draws < 100) return
+        assertTrue(redone > draws / 4) { "only $redone steps redone: halos are never too narrow" }
+        assertTrue(failures > 0) { "no case fails: the draws do not test what they should" }
+        assertTrue(replays < draws / 4) { "$replays of $draws with all spheres everywhere" }
+    }
+
+    @Test
+    fun `nodes that do not compare paths go wrong, so the draws test the comparison`() {
+        var wrong = 0
+        for (seed in 1..20L) {
+            val case = LongBox(seed)
+            val serial = simulationOf(case.population.copy(), case.boundary, LongBox.DT)
+            val engine = NodesTogether(Random(seed), intArrayOf(2, 1, 1)) { HaloMargins(0.0, 0.0) }
+            engine.isTrusting = true
+            simulationOf(case.population.copy(), case.boundary, LongBox.DT, engine = engine).use {
+                serial.advance()
+                it.advance()
+                if (stateDigest(serial.population) != stateDigest(it.population)) wrong++
+            }
+        }
+        assertTrue(wrong > 5) { "only $wrong cases are wrong without a comparison" }
+    }
+
+    @Test
+    fun `a full slide of the sheet under its cuts changes no bit`() {
+        val boundary = HillSheet(Box.centred(12.0, 20.0, 6.0), 0.2)
+        val start = randomSpheres(500, boundary, 4, 0.5) { 0.4 }
+        val serial = simulationOf(start.copy(), boundary, 0.15, ConstantRestitution(0.7))
+        val engine = NodesTogether(Random(1), intArrayOf(1, 2, 1))
+        simulationOf(start.copy(), boundary, 0.15, ConstantRestitution(0.7), engine = engine).use { nodes ->
+            for (step in 1..40) {
+                serial.advance()
+                nodes.advance()
+                assertSameStep(serial, nodes, "step $step")
+            }
+        }
+        assertTrue(serial.collisions!!.counters.collisions > 1000)
+    }
+
+    private companion object {
+        val LONG = System.getProperty("daphnis.long") == "true"
+
+        /** In mean diameters. */
+        val WIDTHS = doubleArrayOf(0.0, 0.0, 0.3, 1.0, 3.0)
+    }
+}

@@ -1,0 +1,120 @@
+package daphnis.core.cluster
+
+import daphnis.core.Engines
+import daphnis.core.Output
+import daphnis.core.population.Conserved
+import daphnis.core.run.Run
+import daphnis.core.run.Summary
+import daphnis.core.scenario.ScenarioJson
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.EnumSource
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.atomic.AtomicInteger
+
+/** Rows of tables of runs on nodes: the characters of the serial engine's, and the spheres stay where they are. */
+@Timeout(120)
+class NodeRowsTest {
+    @TempDir
+    lateinit var home: Path
+
+    private fun scenario(case: RowCase, settings: Array<out String>) =
+        ScenarioJson.parse(case.text, "test", EVERY_ROW + settings)
+
+    private fun serial(case: RowCase, vararg settings: String): Summary {
+        val one = scenario(case, arrayOf(*settings, "engine.name=serial"))
+        return Run.start(one, "test", home.resolve("serial"), force = true, engines = Engines).use { it.execute() }
+    }
+
+    private fun nodes(fleet: Fleet, case: RowCase, watcher: Output, vararg settings: String): Summary {
+        // No copies for safety.
+        val engines = FleetEngines(fleet, Duration.ZERO, { }, CopyClock { 0 })
+        val run = Run.start(scenario(case, settings), "test", home.resolve("nodes"), force = true, engines = engines)
+        return run.use { it.execute(watcher) }
+    }
+
+    private fun rows(run: String, file: String) = Files.readAllLines(home.resolve("$run/$file"))
+
+    private fun assertSameRows() {
+        for (file in listOf(
+            "series.csv",
+            "transport.csv",
+        )) {
+            assertEquals(rows("serial", file), rows("nodes", file), file)
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    fun `rows have the characters of the serial engine's, and spheres are fetched at the end only`(case: RowCase) {
+        val expected = serial(case)
+        assertTrue(expected.steps > 3) { "${expected.steps} steps" }
+        for (count in listOf(1, 3, 5)) {
+            val fleet = ThreadFleet(count) { 1 + it % 2 }
+            val asked = ConcurrentHashMap<Command, AtomicInteger>()
+            fleet.onSend = { from, _, message ->
+                // The first message of a crew and spheres are longer.
+                val isQuestion = from == Mail.LEADER && (message.remaining() == 1 || message.remaining() == MEANS)
+                if (isQuestion) {
+                    val command = Command.entries[message.get(message.position()).toInt()]
+                    asked.computeIfAbsent(command) { AtomicInteger() }.incrementAndGet()
+                }
+            }
+            val found = nodes(fleet, case, Output { it.conserved() })
+            assertSameRows()
+            assertEquals(expected.stateDigest, found.stateDigest)
+            assertEquals(expected.energy, found.energy)
+            assertEquals(listOf(1, 1), listOf(fleet.crews, asked.getValue(Command.GATHER).get() / count))
+            val steps = expected.steps.toInt() * count
+            // The watcher asks once more.
+            assertEquals(2 * steps, asked.getValue(Command.FIRST_SUMS).get())
+            assertEquals(steps, asked.getValue(Command.CENTRAL_SUMS).get())
+        }
+        case.check(rows("nodes", "series.csv").map { it.split(',') })
+    }
+
+    @Test
+    fun `rows beside snapshots and copies at every step are the same`() {
+        serial(RowCase.RING, "output.snapshotEvery=4")
+        nodes(ThreadFleet(3), RowCase.RING, Output { }, "output.snapshotEvery=4")
+        assertSameRows()
+        val fleet = ThreadFleet(2)
+        var now = 0L
+        val engines = FleetEngines(fleet, Duration.ZERO, { }, CopyClock { now.also { now += 10_000_000_000 } })
+        val copied = scenario(RowCase.RING, arrayOf("output.snapshotEvery=4"))
+        Run.start(copied, "test", home.resolve("nodes"), force = true, engines = engines).use { it.execute() }
+        assertSameRows()
+    }
+
+    @Test
+    fun `sums of what collisions conserve are those of the population, whoever holds the spheres`() {
+        val seen = ArrayList<List<Double>>()
+        nodes(
+            ThreadFleet(4),
+            RowCase.WALLS,
+            Output { simulation ->
+                val there = simulation.conserved()
+                val here = Conserved.of(simulation.population)
+                val after = simulation.conserved()
+                fun numbers(c: Conserved) =
+                    listOf(c.count.toDouble(), c.mass, c.kineticEnergy, c.momentumX, c.momentumY, c.momentumZ)
+                assertEquals(numbers(here), numbers(there))
+                assertEquals(numbers(here), numbers(after))
+                seen += numbers(there)
+            },
+        )
+        assertTrue(seen.distinct().size > 3) { "$seen" }
+    }
+
+    private companion object {
+        val EVERY_ROW = listOf("output.seriesEvery=1", "output.transportEvery=1")
+        const val MEANS = 1 + 8 * Double.SIZE_BYTES + Int.SIZE_BYTES
+    }
+}

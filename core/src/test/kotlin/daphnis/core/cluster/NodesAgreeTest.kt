@@ -1,0 +1,130 @@
+package daphnis.core.cluster
+
+import daphnis.core.Engines
+import daphnis.core.run.Run
+import daphnis.core.run.Summary
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.ScenarioJson
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+
+@Timeout(120)
+class NodesAgreeTest {
+    @TempDir
+    lateinit var home: Path
+
+    /** Runs the built-in [name] for some steps serially and on nodes; the same state and tables. */
+    private fun assertSame(name: String, nodes: Int, vararg settings: String) {
+        val text = checkNotNull(Run::class.java.getResource("/daphnis/scenarios/$name.json")).readText()
+        val all =
+            settings.toList() + listOf("output.snapshotEvery=0", "output.checkpointEvery=9", "output.seriesEvery=4")
+        val one = ScenarioJson.parse(text, name, all + "engine.name=serial")
+        val expected = Run.start(one, name, home.resolve("serial"), engines = Engines).use { it.execute() }
+        val fleet = FleetEngines(ThreadFleet(nodes) { 1 + it % 2 }, PATIENCE)
+        val summary = Run.start(one, name, home.resolve("nodes"), engines = fleet).use { it.execute() }
+        assertEquals(expected.stateDigest, summary.stateDigest, name)
+        assertEquals(expected.collisions, summary.collisions)
+        val rows = Files.readString(home.resolve("serial/series.csv"))
+        assertEquals(rows, Files.readString(home.resolve("nodes/series.csv")))
+        assertTrue(rows.lines().size > 5)
+    }
+
+    @Test
+    fun `moonlets and their gravity, which every node feels`() {
+        val one = """{"radius": 40, "density": 200, "position": [0, 0, 0]}"""
+        val other = """{"radius": 20, "density": 300, "position": [100, 150, 0]}"""
+        assertSame("moonlet", 3, "untilOrbits=0.1", "particles.opticalDepth=0.03", "bodies=[$one, $other]")
+    }
+
+    @Test
+    fun `a ring patch in Hill's frame`() = assertSame("ring-patch", 3, "untilOrbits=0.2")
+
+    @Test
+    fun `the wake of a satellite`() = assertSame("satellite-wake", 2, "untilOrbits=0.2")
+
+    @Test
+    fun `the flattened box of the paper`() = assertSame("paper-figure-1", 4, "until=2.5", "particles.count=20000")
+
+    @Test
+    fun `a gas that cools`() = assertSame("cooling-gas", 3, "until=3")
+
+    @Test
+    fun `self-gravity is refused before anything starts`() {
+        val text = checkNotNull(Run::class.java.getResource("/daphnis/scenarios/self-gravity-wakes.json")).readText()
+        val one = ScenarioJson.parse(text, "wakes", listOf("engine.name=serial"))
+        val fleet = FleetEngines(ThreadFleet(2), PATIENCE)
+        val e = assertThrows(InputException::class.java) { Run.start(one, "wakes", home.resolve("n"), engines = fleet) }
+        assertEquals(
+            "wakes: forces: has self-gravity, which nodes cannot compute yet; run it on one machine",
+            e.message,
+        )
+        assertFalse(Files.exists(home.resolve("n")))
+    }
+
+    private fun scenario(settings: List<String>) = ScenarioJson.parse(SHEARED, "test", settings)
+
+    private fun serial(settings: List<String>): Summary {
+        val one = scenario(settings + "engine.name=serial")
+        return Run.start(one, "test", home.resolve("serial"), engines = Engines).use { it.execute() }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = [1, 2, 3, 5])
+    fun `nodes give the bits and the files of the serial engine`(nodes: Int) {
+        val expected = serial(emptyList())
+        val fleet = ThreadFleet(nodes) { 1 + it % 2 }
+        val lines = ArrayList<String>()
+        val run = Run.start(
+            scenario(emptyList()),
+            "test",
+            home.resolve("nodes"),
+            engines = FleetEngines(fleet, PATIENCE) {
+                lines +=
+                    it
+            },
+        )
+        val summary = run.use { it.execute() }
+        assertEquals(expected.stateDigest, summary.stateDigest)
+        assertEquals(expected.collisions, summary.collisions)
+        for (file in listOf("series.csv", "transport.csv", "collisions.csv")) {
+            assertEquals(
+                Files.readString(home.resolve("serial/$file")),
+                Files.readString(home.resolve("nodes/$file")),
+                file,
+            )
+        }
+        assertEquals(1, lines.size)
+        assertTrue(
+            lines[0].startsWith("$nodes node${if (nodes == 1) "" else "s"} at the end: ") && " kB per step" in lines[0],
+        ) {
+            lines[0]
+        }
+        assertEquals(nodes == 1, ", 0 kB per step" in lines[0]) { lines[0] }
+        assertEquals(1, fleet.crews)
+    }
+
+    private companion object {
+        val PATIENCE: Duration = Duration.ofMillis(200)
+        const val SHEARED = """{
+            "name": "sheared", "until": 1.0,
+            "box": {"lengths": [14, 14, 14]},
+            "boundary": {"type": "lees-edwards", "shearRate": 0.7},
+            "particles": {"count": 900, "sizes": {"type": "equal", "radius": 0.5}, "mass": 1.0},
+            "placement": {"type": "random"},
+            "velocities": {"type": "gaussian", "sigma": 1.0, "shearProfile": true},
+            "restitution": {"type": "constant", "coefficient": 0.7},
+            "timeStep": {"type": "fixed", "dt": 0.05},
+            "output": {"seriesEvery": 1, "transportEvery": 2, "collisionLog": true, "checkpointEvery": 7}
+        }"""
+    }
+}

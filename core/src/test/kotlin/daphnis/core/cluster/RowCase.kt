@@ -1,0 +1,89 @@
+package daphnis.core.cluster
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+
+/**
+ * Scenarios whose rows differ in what they hold.
+ *
+ * @property check the lines of `series.csv`, so that the case is what it says
+ */
+enum class RowCase(text: String, internal val check: (List<List<String>>) -> Unit = {}) {
+    SHEARED(
+        """"until": 0.5, "box": {"lengths": [14, 14, 14]}, "boundary": {"type": "lees-edwards", "shearRate": 0.7},
+        "particles": {"count": 900, "sizes": {"type": "equal", "radius": 0.5}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 1.0, "shearProfile": true}, $GAS""",
+    ),
+    RING(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet"},
+        "particles": {"opticalDepth": 0.3, "sizes": {"type": "equal", "radius": 1.4826}, "density": 900},
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertTrue(rows.column("hill_energy").all { it.toDouble().isFinite() }) },
+    ),
+    WALLS(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls"},
+        "forces": [{"type": "uniform-acceleration", "acceleration": [0.3, 0, -2]}],
+        "particles": {"count": 200, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 1.0}, $GAS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("potential_energy").distinct().size) },
+    ),
+    OPEN(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "open"},
+        "forces": [{"type": "uniform-acceleration", "acceleration": [0.3, 0, -2]}],
+        "particles": {"count": 200, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 1.0}, $GAS""",
+    ),
+    FALLING(
+        """"until": 0.2, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "forces": [{"type": "uniform-acceleration", "acceleration": [0, 0, -2]}],
+        "particles": {"count": 50, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 1.0}, $GAS""",
+        { rows -> assertEquals(listOf("NaN"), rows.column("potential_energy").distinct()) },
+    ),
+    BODIES(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet"},
+        "particles": {"opticalDepth": 0.2, "sizes": {"type": "equal", "radius": 1.0}, "density": 900},
+        "bodies": [{"radius": 5, "density": 200, "position": [0, 0, 0]}, {"radius": 4, "density": 200,
+        "position": [20, 20, 0]}],
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+    ),
+    REMOVED(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet", "radiallyOpen": true},
+        "particles": {"opticalDepth": 0.2, "sizes": {"type": "equal", "radius": 1.4826}, "density": 900},
+        "forces": [{"type": "satellite", "massRatio": 1e-20, "x": -20, "y": -10, "radius": 14}],
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertNotEquals(rows.column("particles").first(), rows.column("particles").last()) },
+    ),
+    FEW(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls"},
+        "particles": {"count": 3, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 1.0}, $GAS""",
+    ),
+    ONE(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet"},
+        "particles": {"count": 1, "sizes": {"type": "equal", "radius": 1.4826}, "density": 900},
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertEquals(listOf("0.0"), rows.column("granular_temperature").distinct()) },
+    ),
+    ;
+
+    /** The scenario in JSON. */
+    val text: String = """{"name": "$name", $text}"""
+}
+
+private const val GAS = """"placement": {"type": "random"},
+    "restitution": {"type": "constant", "coefficient": 0.7}, "timeStep": {"type": "fixed", "dt": 0.05}"""
+
+private const val RING_UNITS = """"units": {"speedInCmPerSecond": 100, "lengthInMetres": 1, "massInKg": 1},
+    "frame": {"type": "hill", "planet": "saturn", "distanceInKm": 130000}, """
+
+private const val RING_STEPS = """"restitution": {"type": "bridges"},
+    "timeStep": {"type": "orbit-fraction", "steps": 200}, "untilOrbits": 0.05"""
+
+/** The entries of a column, below its name. */
+private fun List<List<String>>.column(name: String): List<String> {
+    val header = indexOfFirst { name in it }
+    val at = this[header].indexOf(name)
+    return drop(header + 1).map { it[at] }
+}

@@ -1,0 +1,182 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.FixedTimeStep
+import daphnis.core.Output
+import daphnis.core.Simulation
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.Walls
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.CoreEngines
+import daphnis.core.engine.FixedThreads
+import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.assertSameStep
+import daphnis.core.engine.failure
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
+import daphnis.core.population.Population
+import daphnis.core.simulationOf
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class HorizonEngineTest {
+    @Test
+    fun `every layout of epochs gives the serial engine's bits after every step, whatever is done between steps`() {
+        var inEpochs = 0L
+        var strays = 0L
+        var collisions = 0L
+        val settings = FixedThreads(1)
+        for (seed in 1..DRAWS) {
+            val draw = LongDraw(seed)
+            val engine = CoreEngines.make("horizon", settings) as HorizonEngine
+            val serial = draw.simulation(SerialEngine())
+            val horizon = draw.simulation(engine)
+            for (step in 1..STEPS) {
+                val story = "$draw, step $step"
+                assertEquals(failure(serial), failure(horizon)) { story }
+                assertSameStep(serial, horizon, story)
+                if (draw.isMeddled) draw.meddle(step, listOf(serial, horizon))
+            }
+            inEpochs += engine.epochSteps - engine.epochs
+            strays += engine.strays
+            collisions += serial.collisions!!.counters.collisions
+        }
+        println("$collisions collisions, $inEpochs steps without a search for all, $strays spheres off their lines")
+        // A margin that is too small by a radius loses one collision in some thousand.
+        assertTrue(collisions > 100 * DRAWS) { "$collisions collisions" }
+        assertTrue(inEpochs > STEPS * DRAWS / 4) { "$inEpochs steps" }
+        assertTrue(strays > DRAWS) { "$strays strays" }
+    }
+
+    @Test
+    fun `in free flight all are searched once an epoch, and a sphere that comes back through a face keeps its line`() {
+        val engine = HorizonEngine(0, HorizonTuning(4))
+        val simulation = gas(engine)
+        repeat(20) { simulation.advance() }
+        val p = simulation.population
+        assertTrue(p.id.count { p.boxesCrossed(it, 0) != 0 } > 10) { "hardly any crossed a face" }
+        assertTrue(simulation.collisions!!.counters.collisions > 50)
+        assertEquals(20L, engine.epochSteps)
+        assertEquals(5L, engine.epochs)
+        assertEquals(0L, engine.strays)
+    }
+
+    @Test
+    fun `without a fixed layout a dilute gas is taken in epochs of several steps, and a dense one serially`() {
+        val dilute = HorizonEngine(fewest = 0)
+        val simulation = gas(dilute)
+        repeat(30) { simulation.advance() }
+        assertEquals(30L, dilute.epochSteps)
+        assertTrue(dilute.epochs <= 15) { "${dilute.epochs} epochs" }
+        val dense = HorizonEngine(fewest = 0)
+        val crowd = gas(dense, apart = 1.85)
+        repeat(30) { crowd.advance() }
+        assertEquals(0L, dense.epochSteps)
+        assertTrue(crowd.collisions!!.counters.collisions > 3000)
+    }
+
+    @Test
+    fun `where spheres fly on curved paths, the layout is found with which they keep to their lines`() {
+        val random = SeededRandom(5)
+        val n = 400
+        fun gauss() = DoubleArray(n) { 0.05 * random.nextGaussian() }
+        val sheet = HillSheet(Box.centred(80.0, 80.0, 20.0), 1.0)
+        val x = DoubleArray(n) { 4.0 * (it % 20) - 38 }
+        val start = Population(
+            x,
+            DoubleArray(n) { 4.0 * (it / 20) - 38 },
+            gauss(),
+            gauss(),
+            gauss().also { for (k in 0 until n) it[k] -= 1.5 * x[k] },
+            gauss(),
+            DoubleArray(n) { 1.0 },
+            DoubleArray(n) { 1.0 },
+        )
+        val engine = HorizonEngine(fewest = 0)
+        fun simulation(engine: CollisionEngine): Simulation {
+            val forcing = CollisionForcing(ConstantRestitution(0.5), engine = engine, recordCollisions = true)
+            return Simulation(start.copy(), sheet, forcing, FixedTimeStep(0.03), listOf(HillFrame(1.0)))
+        }
+        val serial = simulation(SerialEngine())
+        val horizon = simulation(engine)
+        for (step in 1..300) {
+            serial.advance()
+            horizon.advance()
+            assertSameStep(serial, horizon, "step $step")
+        }
+        assertTrue(engine.epochSteps > 200) { "${engine.epochSteps} steps" }
+        assertTrue(engine.epochs < 150) { "${engine.epochs} epochs" }
+        assertTrue(engine.strays > 0)
+    }
+
+    @Test
+    fun `walls, few spheres and a closed engine make no epochs`() {
+        val engine = HorizonEngine(0, HorizonTuning(4))
+        val walled = simulationOf(gas(engine).population, Walls(BOX), 0.1, engine = engine)
+        repeat(3) { walled.advance() }
+        assertEquals(0L, engine.epochSteps)
+        val few = HorizonEngine(fewest = 1000)
+        repeat(3) { gas(few).advance() }
+        assertEquals(0L, few.epochSteps)
+        engine.close()
+        assertTrue("closed" in failure(walled)!!)
+    }
+
+    @Test
+    fun `a step that is taken back is done again in the same bits, in the same epoch or a new one`() {
+        val serial = gas(SerialEngine())
+        val engine = HorizonEngine(0, HorizonTuning(5))
+        var isBroken = false
+        val p = gas(engine).population
+        val horizon = Simulation(
+            p,
+            Periodic(BOX),
+            gas(engine).collisions,
+            { _ -> 0.1 },
+            outputs = listOf(
+                object : Output {
+                    override fun write(simulation: Simulation) {
+                        if (isBroken) throw ArithmeticException("on purpose")
+                    }
+                },
+            ),
+        )
+        for (step in 1..12) {
+            isBroken = step % 3 == 0
+            if (isBroken) assertTrue("on purpose" in failure(horizon)!!)
+            isBroken = false
+            serial.advance()
+            horizon.advance()
+            assertSameStep(serial, horizon, "step $step")
+        }
+        assertTrue(engine.epochSteps > 12)
+    }
+
+    private fun gas(engine: CollisionEngine, apart: Double = 3.0): Simulation {
+        val random = SeededRandom(3)
+        val n = 512
+        fun gauss() = DoubleArray(n) { random.nextGaussian() }
+        val start = Population(
+            DoubleArray(n) { apart * (it % 8 - 3.5) },
+            DoubleArray(n) { apart * (it / 8 % 8 - 3.5) },
+            DoubleArray(n) { apart * (it / 64 - 3.5) },
+            gauss(),
+            gauss(),
+            gauss(),
+            DoubleArray(n) { 0.9 },
+            DoubleArray(n) { 1.0 },
+        )
+        val edge = 8 * apart
+        return simulationOf(start, Periodic(Box.centred(edge, edge, edge)), 0.1, engine = engine)
+    }
+
+    private companion object {
+        val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 120L
+        const val STEPS = 20
+        val BOX = Box.centred(24.0, 24.0, 24.0)
+    }
+}

@@ -1,0 +1,43 @@
+package daphnis.app.bench
+
+import java.util.Locale
+
+/** Timings of one scenario as a table in Markdown. */
+internal fun timingTable(timings: List<Timing>): String {
+    val ranking = Ranking(timings)
+    val lines = ArrayList<String>()
+    lines +=
+        row("engine", "threads", "fastest, s", "median, s", "ms per step", "us per collision", "speed", "efficiency")
+    lines += "|---|--:|--:|--:|--:|--:|--:|--:|"
+    for (t in timings) {
+        lines += row(
+            t.engine,
+            "${t.threads}",
+            significant(t.fastest),
+            significant(t.median),
+            significant(t.millisecondsPerStep),
+            significant(t.microsecondsPerCollision),
+            "%.2f".format(Locale.ROOT, ranking.speed(t)),
+            ranking.efficiency(t).let { if (it.isNaN()) "" else "%.2f".format(Locale.ROOT, it) },
+        )
+    }
+    return lines.joinToString("\n")
+}
+
+/** What a table of [timings] is about, in one line. */
+internal fun timingTitle(timings: List<Timing>): String {
+    val t = timings.first()
+    val rounds = if (t.seconds.size == 1) "1 round" else "${t.seconds.size} rounds"
+    return "${t.scenario}: ${t.spheres} spheres, ${t.steps} steps, ${t.collisions} collisions; $rounds"
+}
+
+private fun row(vararg cells: String) = cells.joinToString(" | ", "| ", " |")
+
+/** [value] to three digits; empty for NaN. */
+internal fun significant(value: Double): String = when {
+    value.isNaN() -> ""
+    value >= 99.95 -> "%.0f".format(Locale.ROOT, value)
+    value >= 9.995 -> "%.1f".format(Locale.ROOT, value)
+    value >= 0.9995 -> "%.2f".format(Locale.ROOT, value)
+    else -> "%.3g".format(Locale.ROOT, value)
+}

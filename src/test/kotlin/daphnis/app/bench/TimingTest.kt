@@ -1,0 +1,104 @@
+package daphnis.app.bench
+
+import daphnis.core.format.FormatException
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+class TimingTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private fun timing(engine: String, threads: Int, vararg seconds: Double, scenario: String = "gas") =
+        Timing(scenario, 1000, engine, threads, 10, 500, seconds.asList())
+
+    @Test
+    fun `the fastest round and the median count`() {
+        val t = timing("serial", 1, 4.0, 1.0, 3.0, 2.0)
+        assertEquals(1.0, t.fastest)
+        assertEquals(2.5, t.median)
+        assertEquals(3.0, timing("serial", 1, 9.0, 3.0, 1.0).median)
+        assertEquals(100.0, t.millisecondsPerStep)
+        assertEquals(2000.0, t.microsecondsPerCollision)
+    }
+
+    @Test
+    fun `speed is relative to serial, efficiency to the engine itself on one thread`() {
+        val timings = listOf(timing("islands", 1, 2.0), timing("islands", 4, 0.8), timing("serial", 1, 1.6))
+        val ranking = Ranking(timings)
+        assertEquals(2.0, ranking.speed(timings[1]))
+        assertEquals(0.625, ranking.efficiency(timings[1]))
+        assertEquals("islands", Ranking(timings.take(2)).yardstick.engine)
+        assertTrue(Ranking(listOf(timings[1])).efficiency(timings[1]).isNaN())
+        val rows = timingTable(timings).lines()
+        assertEquals("| islands | 4 | 0.800 | 0.800 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
+    }
+
+    @Test
+    fun `a table of nothing that collides has no time per collision`() {
+        val t = Timing("gas", 1, "serial", 1, 10, 0, listOf(1.0))
+        assertEquals("| serial | 1 | 1.00 | 1.00 | 100 |  | 1.00 | 1.00 |", timingTable(listOf(t)).lines()[2])
+    }
+
+    @Test
+    fun `a file gives back what was written`() {
+        val names = listOf("gas", "a, b", "\"quoted\", and more", "\"", "")
+        val path = folder.resolve("bench.csv")
+        val timings = names.flatMap {
+            listOf(timing("serial", 1, 0.1, 1.0 / 3, scenario = it), timing("islands", 2, 7e-5, scenario = it))
+        }
+        TimingFile.write(path, timings)
+        val read = TimingFile.read(path)
+        assertEquals(timings.map { describe(it) }, read.map { describe(it) })
+    }
+
+    private fun describe(t: Timing) =
+        listOf(t.scenario, t.spheres, t.engine, t.threads, t.steps, t.collisions, t.seconds)
+
+    @Test
+    fun `a damaged file is refused with its line`() {
+        val path = folder.resolve("bench.csv")
+        val header = "scenario,spheres,engine,threads,steps,collisions,round,seconds"
+        fun refused(text: String, part: String) {
+            Files.writeString(path, text)
+            val e = assertThrows(FormatException::class.java) { TimingFile.read(path) }
+            assertTrue("$path" in e.message!! && part in e.message!!) { e.message }
+        }
+        refused("", "no timings")
+        refused("$header\n", "has no timings")
+        refused("$header\ngas,1,serial,1,10,5,1\n", "line 2: has 7 cells")
+        refused("$header\ngas,1,serial,1,10,5,1,-2\n", "'-2'")
+        refused("$header\ngas,1,serial,1,10,5,1,NaN\n", "'NaN'")
+        refused("$header\ngas,1,serial,1,10,5,1,0.5\ngas,2,serial,1,10,5,2,0.5\n", "not of the same steps")
+        refused("$header\ngas,99999999999,serial,1,10,5,1,0.5\n", "'99999999999'")
+        Files.delete(path)
+        refused("$header\n\"gas,1,serial,1,10,5,1,0.5", "line 2")
+    }
+
+    @Test
+    fun `slower is what noise does not explain`() {
+        fun pair(old: Timing, new: Timing) = TimingComparison(listOf(old), listOf(new)).pairs.single()
+        val old = timing("serial", 1, 1.0, 1.1, 1.2)
+        assertTrue(pair(old, timing("serial", 1, 1.2, 1.3)).isSlower)
+        assertFalse(pair(old, timing("serial", 1, 1.09, 1.3)).isSlower)
+        assertFalse(pair(timing("serial", 1, 1.0), timing("serial", 1, 1.02)).isSlower)
+        assertTrue(pair(old, timing("serial", 1, 0.8, 0.9, 1.1)).isFaster)
+        assertFalse(pair(old, timing("serial", 1, 0.8, 1.05, 1.1)).isFaster)
+        assertFalse(pair(old, timing("serial", 1, 0.8, 0.9, 1.1)).isSlower)
+    }
+
+    @Test
+    fun `other steps are not compared, and named`() {
+        val old = timing("serial", 1, 1.0)
+        val new = Timing("gas", 1000, "serial", 1, 20, 500, listOf(1.0))
+        val comparison = TimingComparison(listOf(old), listOf(new))
+        assertTrue(comparison.pairs.isEmpty())
+        assertEquals(2, comparison.unmatched.size)
+        assertTrue("20 steps" in comparison.unmatched[0]) { comparison.unmatched[0] }
+    }
+}
