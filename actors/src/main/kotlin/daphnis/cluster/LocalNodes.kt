@@ -36,7 +36,8 @@ public class LocalNodes private constructor(public val fleet: Fleet, private val
         private const val PAUSE_MILLIS = 20L
         private const val MOST = 1000
 
-        // JDK 24 and newer print four lines at the first use of sun.misc.Unsafe, which is Pekko's; older ones ignore this.
+        // JDK 24 and newer print four lines at the first use of sun.misc.Unsafe, which is Pekko's; older ones ignore
+        // this.
         private const val UNSAFE_ALLOWED = "-Dsun.misc.unsafe.memory.access=allow"
 
         /**

@@ -53,7 +53,7 @@ public class Simulation internal constructor(
         runStart: Double? = null,
     ) : this(population, boundary, collisions, timeStep, forces, outputs, startTime, startStep, runStart, null)
 
-    /** The spheres, at the end of the last step. Where nodes hold them, they are fetched when this is first asked for. */
+    /** The spheres, at the end of the last step. Where nodes hold them, they are fetched at the first call. */
     public val population: Population = population
         get() {
             steps.bringHome()

@@ -44,9 +44,10 @@ internal class ChildProcess(command: List<String>, secret: Secret, private val l
         }
     }
 
-    /** Waits for its end, and then makes it end. */
+    /** Waits for its end, and then makes it end; its last lines are told before this returns. */
     fun end() {
         if (!process.waitFor(SECONDS, TimeUnit.SECONDS)) process.destroyForcibly().waitFor(SECONDS, TimeUnit.SECONDS)
+        reader.join(MILLIS)
     }
 
     private fun read() {

@@ -37,12 +37,23 @@ internal object DeskBehavior {
 
     fun create(cluster: Cluster, desk: Desk): Behavior<Any> = Behaviors.setup { context ->
         val self = Adapter.toClassic(context.self)
-        cluster.subscribe(self, ClusterEvent.initialStateAsEvents(), ClusterEvent.MemberEvent::class.java)
+        cluster.subscribe(
+            self,
+            ClusterEvent.initialStateAsEvents(),
+            ClusterEvent.MemberEvent::class.java,
+            ClusterEvent.`ClusterShuttingDown$`::class.java,
+        )
+        var isMember = true
         Behaviors.withTimers { timers ->
             timers.startTimerWithFixedDelay(Tick, TICK)
             Behaviors.receiveMessage { message ->
                 try {
-                    handle(message, desk)
+                    when (message) {
+                        // What follows tells that all members are gone, which is not so: this process is.
+                        is ClusterEvent.`ClusterShuttingDown$` -> isMember = false
+                        is ClusterEvent.MemberEvent -> if (isMember) handle(message, desk)
+                        else -> handle(message, desk)
+                    }
                 } catch (e: Throwable) {
                     desk.broken(e)
                 }

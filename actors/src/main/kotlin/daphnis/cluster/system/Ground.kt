@@ -11,7 +11,7 @@ import org.apache.pekko.cluster.Cluster
 import java.time.Duration
 import java.util.concurrent.CompletableFuture
 
-/** What a process of the cluster stands on: an actor system of its own ([OwnGround]), or that of a host ([HostGround]). */
+/** What a process of the cluster stands on: its own actor system ([OwnGround]), or that of a host ([HostGround]). */
 internal interface Ground {
     val limits: LinkLimits
 

@@ -9,9 +9,9 @@ import org.apache.pekko.actor.ExtendedActorSystem
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * The ways to other processes. Chunks go to the actor "daphnis-post", on the connection for large messages; receipts to another
- * on the connection that chunks do not fill; notes to the desk. Sending puts a message into Pekko's queue, from any
- * thread; it neither waits nor fails.
+ * The ways to other processes. Chunks go to the actor "daphnis-post", on the connection for large messages; receipts
+ * to another on the connection that chunks do not fill; notes to the desk. Sending puts a message into Pekko's queue,
+ * from any thread; it neither waits nor fails.
  */
 internal class Wires(private val system: ExtendedActorSystem) {
     private val posts = Way("daphnis-post")

@@ -61,7 +61,7 @@ public class Satellite @JvmOverloads constructor(
         }
     }
 
-    /** −GM m/√(d² + ε²), where d is the distance from the moon at [time], without images; 0 in a point moon's centre. */
+    /** −GM m/√(d² + ε²), d being the distance from the moon at [time], without images; 0 in a point moon's centre. */
     override fun potentialEnergies(population: Population, time: Double, from: Int, to: Int, into: DoubleArray) {
         val at = state(time)
         val p = population

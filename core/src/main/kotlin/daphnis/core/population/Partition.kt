@@ -6,8 +6,8 @@ package daphnis.core.population
  */
 internal interface Partition {
     /**
-     * Fills [place] with x, y, z and mass of the spheres with these [ids], four numbers each, wherever they are; NaN for
-     * one that is nowhere.
+     * Fills [place] with x, y, z and mass of the spheres with these [ids], four numbers each, wherever they are;
+     * NaN for one that is nowhere.
      */
     fun find(population: Population, ids: IntArray, place: DoubleArray)
 

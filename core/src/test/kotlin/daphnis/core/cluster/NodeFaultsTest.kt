@@ -18,7 +18,7 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
-/** Faults at awkward places: in copies, between a step and its answer, in what every crew does first, and at the end. */
+/** Faults at awkward places: in copies, between a step and its answer, in what a crew does first, and at the end. */
 @Timeout(60)
 class NodeFaultsTest {
     @TempDir

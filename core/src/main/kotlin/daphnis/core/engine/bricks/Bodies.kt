@@ -49,7 +49,7 @@ internal class Bodies {
         index.sort(0, size)
     }
 
-    /** Takes over [bodies], which were found elsewhere, at most [MOST]; other spheres have at most the radius [ordinary]. */
+    /** Takes over [bodies] found elsewhere, at most [MOST]; other spheres have at most the radius [ordinary]. */
     fun take(bodies: SphereColumns, ordinary: Double) {
         spheres = bodies
         size = bodies.size
