@@ -51,6 +51,9 @@ internal class MessageWriter(capacity: Int = INITIAL) {
         room.position(room.position() + bytes.toInt())
     }
 
+    /** All that remains in [bytes], without its length; [bytes] stays as it is. */
+    fun bytes(bytes: ByteBuffer): MessageWriter = apply { room(bytes.remaining().toLong()).put(bytes.duplicate()) }
+
     /** What [write] puts into a buffer, at most [most] bytes. */
     inline fun put(most: Int, write: (ByteBuffer) -> Unit): MessageWriter = apply { write(room(most.toLong())) }
 

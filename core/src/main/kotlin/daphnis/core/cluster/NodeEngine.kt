@@ -43,7 +43,7 @@ internal class NodeEngine(
         private set
 
     /** What bricks have cost since the start. */
-    val cost: NodeCost get() = NodeCost(crew.redone, crew.haloSpheres, places.bytesSent)
+    val cost: NodeCost get() = NodeCost(crew.redone, crew.haloSpheres, turns.bytesSent)
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()

@@ -1,39 +1,67 @@
 package daphnis.core.cluster
 
+import daphnis.core.engine.bricks.Agreed
 import daphnis.core.engine.bricks.BrickMessage
 import daphnis.core.engine.bricks.BrickPlaces
 import daphnis.core.engine.bricks.Mailboxes
 
 /**
- * The bricks of the nodes of a crew: each has as many, one after the other, as it has threads.
+ * The bricks of the nodes of a crew: each has as many, one after the other, as it has threads. A brick sends to all
+ * others, but says something only to those near it. What is empty but for its head goes to all at once, and is taken as
+ * a message to each brick that was sent none.
  *
  * @param threads by rank
  */
 internal class RemoteBricks(private val turns: Turns, private val threads: IntArray) : BrickPlaces {
     private val before = IntArray(threads.size + 1).also { for (k in threads.indices) it[k + 1] = it[k] + threads[k] }
+    private val mine = before[turns.rank] until before[turns.rank + 1]
 
-    /** Bytes that this node has sent to others for bricks. */
-    var bytesSent = 0L
-        private set
+    /** Messages of this node's bricks without what is for single ones; one per brick and kind. */
+    private val heads = ArrayList<BrickMessage>()
 
-    override fun from(bricks: Int): Int = before[turns.rank]
+    /** Who has sent what to which of the bricks here. */
+    private val sent = HashSet<List<Any>>()
 
-    override fun to(bricks: Int): Int = before[turns.rank + 1]
+    override fun from(bricks: Int): Int = mine.first
+
+    override fun to(bricks: Int): Int = mine.last + 1
 
     override fun carry(boxes: Mailboxes) {
+        heads.clear()
+        sent.clear()
         turns.exchange(
             { rank, message ->
                 for (brick in before[rank] until before[rank + 1]) {
                     boxes.take(brick) {
-                        BrickWire.write(brick, it, message)
+                        if (heads.none { head -> BrickWire.haveSameHead(head, it) }) heads += it
+                        if (!BrickWire.isEmpty(it)) BrickWire.write(brick, it, message)
                     }
                 }
-                boxes.look { BrickWire.write(BrickMessage.AGREEMENT, it, message) }
-                bytesSent += message.size
+            },
+            {
+                for (head in heads) BrickWire.writeHead(head, this)
+                boxes.look { BrickWire.writeHead(it, this) }
             },
             { _, message ->
-                while (message.hasRemaining()) BrickWire.read(message) { to, what -> boxes.deliver(to, what) }
+                while (message.hasRemaining()) {
+                    BrickWire.read(message) { to, what ->
+                        sent += key(to, what)
+                        boxes.deliver(to, what)
+                    }
+                }
+            },
+            { _, message ->
+                while (message.hasRemaining()) {
+                    val what = BrickWire.readHead(message)
+                    if (what is Agreed) {
+                        boxes.deliver(BrickMessage.AGREEMENT, what)
+                    } else {
+                        for (to in mine) if (key(to, what) !in sent) boxes.deliver(to, what)
+                    }
+                }
             },
         )
     }
+
+    private fun key(to: Int, message: BrickMessage): List<Any> = listOf(to, message.from, message.javaClass)
 }

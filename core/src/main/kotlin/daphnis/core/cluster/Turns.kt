@@ -3,30 +3,44 @@ package daphnis.core.cluster
 import java.nio.ByteBuffer
 
 /**
- * What the nodes of a crew do together. In a turn each sends a message to each other, and takes one from each. All make
- * the same turns in the same order. A node that has failed says so in place of its next message ([fail]); then the turn
- * throws [NodeFailedException] at all others. After that all are at the same place again.
+ * What the nodes of a crew do together. In a turn each says something to all others, and may say something to single
+ * ones ([Spread]). All make the same turns in the same order. A node that has failed says so in place of its next
+ * message ([fail]); then the turn throws [NodeFailedException] at all others. After that all are at the same place
+ * again.
  */
-internal class Turns(private val mail: Mail) {
-    val rank: Int get() = mail.rank
-    val size: Int get() = mail.size
+internal class Turns(mail: Mail) {
+    val rank: Int = mail.rank
+    val size: Int = mail.size
+    private val spread = Spread(mail)
+
+    /** Bytes that this node has sent to others. */
+    val bytesSent: Long get() = spread.bytesSent
 
     /**
-     * One turn. [write] adds what the node of a rank is to know, [read] takes what it says, in the order of ranks.
+     * One turn. [writeOne] adds what the node of a rank alone is to know, if anything; after it [writeAll] adds what
+     * all are to know. [readOne] takes what others have said to this node, then [readAll] what they have said to all,
+     * in the order of ranks.
      */
-    inline fun exchange(write: (rank: Int, MessageWriter) -> Unit, read: (rank: Int, ByteBuffer) -> Unit) {
+    inline fun exchange(
+        writeOne: (rank: Int, MessageWriter) -> Unit,
+        writeAll: MessageWriter.() -> Unit,
+        readOne: (rank: Int, ByteBuffer) -> Unit,
+        readAll: (rank: Int, ByteBuffer) -> Unit,
+    ) {
         // All are written before the first is sent, so that a failure says so to all.
-        val messages = others().map { to -> MessageWriter().byte(FINE).also { write(to, it) }.message() }
-        for ((k, to) in others().withIndex()) mail.send(to, messages[k])
-        takeAll(read)
+        val toOne = Array(size) { to ->
+            if (to == rank) null else Spread.forOne(Spread.forOne().also { writeOne(to, it) })
+        }
+        val heard = around(MessageWriter().byte(FINE).apply(writeAll), toOne)
+        for (from in others()) heard.toOne[from]?.let { readOne(from, it) }
+        for (from in others()) readAll(from, heard.toAll[from])
     }
 
-    /** The same with one [message] for all. */
+    /** The same with nothing for single ones. */
     inline fun tell(message: MessageWriter.() -> Unit, read: (rank: Int, ByteBuffer) -> Unit) {
         if (size == 1) return
-        val bytes = MessageWriter().byte(FINE).apply(message).message()
-        for (to in others()) mail.send(to, bytes.duplicate())
-        takeAll(read)
+        val heard = around(MessageWriter().byte(FINE).apply(message), arrayOfNulls(size))
+        for (from in others()) read(from, heard.toAll[from])
     }
 
     /** The [numbers] of all nodes, by rank; all give as many. */
@@ -45,20 +59,19 @@ internal class Turns(private val mail: Mail) {
 
     /** Takes part in a turn by saying that this node has failed because of [cause]. Does not throw what others say. */
     fun fail(cause: Throwable) {
-        val bytes = MessageWriter().byte(FAILED).text(cause.toString()).message()
-        for (to in others()) mail.send(to, bytes.duplicate())
-        for (from in others()) mail.receive(from)
+        spread.around(MessageWriter().byte(FAILED).text(cause.toString()).message(), arrayOfNulls(size))
     }
 
     fun others(): List<Int> = (0 until size).filter { it != rank }
 
-    inline fun takeAll(read: (rank: Int, ByteBuffer) -> Unit) {
-        // All are received, whatever is in them, so that the next turn begins with its own messages.
-        val messages = others().map { it to mail.receive(it) }
-        for ((from, message) in messages) {
+    fun around(toAll: MessageWriter, toOne: Array<ByteBuffer?>): Spread.Heard {
+        val heard = spread.around(toAll.message(), toOne)
+        // All was received, whatever is in it, so that the next turn begins with its own messages.
+        for (from in 0 until size) {
+            val message = heard.toAll[from]
             if (message.get().toInt() != FINE) throw NodeFailedException(from, message.text())
         }
-        for ((from, message) in messages) read(from, message)
+        return heard
     }
 
     companion object {

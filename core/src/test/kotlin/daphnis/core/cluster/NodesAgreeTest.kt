@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
+import java.util.concurrent.atomic.AtomicInteger
 
 @Timeout(120)
 class NodesAgreeTest {
@@ -57,6 +58,25 @@ class NodesAgreeTest {
 
     @Test
     fun `a gas that cools`() = assertSame("cooling-gas", 3, "until=3")
+
+    @Test
+    fun `a dozen nodes in a row say little to each other, and the same comes out`() {
+        val nodes = 12
+        val text = checkNotNull(Run::class.java.getResource("/daphnis/scenarios/paper-figure-1.json")).readText()
+        val settings = listOf("until=2.5", "particles.count=20000", "output.checkpointEvery=0")
+        val one = ScenarioJson.parse(text, "paper", settings + "engine.name=serial")
+        val expected = Run.start(one, "paper", home.resolve("serial"), engines = Engines).use { it.execute() }
+        val fleet = ThreadFleet(nodes)
+        val sent = AtomicInteger()
+        fleet.onSend = { from, to, _ -> if (from != Mail.LEADER && to != Mail.LEADER) sent.incrementAndGet() }
+        val engines = FleetEngines(fleet, PATIENCE)
+        val summary = Run.start(one, "paper", home.resolve("nodes"), engines = engines).use { it.execute() }
+        assertEquals(expected.stateDigest, summary.stateDigest)
+        val perStep = sent.get().toDouble() / nodes / summary.steps
+        // Five rounds of four messages around, some for those near, and a few steps computed again or planned; from each
+        // to all others there would be 55 and more.
+        assertTrue(perStep in 20.0..40.0) { "$perStep" }
+    }
 
     @Test
     fun `self-gravity is refused before anything starts`() {

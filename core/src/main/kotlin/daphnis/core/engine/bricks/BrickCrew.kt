@@ -135,9 +135,7 @@ internal class BrickCrew(
         busy += (System.nanoTime() - begin) * 1e-9
     }
 
-    /**
-     * Collects what was counted here, and what was recorded into [record], in order.
-     *     */
+    /** Collects what was counted here, and what was recorded into [record], in order. */
     fun collect(record: CollisionRecord?) {
         counted.clear()
         for (brick in bricks) counted.add(brick.counted)
