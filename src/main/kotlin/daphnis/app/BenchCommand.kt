@@ -144,17 +144,12 @@ class BenchCommand : CliktCommand(name = "bench") {
     private fun drawAll(directory: Path, all: List<List<Timing>>) {
         val taken = HashSet<String>()
         for (timings in all) {
-            val curves = timings.groupBy { it.engine }.filterValues { it.size > 1 }.map { (engine, own) ->
+            val curves = timings.groupBy { it.engine }.map { (engine, own) ->
                 val sorted = own.sortedBy { it.threads }
-                Curve(
-                    engine,
-                    sorted.map {
-                        it.threads.toDouble()
-                    }.toDoubleArray(),
-                    sorted.map { it.fastest }.toDoubleArray(),
-                )
+                val threads = DoubleArray(sorted.size) { sorted[it].threads.toDouble() }
+                Curve(engine, threads, DoubleArray(sorted.size) { sorted[it].fastest })
             }
-            if (curves.isEmpty()) continue
+            if (curves.all { it.x.size == 1 }) continue
             val name = timings.first().scenario
             ScalingPlot.write(curves, Ranking(timings).yardstick.fastest, directory, fileName(name, taken), name)
         }

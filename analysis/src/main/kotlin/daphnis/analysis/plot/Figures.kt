@@ -24,16 +24,16 @@ internal object Figures {
      * four is lighter than the one before, in grey too; none so light that it is lost on white. Curves differ in
      * [LINES] and [SHAPES] as well.
      */
-    val COLOURS = listOf("#00355f", "#9c2f6b", "#c8571b", "#3a96d0", "#000000", "#5f7a00")
+    val COLOURS = listOf("#00355f", "#9c2f6b", "#c8571b", "#3a96d0", "#000000", "#5f7a00", "#7a5cc2", "#8a6d3b")
 
     /**
-     * Solid, dashed, dots and dashes, long dashes, long and short ones, dotted, which is faint; numbers are
-     * lets-plot's.
+     * Solid, dashed, dots and dashes, long dashes, long and short ones, dotted, which is faint; then the first two
+     * again. Numbers are lets-plot's.
      */
-    val LINES = listOf(1, 2, 4, 5, 6, 3)
+    val LINES = listOf(1, 2, 4, 5, 6, 3, 1, 2)
 
-    /** Disc, triangle, square, rhombus, ring, cross. */
-    val SHAPES = listOf(16, 17, 15, 18, 1, 4)
+    /** Disc, triangle, square, rhombus, ring, cross, open square and triangle. */
+    val SHAPES = listOf(16, 17, 15, 18, 1, 4, 0, 2)
 
     fun svg(figure: Figure): String = PlotSvgExport.buildSvgImageFromRawSpecs(figure.toSpec())
 

@@ -7,8 +7,9 @@ public object ScalingPlot {
     /**
      * Draws `NAME-time`, `NAME-speed` and `NAME-efficiency`, as SVG and PNG, into [directory], which is made.
      *
-     * @param times for each engine, seconds against threads; an engine of one thread is a dashed line
-     * @param alone seconds of what all are compared with, on one thread
+     * @param times for each engine, seconds against threads; an engine that was timed once is a point, and has no
+     *   efficiency
+     * @param alone seconds of what all are compared with, on one thread; a dashed line
      * @param title what stands above
      * @throws IllegalArgumentException when there is no curve, or a time is not positive
      */
@@ -23,7 +24,7 @@ public object ScalingPlot {
         }
         draw("time", times, "time [s]", alone)
         draw("speed", times.map { c -> mapped(c) { _, t -> alone / t } } + ideal(times), "speed", 1.0)
-        val measured = times.filter { 1.0 in it.x.asList() }
+        val measured = times.filter { it.x.size > 1 && 1.0 in it.x.asList() }
         if (measured.isEmpty()) return
         val efficiencies = measured.map { c ->
             val one = c.y[c.x.indexOfFirst { it == 1.0 }]
