@@ -7,11 +7,15 @@ import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ThreadPerTask
 import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.search.GridSort
+import java.util.concurrent.Executor
+import java.util.concurrent.Executors
+import java.util.concurrent.ForkJoinPool
 
 /** All competitors, one parameter. Those that work on one thread only ignore the number of threads. */
 enum class EngineName(private val make: (Int) -> CollisionEngine) {
@@ -31,6 +35,12 @@ enum class EngineName(private val make: (Int) -> CollisionEngine) {
     /** The paper's remarks: a new thread for every task. */
     THREAD_POOL_NEW_THREADS({ ThreadPoolEngine(ThreadPerTask(it)) }),
 
+    /** Tasks of the JDK's work-stealing pool. */
+    THREAD_POOL_FORK_JOIN({ ThreadPoolEngine(ExecutorHandler(ForkJoinPool.commonPool(), it)) }),
+
+    /** A new virtual thread for every task; needs JDK 21. */
+    THREAD_POOL_VIRTUAL({ ThreadPoolEngine(ExecutorHandler(virtualThreads(), it)) }),
+
     /** The paper's remarks: loops dealt round robin. */
     THREAD_POOL_ROUND_ROBIN({ ThreadPoolEngine(FixedPool(it), LoopStrategy.ROUND_ROBIN) }),
 
@@ -42,4 +52,11 @@ enum class EngineName(private val make: (Int) -> CollisionEngine) {
     ;
 
     fun create(threads: Int): CollisionEngine = make(threads)
+}
+
+/** By reflection, since the library is compiled for JDK 17. */
+private fun virtualThreads(): Executor = try {
+    Executors::class.java.getMethod("newVirtualThreadPerTaskExecutor").invoke(null) as Executor
+} catch (e: NoSuchMethodException) {
+    throw UnsupportedOperationException("virtual threads need JDK 21 or newer", e)
 }
