@@ -1,11 +1,14 @@
 package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.Averages
+import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
+import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
@@ -13,12 +16,17 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.cos
+import kotlin.math.sin
+import kotlin.math.sqrt
 
 class PairCorrelationTest {
     @Test
@@ -95,5 +103,97 @@ class PairCorrelationTest {
                 PairCorrelation(2.0, 3, nearest)
             }
         }
+    }
+
+    /** Share of displacements [d] long that stay in the box, over all directions, where it has no images. */
+    private fun room(boundary: BoundaryConditions, d: Double): Double {
+        val lengths = List(2) { if (boundary.hasImages(it)) Double.POSITIVE_INFINITY else boundary.box.length(it) }
+        var sum = 0.0
+        var weights = 0.0
+        for (k in 0 until DIRECTIONS) {
+            for (m in 0 until if (boundary.hasImages(2)) DIRECTIONS else 1) {
+                val around = 2 * PI * (k + 0.5) / DIRECTIONS
+                val up = if (boundary.hasImages(2)) PI * (m + 0.5) / DIRECTIONS else PI / 2
+                val x = abs(d * sin(up) * cos(around))
+                val y = abs(d * sin(up) * sin(around))
+                sum += sin(up) * (1 - x / lengths[0]) * (1 - y / lengths[1])
+                weights += sin(up)
+            }
+        }
+        return sum / weights
+    }
+
+    @Test
+    fun `it is the number of pairs of all images, over that of particles spread evenly`() {
+        val box = Box.centred(10.0, 12.0, 9.0)
+        val boundaries = listOf<BoundaryConditions>(
+            Periodic(box),
+            LeesEdwards(box, 0.5),
+            HillSheet(box, 1.0),
+            HillSheet(box, 1.0, true),
+            Periodic(box, false, true, true),
+            Periodic(box, false, false, true),
+            Periodic(box, false, false, false),
+        )
+        for (boundary in boundaries) {
+            val uniform = uniform(60, boundary, seed = 9)
+            // The last four are bodies, which do not count.
+            val p = uniform.population
+            val state = State(p, boundary, 0.37, firstBody = 56)
+            val images = Images().also { it.prepare(boundary, 0.37) }
+            val inPlane = !boundary.hasImages(2)
+            val range = List(3) { if (boundary.hasImages(it)) -2..2 else 0..0 }
+            val distances = ArrayList<Double>()
+            for (i in 0 until 56) {
+                for (j in i + 1 until 56) {
+                    for (a in range[0]) {
+                        for (b in range[1]) {
+                            for (c in range[2]) {
+                                val code = Images.code(a, b, c)
+                                val x = p.x[j] - p.x[i] + images.shift(code, 0)
+                                val y = p.y[j] - p.y[i] + images.shift(code, 1)
+                                val z = if (inPlane) 0.0 else p.z[j] - p.z[i] + images.shift(code, 2)
+                                distances += sqrt(x * x + y * y + z * z)
+                            }
+                        }
+                    }
+                }
+            }
+            val pairs = PairCorrelation(4.0, 7, nearest = 0.5)
+            val g = pairs.of(state)
+            for (bin in 0 until 7) {
+                val a = 0.5 + bin * 0.5
+                val b = a + 0.5
+                val shell = if (inPlane) PI * (b * b - a * a) else 4.0 / 3 * PI * (b * b * b - a * a * a)
+                val space = if (inPlane) 120.0 else 1080.0
+                val even = 56 * 55 / 2 * shell / space * room(boundary, (a + b) / 2)
+                assertEquals(distances.count { it >= a && it < b } / even, g[bin], 1e-4 * g[bin]) {
+                    "${boundary.javaClass.simpleName}, bin $bin"
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `a pair at the nearest distance counts, one at the farthest does not, and one particle has no pairs`() {
+        val box = Periodic(Box.centred(10.0, 12.0, 8.0))
+        val two = State(populationOf(Sphere(x = 0.0), Sphere(x = 1.0)), box, 0.0)
+        assertEquals(960.0 / (4.0 / 3 * PI * (3.375 - 1)), PairCorrelation(2.0, 2, nearest = 1.0).of(two)[0], 1e-9)
+        assertEquals(listOf(0.0, 0.0), PairCorrelation(1.0, 2).of(two).toList())
+        val one = State(two.population, box, 0.0, firstBody = 1)
+        for (state in listOf(one, uniform(0, box), uniform(0, Periodic(box.box, true, true, false)))) {
+            assertTrue(PairCorrelation(2.0, 2).of(state).all { it.isNaN() })
+        }
+        val pairs = PairCorrelation(5.0, 4, nearest = 1.0)
+        assertEquals(listOf(1.5, 2.5, 3.5, 4.5), List(4) { pairs.centre(it) })
+        assertEquals(listOf(5.0, 4, 1.0), listOf(pairs.farthest, pairs.bins, pairs.nearest))
+        PairCorrelation(4.0 * (1 + 1e-10), 1).of(two)
+        assertThrows(IllegalArgumentException::class.java) { PairCorrelation(4.0 * (1 + 1e-8), 1).of(two) }
+        assertThrows(IllegalArgumentException::class.java) { PairCorrelation(2.0, 0) }
+        assertThrows(IllegalArgumentException::class.java) { PairCorrelation(Double.POSITIVE_INFINITY, 1) }
+    }
+
+    private companion object {
+        const val DIRECTIONS = 400
     }
 }

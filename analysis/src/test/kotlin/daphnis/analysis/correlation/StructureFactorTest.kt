@@ -10,6 +10,8 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
@@ -100,5 +102,23 @@ class StructureFactorTest {
             val expected = DoubleArray(8) { if (count[it] == 0) Double.NaN else sum[it] / count[it] }
             assertArrayEquals(expected, StructureFactor(8.0, 8).of(state), 1e-9) { boundary.javaClass.simpleName }
         }
+    }
+
+    @Test
+    fun `one particle has 1 for each wave vector, bodies do not count, and there is a bin and a largest`() {
+        val p = uniform(3, Periodic(box)).population
+        val factor = StructureFactor(2.0, 4)
+        // The longest wave is of 12, so that no wave vector is below π/6; beyond 1.5 there are many.
+        for (bodies in 1..3) {
+            val s = factor.of(State(p, Periodic(box), 0.0, firstBody = bodies))
+            assertTrue(s[0].isNaN())
+            if (bodies == 1) for (bin in 1..3) assertTrue(Math.abs(s[bin] - 1) < 1e-12)
+        }
+        assertTrue(factor.of(State(p, Periodic(box), 0.0, firstBody = 0)).all { it.isNaN() })
+        assertEquals(listOf(0.25, 0.75, 1.25, 1.75), List(4) { factor.centre(it) })
+        assertEquals(listOf(2.0, 4), listOf(factor.largest, factor.bins))
+        assertThrows(IllegalArgumentException::class.java) { StructureFactor(0.0, 4) }
+        assertThrows(IllegalArgumentException::class.java) { StructureFactor(2.0, 0) }
+        assertEquals(1, StructureFactor(2.0, 1).of(State(p, Periodic(box), 0.0)).size)
     }
 }

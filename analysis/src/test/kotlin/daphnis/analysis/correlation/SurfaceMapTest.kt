@@ -2,6 +2,7 @@ package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
+import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Images
@@ -9,6 +10,7 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
+import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -132,5 +134,40 @@ class SurfaceMapTest {
         val map = SurfaceMap.of(uniform(0, Periodic(box)), 6.0)
         assertArrayEquals(DoubleArray(25), map.autocorrelation(2, 2))
         assertThrows(IllegalArgumentException::class.java) { map.autocorrelation(10, 2) }
+    }
+
+    @Test
+    fun `particles on the lower faces are in the map, those on the upper ones and bodies are not`() {
+        val p = populationOf(
+            Sphere(x = -30.0, y = -24.0, m = 2.0),
+            Sphere(x = 29.999, y = 23.999, m = 3.0),
+            Sphere(x = 30.0, y = 0.0),
+            Sphere(x = -30.001, y = 0.0),
+            Sphere(x = 0.0, y = 24.0),
+            Sphere(x = 0.0, y = -24.001),
+            Sphere(x = 0.0, y = 0.0),
+        )
+        val state = State(p, Periodic(box), 0.0, firstBody = 6)
+        val map = SurfaceMap.of(state, 6.0)
+        assertEquals(listOf(10, 8, 6.0, 6.0), listOf(map.nx, map.ny, map.dx, map.dy))
+        val expected = DoubleArray(80)
+        expected[0] = 2.0 / 36
+        expected[79] = 3.0 / 36
+        assertArrayEquals(expected, map.density, 1e-15)
+        assertEquals(5.0 / 36 / 80, map.mean, 1e-15)
+        for ((lagX, lagY) in listOf(-1 to 2, 10 to 2, 2 to -1, 2 to 8)) {
+            assertThrows(IllegalArgumentException::class.java) { map.autocorrelation(lagX, lagY) }
+        }
+        assertEquals(1, map.autocorrelation(0, 0).size)
+        assertEquals(19 * 15, map.autocorrelation(9, 7).size)
+        val fine = SurfaceMap.of(state, 0.01)
+        assertEquals(listOf(128, 128), listOf(fine.nx, fine.ny))
+        val coarse = SurfaceMap.of(state, 1000.0)
+        assertEquals(listOf(1, 1), listOf(coarse.nx, coarse.ny))
+        for (cell in listOf(0.0, -1.0)) {
+            assertThrows(IllegalArgumentException::class.java) {
+                SurfaceMap.of(state, cell)
+            }
+        }
     }
 }

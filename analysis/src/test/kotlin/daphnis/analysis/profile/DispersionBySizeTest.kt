@@ -7,6 +7,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.sqrt
@@ -114,5 +115,74 @@ class DispersionBySizeTest {
         val heavy = by.of(state(listOf(1.0, 3.0), listOf(20, 1), listOf(1.0, 1.0), 3))
         assertTrue(heavy[column("c2")].isNaN())
         assertEquals(20.0, heavy[0])
+    }
+
+    @Test
+    fun `the squares of each class are those of its dispersion and of the centre of mass that all move`() {
+        val radii = listOf(1.0, 2.0, 5.0)
+        val counts = listOf(80, 40, 2)
+        val s = state(radii, counts, listOf(3.0, 2.5, 2.0), 4)
+        val p = s.population
+        // A fourth class that has no sphere.
+        val found = DispersionBySize(doubleArrayOf(0.9, 1.5, 3.0, 4.0, 6.0)).of(s)
+        fun result(c: Int, name: String) = found[c * DispersionBySize.COLUMNS.size + column(name)]
+        val place = listOf(0, 1, 3)
+        val mass = p.mass.sum()
+        val columns = mapOf<String, (Int) -> Double>(
+            "c_xx" to { s.againstFlow(it, 0) },
+            "c_yy" to { p.vy[it] },
+            "c_zz" to { p.vz[it] },
+            "h2" to { p.z[it] },
+        )
+        for ((name, value) in columns) {
+            val centre = (0 until p.size).sumOf { p.mass[it] * value(it) } / mass
+            // ⟨V²⟩ from the dispersions that came out, by the definition.
+            val ofCentre = (0 until p.size).sumOf { k ->
+                val share = p.mass[k] / mass
+                share * share * result(place[radii.indexOf(p.radius[k])], name)
+            }
+            for (c in radii.indices) {
+                val members = (0 until p.size).filter { p.radius[it] == radii[c] }
+                val squares = members.sumOf { (value(it) - centre) * (value(it) - centre) }
+                val free = members.sumOf { 1 - 2 * p.mass[it] / mass }
+                val sigma2 = result(place[c], name)
+                assertTrue(sigma2 > 0)
+                assertEquals(squares, sigma2 * free + members.size * ofCentre, 1e-10 * squares) { "class $c, $name" }
+            }
+            assertTrue(result(2, name).isNaN()) { "$name of a class without spheres" }
+        }
+        assertEquals(0.0, result(2, "count"))
+    }
+
+    @Test
+    fun `two sizes are two classes, as many sizes as classes one each, and sizes equal but for rounding are one`() {
+        fun meanRadii(vararg radii: Double, most: Int = 8): List<Double> {
+            val s = state(radii.toList(), radii.map { 20 }, radii.map { 1.0 }, 5)
+            val result = DispersionBySize.of(s, most)!!.of(s)
+            return (1 until result.size step DispersionBySize.COLUMNS.size).map { result[it] }
+        }
+        assertEquals(listOf(1.0, 3.0), meanRadii(1.0, 3.0))
+        assertEquals(listOf(1.0, 2.0, 10.0), meanRadii(1.0, 2.0, 10.0, most = 3))
+        // Edges 1, 2.15, 4.64, 10.
+        val three = meanRadii(1.0, 2.0, 5.0, 10.0, most = 3)
+        assertEquals(listOf(1.5, 7.5), listOf(three[0], three[2]))
+        assertTrue(three[1].isNaN())
+        assertNull(DispersionBySize.of(state(listOf(1.0, 1 + 1e-12), listOf(5, 5), listOf(1.0, 1.0), 1)))
+    }
+
+    @Test
+    fun `an edge belongs to the class above it, the last one to the last class, and spheres beyond are in none`() {
+        val s = state(listOf(0.9, 1.0, 2.0, 3.0, 3.1), listOf(1, 2, 4, 8, 16), List(5) { 1.0 }, 6)
+        fun counts(vararg edges: Double): List<Double> {
+            val by = DispersionBySize(edges)
+            val result = by.of(s)
+            return List(by.classes) { result[it * DispersionBySize.COLUMNS.size] }
+        }
+        assertEquals(listOf(2.0, 12.0), counts(1.0, 2.0, 3.0))
+        assertEquals(listOf(6.0, 24.0), counts(1.0, 3.0, 4.0))
+        assertEquals(listOf(14.0), counts(1.0, 3.0))
+        for (edges in listOf(doubleArrayOf(1.0), doubleArrayOf(1.0, 1.0), doubleArrayOf(1.0, 3.0, 2.0))) {
+            assertThrows(IllegalArgumentException::class.java) { DispersionBySize(edges) }
+        }
     }
 }

@@ -4,13 +4,17 @@ import daphnis.analysis.flow.FlowField
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
+import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.Walls
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
+import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
@@ -95,6 +99,7 @@ class ProfileTest {
         assertEquals(2.0, e.vertical, 1e-12)
         assertEquals(turn, e.orientation, 1e-12)
         assertEquals(sqrt(14.0), e.dispersion, 1e-12)
+        assertEquals(sqrt(9 + 4 + 6.25), VelocityEllipsoid.of(4.0, 9.0, 6.25, 0.0).dispersion, 1e-12)
     }
 
     @Test
@@ -120,5 +125,58 @@ class ProfileTest {
         assertTrue(line.size > 8)
         for (k in line.indices step 2) assertEquals(8.5, line[k + 1], 1e-9)
         assertEquals(10.0, line[line.size - 2], 0.6)
+    }
+
+    @Test
+    fun `all columns of three particles`() {
+        val (u, v, w) = listOf(listOf(1.0, 2.0, 6.0), listOf(-2.0, 4.0, 1.0), listOf(5.0, 3.0, -2.0))
+        val p = populationOf(
+            Sphere(4.0, 1.0, 1.0, u[0], v[0], w[0], r = 0.5, m = 2.0),
+            Sphere(6.0, -1.0, -1.0, u[1], v[1], w[1], r = 0.25, m = 3.0),
+            Sphere(5.5, 0.0, 0.0, u[2], v[2], w[2], r = 1.0, m = 4.0),
+        )
+        // Two bins of 3 across x from 4: the first holds the three, and a part of the first sphere is cut off.
+        val profile = Profile(0, 4.0, 10.0, 2)
+        val r = profile.of(State(p, Walls(Box(0.0, -10.0, -2.0, 20.0, 10.0, 2.0)), 0.0))
+        fun covariance(a: List<Double>, b: List<Double>) =
+            (0..2).sumOf { (a[it] - a.average()) * (b[it] - b.average()) } / 2
+        val wanted =
+            listOf(3.0, 9.0 / 60, PI * (0.25 + 0.0625 + 1) / 60, 4.0 / 3 * PI * (0.0625 + 0.015625 + 1) / 240) +
+                listOf(u.average(), v.average(), w.average(), covariance(u, u), covariance(v, v), covariance(w, w)) +
+                covariance(u, v)
+        for (c in 0 until width) assertEquals(wanted[c], r[c], 1e-12) { Profile.COLUMNS[c] }
+        assertEquals(listOf(0, 4.0, 10.0, 2), listOf(profile.axis, profile.from, profile.to, profile.bins))
+        assertEquals(listOf(5.5, 8.5), List(2) { profile.centre(it) })
+    }
+
+    @Test
+    fun `particles of one velocity have no dispersion, whatever rounding makes of the difference of squares`() {
+        for (n in 2..60) {
+            val r = Profile(0, -5.0, 5.0, 1).of(uniform(n, Periodic(box)) { 0.1 })
+            for (c in listOf("c_xx", "c_yy", "c_zz")) {
+                assertTrue(r[column(c)] in 0.0..1e-15) { "$n particles, $c ${r[column(c)]}" }
+            }
+        }
+    }
+
+    @Test
+    fun `a profile spans a period if its ends are those of the box but for a part in 10⁹`() {
+        val p = populationOf(Sphere(4.9, 0.0, 0.0, 0.0, 0.0, 0.0, r = 0.5, m = 1.0))
+        val atFarEnd = PI * 0.16 * (1.5 - 0.4) / 3
+        for ((shift, isWhole) in listOf(0.0 to true, 5e-9 to true, -5e-9 to true, 1e-7 to false, -1e-7 to false)) {
+            for ((low, high) in listOf(shift to 0.0, 0.0 to shift)) {
+                val r = Profile(0, -5 + low, 5 + high, 2).of(State(p, Periodic(box), 0.0))
+                assertEquals(if (isWhole) atFarEnd else 0.0, r[column("filling_factor")] * 5 * 80, 1e-6) {
+                    "ends off by $low and $high"
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `a profile has an axis, a bin and a length`() {
+        for (axis in listOf(-1, 3)) assertThrows(IllegalArgumentException::class.java) { Profile(axis, 0.0, 1.0, 1) }
+        assertThrows(IllegalArgumentException::class.java) { Profile(0, 0.0, 1.0, 0) }
+        assertThrows(IllegalArgumentException::class.java) { Profile(0, 1.0, 1.0, 1) }
     }
 }

@@ -8,11 +8,17 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.atan2
+import kotlin.math.hypot
+import kotlin.math.sqrt
 
 class StreamlinesTest {
     private val omega = 0.7
@@ -107,5 +113,136 @@ class StreamlinesTest {
         assertEquals(9, same.count.sum())
         assertTrue(same.opticalDepth.all { it.isNaN() } && same.forcedE.all { it.isNaN() })
         assertEquals(0, Streamlines.of(uniform(0, sheet), 2, 2).count.sum())
+    }
+
+    /** Numbers of a few particles, from the definitions. */
+    private inner class Few(val state: State, val members: List<Int>) {
+        private val p = state.population
+        private val n = members.size
+
+        fun mean(value: (Int) -> Double) = members.sumOf(value) / n
+
+        fun variance(value: (Int) -> Double) = mean(value).let { m ->
+            members.sumOf { (value(it) - m) * (value(it) - m) } / (n - 1)
+        }
+
+        fun error(value: (Int) -> Double) = sqrt(variance(value) / n)
+
+        val x = { k: Int -> p.x[k] }
+        val cosine = { k: Int -> 3 * p.x[k] + 2 * p.vy[k] / omega }
+        val sine = { k: Int -> p.vx[k] / omega }
+        val guiding = { k: Int -> 4 * p.x[k] + 2 * p.vy[k] / omega }
+        val e = { k: Int -> hypot(cosine(k), sine(k)) }
+        val i = { k: Int -> hypot(p.z[k], p.vz[k] / (omega * state.verticalFactor)) }
+        val area = { k: Int -> PI * p.radius[k] * p.radius[k] }
+        val forced = hypot(mean(cosine), mean(sine))
+        val noise = (variance(cosine) + variance(sine)) / n
+        val along = { k: Int -> (cosine(k) * mean(cosine) + sine(k) * mean(sine)) / forced }
+        val across = { k: Int -> (sine(k) * mean(cosine) - cosine(k) * mean(sine)) / forced }
+        private val flow = listOf<(Int) -> Double>({ p.vx[it] }, { p.vy[it] + 1.5 * omega * p.x[it] }, { p.vz[it] })
+        val dispersion = sqrt(flow.sumOf { variance(it) })
+        val dispersionError = flow.map { mean(it) }.let { m ->
+            error { k -> (0..2).sumOf { (flow[it](k) - m[it]) * (flow[it](k) - m[it]) } }
+        } * n / (n - 1) / (2 * dispersion)
+
+        fun depth(width: Double, scatter: Double, groups: Int) =
+            members.sumOf(area) / (width * 60) * (1 - maxOf(0.0, scatter - 1.0 / groups) / n)
+
+        fun depthError(depth: Double, scatter: Double) =
+            depth * sqrt(scatter / n + n * variance(area) / (members.sumOf(area) * members.sumOf(area)))
+    }
+
+    /** Particles of several sizes and all velocities in a sheet with strong vertical forces. */
+    private fun few(count: Int, isOpen: Boolean): State {
+        val random = SeededRandom(count.toLong())
+        fun column(half: Double) = DoubleArray(count) { random.nextDouble(-half, half) }
+        val x = column(10.0)
+        val vy = DoubleArray(count) { random.nextDouble(-0.6, 0.9) - 1.5 * omega * x[it] }
+        val vx = DoubleArray(count) { random.nextDouble(-0.3, 0.7) }
+        val radius = DoubleArray(count) { random.nextDouble(0.1, 0.5) }
+        val p = Population(x, column(30.0), column(1.0), vx, vy, column(0.8), radius, DoubleArray(count) { 1.0 })
+        val boundary = HillSheet(Box.centred(20.0, 60.0, 2.0), omega, radiallyOpen = isOpen)
+        return State(p, boundary, 0.0, omega, verticalFactor = 2.5)
+    }
+
+    @Test
+    fun `all columns of a few particles are those of their definitions`() {
+        for (isOpen in listOf(false, true)) {
+            val state = few(29, isOpen)
+            val lines = Streamlines.of(state, 1, 4, RadialKey.GUIDING_CENTRE)
+            assertEquals(listOf(1, 4, 60.0), listOf(lines.slabs, lines.groups, lines.slabWidth))
+            val sorted = (0 until 29).sortedBy { Few(state, listOf(it)).guiding(it) }
+            val groups = List(4) { Few(state, sorted.subList(29 * it / 4, 29 * (it + 1) / 4)) }
+            val middles = groups.map { it.mean(it.guiding) }
+            for ((g, few) in groups.withIndex()) {
+                fun hold(name: String, wanted: Double, found: DoubleArray) =
+                    assertEquals(wanted, found[g], 1e-9 * abs(wanted)) { "$name of group $g, open: $isOpen" }
+                hold("x", few.mean(few.x), lines.meanX)
+                hold("guiding centre", middles[g], lines.guidingX)
+                hold("error of x", few.error(few.cosine), lines.meanXError)
+                hold("e", few.mean(few.e), lines.meanE)
+                hold("error of e", few.error(few.e), lines.meanEError)
+                hold("i", few.mean(few.i), lines.meanI)
+                hold("error of i", few.error(few.i), lines.meanIError)
+                hold("forced e", few.forced, lines.forcedE)
+                hold("error of forced e", few.error(few.along), lines.forcedEError)
+                val free = few.forced * few.forced - few.noise
+                hold("forced e without noise", sqrt(maxOf(0.0, free)), lines.forcedEUnbiased)
+                hold("phase", atan2(few.mean(few.sine), few.mean(few.cosine)), lines.phase)
+                hold("error of phase", few.error(few.across) / few.forced, lines.phaseError)
+                hold("dispersion", few.dispersion, lines.dispersion)
+                hold("error of dispersion", few.dispersionError, lines.dispersionError)
+                val isEnd = isOpen && (g == 0 || g == 3)
+                val inner = if (g > 0) middles[g - 1] else middles[3] - 20
+                val outer = if (g < 3) middles[g + 1] else middles[0] + 20
+                val scatter = if (isEnd) 2.0 / 3 else 5.0 / 12
+                val width = if (!isEnd) {
+                    (outer - inner) / 2
+                } else if (g == 0) {
+                    outer - middles[0]
+                } else {
+                    middles[3] - inner
+                }
+                hold("optical depth", few.depth(width, scatter, 4), lines.opticalDepth)
+                hold("error of it", few.depthError(few.depth(width, scatter, 4), scatter), lines.opticalDepthError)
+                val a = groups[maxOf(0, g - 1)]
+                val b = groups[minOf(3, g + 1)]
+                val distance = b.mean(b.guiding) - a.mean(a.guiding)
+                val change = hypot(b.mean(b.cosine) - a.mean(a.cosine), b.mean(b.sine) - a.mean(a.sine))
+                hold("q", change / distance, lines.q)
+                hold("error of q", sqrt((a.noise + b.noise) / 2) / distance, lines.qError)
+            }
+        }
+    }
+
+    @Test
+    fun `one group without an image reaches half a gap beyond its outermost particles`() {
+        val state = few(5, isOpen = true)
+        val x = state.population.x
+        val all = Few(state, x.indices.toList())
+        val lines = Streamlines.of(state, 1, 1)
+        val depth = all.depth((x.max() - x.min()) * 6 / 4, 2.0 / 3, 1)
+        assertEquals(depth, lines.opticalDepth[0], 1e-12 * depth)
+        assertEquals(all.depthError(depth, 2.0 / 3), lines.opticalDepthError[0], 1e-9 * depth)
+        assertThrows(IllegalArgumentException::class.java) { Streamlines.of(state, 0, 1) }
+        assertThrows(IllegalArgumentException::class.java) { Streamlines.of(state, 1, 0) }
+    }
+
+    @Test
+    fun `slabs span the particles where the box has no end, and phases of particles without a common e are NaN`() {
+        val p = few(40, isOpen = false).population
+        val open = Streamlines.of(State(p, Open, 0.0), 4, 1)
+        assertEquals((p.y.max() - p.y.min()) / 4, open.slabWidth, 1e-12)
+        for (slab in 0 until 4) {
+            val low = p.y.min() + slab * open.slabWidth
+            val members = p.y.filter { it >= low && (it < low + open.slabWidth || slab == 3) }
+            assertEquals(members.size, open.count[slab])
+            assertEquals(members.average(), open.meanY[slab], 1e-12)
+        }
+        val one = State(p.copy().apply { y.fill(3.0) }, Open, 0.0)
+        assertEquals(listOf(40, 0), Streamlines.of(one, 2, 1).count.toList())
+        assertEquals(0.5, Streamlines.of(one, 2, 1).slabWidth)
+        val circles = Streamlines.of(onEpicycles(List(4) { Epicycle(0.0, it * 1.0, 0.0, 0.0) }, sheet, omega), 1, 1)
+        assertTrue(circles.forcedE[0] == 0.0 && circles.forcedEError[0].isNaN() && circles.phaseError[0].isNaN())
     }
 }

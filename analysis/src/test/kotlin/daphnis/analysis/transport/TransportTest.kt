@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.PI
+import kotlin.math.abs
 
 class TransportTest {
     @TempDir
@@ -39,6 +40,7 @@ class TransportTest {
         }
         val transport = Transport(TransportTable.read(file(*rows.toTypedArray())).from(2.0), -3.0)
         assertEquals(7.0, transport.duration)
+        assertEquals(7.0 / PI, transport.orbits(2.0), 1e-12)
         assertEquals(1.0, transport.dispersion.mean, 1e-12)
         assertEquals(1.0 / 3, transport.temperature.mean, 1e-12)
         assertEquals(1.0, transport.collisionRate.mean, 1e-12)
@@ -169,6 +171,30 @@ class TransportTest {
         )
         assertThrows(FormatException::class.java) { TransportTable.read(directory.resolve("nowhere.csv")) }
         assertThrows(IllegalArgumentException::class.java) { Transport(TransportTable.read(file(good)), -1.0) }
+    }
+
+    @Test
+    fun `the axis of parts that lie to either side of a right angle is the nearer one, not half a turn off`() {
+        // The whole is a little to one side; without its first interval it is to the other.
+        val rows = (0..40).map { t ->
+            val xy = if (t == 1) 0.03 else -0.0005
+            "$t,$t,10,10,0.2,0.5,0.2,$xy,0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,0,0,0,0"
+        }
+        val orientation = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0).orientation
+        assertEquals(PI / 2, abs(orientation.mean), 0.001)
+        // Of the angle ½ atan(2 xy / 0.3) from the right angle: a scatter of 0.0048 in xy, over √40.
+        assertEquals(0.0048 / 0.3 / Math.sqrt(40.0), orientation.error, 0.0005)
+    }
+
+    @Test
+    fun `the last row at least is from its own time on, and none is from later`() {
+        val rows = (0..4).map { t -> "$t,${2 * t},10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,0,0,0,0" }
+        val table = TransportTable.read(file(*rows.toTypedArray()))
+        for ((time, size) in listOf(-1.0 to 5, 0.0 to 5, 3.0 to 3, 4.0 to 3, 8.0 to 1, 8.1 to 0)) {
+            assertEquals(size, table.from(time).size) { "rows from $time on" }
+        }
+        assertThrows(IllegalArgumentException::class.java) { Transport(table.from(8.0), -3.0) }
+        assertEquals(2.0, Transport(table.from(6.0), -3.0).duration)
     }
 
     private companion object {
