@@ -7,6 +7,7 @@ import daphnis.cluster.LocalNodes
 import daphnis.cluster.hosts.HostPort
 import daphnis.core.cluster.Fleet
 import daphnis.core.cluster.FleetEngines
+import daphnis.core.cluster.FleetNode
 import daphnis.core.cluster.NodesAwaited
 import daphnis.core.engine.EngineFactory
 import daphnis.core.parallel.ThreadHandler
@@ -72,22 +73,21 @@ internal class FleetOptions : ProcessOptions("Several nodes", "See docs/cluster.
         val local = LocalNodes.start(count, name, command, ::say, config?.let { pathOf(it, "--config") })
         return object : Fleet by local.fleet {
             override fun close() = local.close()
-        }.also { tell(it) }
+        }.also { tell(it.nodes()) }
     }
 
     private fun onCluster(name: String): Fleet {
         val settings = settings(HostPort.parseList(cluster!!, "--cluster"))
         val fleet = ClusterFleet.join(settings, name, ::say)
         try {
-            NodesAwaited(fleet, Duration.ofSeconds(WAIT_SECONDS), ::say).await(nodes ?: 1)
+            tell(NodesAwaited(fleet, Duration.ofSeconds(WAIT_SECONDS), ::say).await(nodes ?: 1))
         } catch (e: Throwable) {
             fleet.use { throw e }
         }
-        return fleet.also { tell(it) }
+        return fleet
     }
 
-    private fun tell(fleet: Fleet) {
-        val nodes = fleet.nodes()
+    private fun tell(nodes: List<FleetNode>) {
         val together = "${count(nodes.size, "node")} with ${count(nodes.sumOf { it.threads }, "thread")}"
         say("$together; the loss of nodes costs some seconds each time, and no bit")
     }

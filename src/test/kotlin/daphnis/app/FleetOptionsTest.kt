@@ -18,7 +18,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
 
-@Timeout(240)
+@Timeout(300)
 class FleetOptionsTest {
     @TempDir
     lateinit var folder: Path
@@ -60,7 +60,7 @@ class FleetOptionsTest {
         val settings = ClusterSettings()
         ClusterNode.start(settings, nodeWork()) { }.use { node ->
             val first = ClusterFleet.join(settings.copy(join = listOf(node.address)), "first") { }
-            first.form(NodesAwaited(first, Duration.ofSeconds(20)) { }.await(1))
+            first.form(NodesAwaited(first, Duration.ofSeconds(90)) { }.await(1))
             val seen = "1 node is busy with the run first of ${first.address}; waiting for it"
             val lines = Lines { if (seen in it) first.close() }
             val err = System.err
@@ -74,7 +74,9 @@ class FleetOptionsTest {
             }
             assertEquals(0, code) { lines.text }
             val told = lines.text.lines().filter { it.startsWith("daphnis: ") }.map { it.removePrefix("daphnis: ") }
-            assertEquals(seen, told[0])
+                // A busy machine may hide the node for a moment, before it was asked or between its two runs.
+                .filter { !it.startsWith("no node is there; waiting for") }
+            assertEquals(seen, told[0]) { lines.text }
             assertTrue(told[1].startsWith("1 node with ")) { lines.text }
         }
     }

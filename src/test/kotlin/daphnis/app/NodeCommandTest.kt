@@ -15,10 +15,11 @@ import java.net.InetAddress
 import java.net.ServerSocket
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.Duration
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
 
-@Timeout(120)
+@Timeout(300)
 class NodeCommandTest {
     @TempDir
     lateinit var folder: Path
@@ -28,13 +29,14 @@ class NodeCommandTest {
     private fun start(count: Int, vararg words: String) = LocalNodes.start(count, "test", { address ->
         LocalNodes.java("daphnis.app.MainKt") +
             listOf("node", "--join", "$address", "--until-input-ends", "--threads", "1") + words
-    }, lines::add)
+    }, lines::add, within = Duration.ofSeconds(120))
 
     @Test
     fun `nodes that another process has started join, print no news, and end with their input`() {
         val nodes = start(2)
         val children = nodes.pids.map { ProcessHandle.of(it).get() }
-        assertEquals(listOf(1, 1), nodes.fleet.nodes().map { it.threads })
+        // One that is slow to answer is hidden for a moment.
+        assertTrue(generateSequence { nodes.fleet.nodes().map { it.threads } }.any { it == listOf(1, 1) })
         nodes.close()
         assertTrue(children.none { it.isAlive })
         assertEquals(emptyList<String>(), lines.toList())
@@ -55,12 +57,12 @@ class NodeCommandTest {
     @Test
     fun `a node whose parent has gone while it joins ends too`() {
         // Nobody listens on port 1.
-        val words = listOf("node", "--join", "127.0.0.1:1", "--until-input-ends")
+        val words = listOf("node", "--join", "127.0.0.1:1", "--join-within", "600", "--until-input-ends")
         val node = ProcessBuilder(LocalNodes.java("daphnis.app.MainKt") + words)
             .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
         try {
             node.outputStream.close()
-            assertTrue(node.waitFor(45, TimeUnit.SECONDS)) { "it goes on joining for 60 s" }
+            assertTrue(node.waitFor(150, TimeUnit.SECONDS)) { "it goes on joining for 600 s" }
         } finally {
             node.destroyForcibly()
         }

@@ -160,8 +160,8 @@ internal class NetworkCase(
         const val SETTINGS = "daphnis.cluster { heartbeat = 500 ms, acceptable-pause = 5 s, stable-after = 2 s }\n"
         const val SHORT = 1.5
         const val MOMENTS = 2000
-        const val LONGEST = 150.0
-        const val LONGEST_END = 40.0
+        const val LONGEST = 300.0
+        const val LONGEST_END = 90.0
         const val POLL_MILLIS = 20L
         const val MOST_SAID = 900
         val SETS = listOf(

@@ -1,6 +1,6 @@
 package daphnis.drills
 
-import java.net.ServerSocket
+import daphnis.core.FreePorts
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -16,7 +16,7 @@ internal class NodeProcess(val address: String, val program: Program) {
  */
 internal class NodeProcesses(private val home: Path, private val count: Int) {
     private val all = ArrayList<NodeProcess>()
-    private val first: List<String> = freePorts(count).map { "127.0.0.1:$it" }
+    private val first: List<String> = List(count) { "127.0.0.1:${FreePorts.one()}" }
 
     /** What all processes are given. */
     val config: Path = home.resolve("quick.conf").also { Files.writeString(it, QUICK) }
@@ -34,7 +34,7 @@ internal class NodeProcesses(private val home: Path, private val count: Int) {
     fun come(anew: Boolean, join: String = addresses): NodeProcess {
         val taken = all.filter { it.program.isAlive }.map { it.address }
         val old = first.filter { it !in taken }.takeIf { !anew }?.firstOrNull()
-        return start(old ?: "127.0.0.1:${freePorts(1).single()}", join)
+        return start(old ?: "127.0.0.1:${FreePorts.one()}", join)
     }
 
     /** Tells all to end, and says what was wrong with how they ended, by themselves before or now. */
@@ -64,7 +64,7 @@ internal class NodeProcesses(private val home: Path, private val count: Int) {
 
     companion object {
         private const val HEAP = "64m"
-        private const val LONGEST_END = 30.0
+        private const val LONGEST_END = 90.0
         private const val MOST_SAID = 600
 
         /** By SIGKILL and by SIGTERM. */
@@ -75,10 +75,5 @@ internal class NodeProcesses(private val home: Path, private val count: Int) {
             "daphnis.cluster { heartbeat = 250 ms, acceptable-pause = 1500 ms, stable-after = 1 s }\n"
         const val PAUSE = 1.0
         const val LOST = 7.0
-
-        fun freePorts(count: Int): List<Int> {
-            val sockets = List(count) { ServerSocket(0) }
-            return sockets.map { socket -> socket.use { it.localPort } }
-        }
     }
 }

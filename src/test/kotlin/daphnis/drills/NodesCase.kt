@@ -203,7 +203,7 @@ internal class NodesCase(
     private companion object {
         const val ROWS = "series.csv"
         const val HEAP = "128m"
-        const val LONGEST = 150.0
+        const val LONGEST = 300.0
         const val EARLY = 6.0
         const val LATE = 0.95
         const val LATE_SLEEPS = 300

@@ -121,7 +121,7 @@ internal object SmallHeapDrill : Drill {
     /** Interrupted after a checkpoint, or before there was anything to keep. */
     private val POLITE = setOf(1, 130, 143)
     private const val POLITE_AFTER = 2.0
-    private const val LONGEST_POLITE = 90.0
+    private const val LONGEST_POLITE = 200.0
     private const val MOST_SAID = 400
 
     /** The line, and one of the JVM's own. */

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A node and runs in actor systems of a program in Java. */
-@Timeout(120)
+@Timeout(300)
 class HostSystemJavaTest {
     private static final String OWN = """
         pekko { loglevel = OFF, stdout-loglevel = OFF, loggers = [], daemonic = on }
@@ -54,7 +54,7 @@ class HostSystemJavaTest {
             try (ClusterNode node = ClusterNode.on(forNode, secret, 1, NodeRunKt.nodeWork(), line -> {})) {
                 for (String name : List.of("one", "two")) {
                     ClusterFleet fleet = ClusterFleet.on(forRuns, secret, name, line -> {});
-                    new NodesAwaited(fleet, Duration.ofSeconds(30), line -> {}).await(1);
+                    new NodesAwaited(fleet, Duration.ofSeconds(90), line -> {}).await(1);
                     Path path = home.resolve(name);
                     try (Run run = Run.start(scenario, "gas", path, false, new FleetEngines(fleet))) {
                         assertEquals(alone, run.execute().getStateDigest());

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Timeout
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /** Nodes and runs in actor systems of a host, which has its own name, settings and guardian. */
-@Timeout(120)
+@Timeout(300)
 class HostSystemTest {
     private val systems = ArrayList<ActorSystem>()
     private val lines = ConcurrentLinkedQueue<String>()

@@ -2,6 +2,7 @@ package daphnis.cluster
 
 import daphnis.cluster.TestedFleet.Companion.await
 import daphnis.cluster.TestedFleet.Companion.awaitThat
+import daphnis.cluster.local.ChildProcess
 import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.MailClosedException
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -13,10 +14,11 @@ import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.Duration
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /** Nodes in JVMs of their own, and signals. */
-@Timeout(120)
+@Timeout(300)
 class LocalNodesTest {
     @TempDir
     lateinit var folder: Path
@@ -31,6 +33,7 @@ class LocalNodesTest {
         { LocalNodes.java("daphnis.cluster.TestNode").filter { "jdwp" !in it } + listOf("$it", "$config") },
         lines::add,
         config,
+        Duration.ofSeconds(120),
     )
 
     private fun signal(name: String, pid: Long) =
@@ -39,7 +42,7 @@ class LocalNodesTest {
     @Test
     fun `a killed process closes the mail, and the others go on`() {
         start(2, TestedFleet.quick(folder)).use { nodes ->
-            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            val mail = nodes.fleet.form(await(nodes.fleet, 2))
             Echo.around(mail, ByteArray(1_000_000) { it.toByte() })
             signal("KILL", nodes.pids[0])
             val e = assertThrows(MailClosedException::class.java) { mail.receive(0) }
@@ -50,9 +53,9 @@ class LocalNodesTest {
 
     @Test
     fun `a process that was stopped for a while goes on in its crew`() {
-        val config = config("daphnis.cluster { heartbeat = 200 ms }")
+        val config = config("daphnis.cluster { heartbeat = 200 ms, acceptable-pause = 30 s }")
         start(1, config).use { nodes ->
-            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            val mail = nodes.fleet.form(await(nodes.fleet, 1))
             Echo.around(mail, ByteArray(7))
             signal("STOP", nodes.pids[0])
             Thread.sleep(3000)
@@ -65,7 +68,7 @@ class LocalNodesTest {
     @Test
     fun `a process that was stopped for too long is lost, and ends with one line`() {
         start(2, TestedFleet.quick(folder)).use { nodes ->
-            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            val mail = nodes.fleet.form(await(nodes.fleet, 2))
             val child = ProcessHandle.of(nodes.pids[1]).get()
             signal("STOP", nodes.pids[1])
             assertThrows(MailClosedException::class.java) { mail.receive(1) }
@@ -84,7 +87,7 @@ class LocalNodesTest {
     @Test
     fun `a leader that loses most of the cluster at once goes on with the rest, or with none`() {
         start(3, TestedFleet.quick(folder)).use { nodes ->
-            val mail = nodes.fleet.form(nodes.fleet.nodes())
+            val mail = nodes.fleet.form(await(nodes.fleet, 3))
             for (pid in nodes.pids.take(2)) signal("KILL", pid)
             assertThrows(MailClosedException::class.java) { mail.receive(1) }
             Echo.around(nodes.fleet.form(await(nodes.fleet, 1)), ByteArray(7))
@@ -99,18 +102,23 @@ class LocalNodesTest {
             val node = tested.node()
             val command = LocalNodes.java("daphnis.cluster.TestLeader").filter { "jdwp" !in it } +
                 listOf("${node.address}", "${TestedFleet.quick(folder)}")
-            val leader = ProcessBuilder(command).redirectErrorStream(true).start()
+            val leader = ChildProcess(command, TestedFleet.SECRET, lines::add)
             try {
-                val said = leader.inputStream.bufferedReader()
-                generateSequence { said.readLine() }.first { it == "around" }
-                signal("STOP", leader.pid())
+                awaitThat("first crew") { lines.any { it.endsWith(": around") } }
+                signal("STOP", leader.pid)
                 awaitThat("loss of the leader") { tested.lines.any { "was lost; waiting for a run" in it } }
-                signal("CONT", leader.pid())
-                val lines = generateSequence { said.readLine() }.takeWhile { it != "around" }.toList()
-                val cut = "this process was cut off from the nodes, or stopped for too long; joining again"
-                assertTrue(cut in lines) { "$lines" }
+                signal("CONT", leader.pid)
+                // It hears that it was given up, or first gives up the node, which cannot answer it any more.
+                val back = Regex(
+                    ".*: (this process was cut off from the nodes, or stopped for too long; joining again" +
+                        "|no node is left; looking for nodes anew)",
+                )
+                awaitThat("another crew after it has come back") {
+                    lines.dropWhile { !back.matches(it) }.any { it.endsWith(": around") }
+                }
             } finally {
-                leader.destroyForcibly().waitFor()
+                signal("KILL", leader.pid)
+                leader.end()
             }
         }
     }

@@ -17,7 +17,7 @@ internal object TestLeader {
             config = Path.of(args[1]),
         )
         val fleet = ClusterFleet.join(settings, "stopped") { println(it) }
-        val awaited = NodesAwaited(fleet, Duration.ofSeconds(30)) { println(it) }
+        val awaited = NodesAwaited(fleet, Duration.ofSeconds(90)) { println(it) }
         while (true) {
             try {
                 val mail = fleet.form(awaited.await(1))

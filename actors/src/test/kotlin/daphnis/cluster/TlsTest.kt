@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
 import java.time.Duration
 
-@Timeout(120)
+@Timeout(300)
 class TlsTest {
     @TempDir
     lateinit var folder: Path

@@ -15,13 +15,14 @@ internal class ChildProcess(command: List<String>, secret: Secret, private val l
     private val process = ProcessBuilder(command).redirectErrorStream(true)
         .apply { environment()[Secret.VARIABLE] = secret.text }
         .start()
+
+    // Before the thread that writes it, which begins at once.
+    @Volatile
+    private var latest = ""
     private val reader = Thread(::read, "daphnis-child-${process.pid()}").apply {
         isDaemon = true
         start()
     }
-
-    @Volatile
-    private var latest = ""
 
     val pid: Long get() = process.pid()
 
@@ -63,6 +64,6 @@ internal class ChildProcess(command: List<String>, secret: Secret, private val l
 
     private companion object {
         const val SECONDS = 10L
-        const val MILLIS = 1000L
+        const val MILLIS = 5000L
     }
 }

@@ -12,6 +12,7 @@ import daphnis.core.cluster.Mail
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
@@ -278,6 +279,22 @@ class DesksTest {
         alone.tick(true)
         repeat(1000) { alone.tick(false) }
         assertFalse(alone.mustBeginAnew)
+    }
+
+    @Test
+    fun `a leader without nodes finds another cluster by a process it was told of, but not by one answer`() {
+        val other = node(1)
+        val lookout = Lookout(listOf(other.self.address), leader(9).greeter)
+        fun ticks(count: Int) = repeat(count) {
+            lookout.tick(hasNodes = false)
+            run(null, 1)
+        }
+        ticks(14)
+        assertNull(lookout.found)
+        ticks(1)
+        assertEquals(other.self.address, lookout.found)
+        lookout.tick(hasNodes = true)
+        assertNull(lookout.found)
     }
 
     @Test

@@ -1,6 +1,9 @@
 package daphnis.core.cluster
 
+import daphnis.core.Sphere
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.population.IdPlaces
+import daphnis.core.populationOf
 import daphnis.core.step.CollapseException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -69,6 +72,20 @@ class CrewTest {
         val crew = crew(done(), done())
         assertEquals(listOf(5, 5), crew.step().map { it.held })
         assertEquals(1, crew.step)
+    }
+
+    @Test
+    fun `boxes crossed that no memory holds leave the population as it was`() {
+        val room = MailRoom(1)
+        val part = populationOf(Sphere(x = 5.0, r = 0.1))
+        part.addCrossingOf(0, 1, 3)
+        SpheresWire.send(room.mail(0), Mail.LEADER, part)
+        val home = populationOf(Sphere(x = 1.0, r = 0.1))
+        // More places than an array can have.
+        home.beginPart(IdPlaces.like(null, Int.MAX_VALUE))
+        val crew = Crew(room.mail(Mail.LEADER), listOf(FleetNode("host:0", 1, 0)), 0)
+        assertThrows(OutOfMemoryError::class.java) { crew.gather(home) }
+        assertEquals(1.0, home.x[0])
     }
 
     @Test

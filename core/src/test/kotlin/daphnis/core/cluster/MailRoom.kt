@@ -32,8 +32,13 @@ internal class MailRoom(private val nodes: Int, private val onSend: (Int, Int, B
         }
 
         override fun receive(from: Int): ByteBuffer {
-            val message = boxes[mine + 1][from + 1].take()
-            end?.let { throw MailClosedException(it) }
+            val box = boxes[mine + 1][from + 1]
+            val message = box.take()
+            end?.let {
+                // For whoever asks again.
+                box.add(LAST)
+                throw MailClosedException(it)
+            }
             return message
         }
 

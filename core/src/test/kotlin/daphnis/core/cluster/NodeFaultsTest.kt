@@ -15,6 +15,7 @@ import java.nio.ByteBuffer
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.CountDownLatch
+import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
@@ -25,7 +26,9 @@ class NodeFaultsTest {
     lateinit var home: Path
     private val lines = ArrayList<String>()
 
-    private fun scenario(vararg settings: String) = ScenarioJson.parse(RowCase.SHEARED.text, "test", settings.toList())
+    private var case = RowCase.SHEARED
+
+    private fun scenario(vararg settings: String) = ScenarioJson.parse(case.text, "test", settings.toList())
 
     private fun start(
         fleet: Fleet,
@@ -79,6 +82,30 @@ class NodeFaultsTest {
             assertTrue(counted > 0) { "$counted" }
             simulation.advance()
             assertEquals(serialDigest(simulation.step.toInt()), stateDigest(simulation.population))
+        }
+    }
+
+    @Test
+    fun `a node that fails when it has done its part of a step takes back the step of all`() {
+        // Too few to collide: no attempt at a step is made again, in which a node may have nothing to say, too.
+        case = RowCase.FEW
+        val fleet = ThreadFleet(2)
+        // The state at the start, and two steps, stand.
+        val left = AtomicInteger(1 + 2 + 1)
+        fleet.onSend = { from, to, message ->
+            val isAgreement = from == 1 && to == 0 && message.remaining() == NOTHING_TO_ALL
+            if (isAgreement && left.decrementAndGet() == 0) error("it has failed late")
+        }
+        start(fleet).use { run ->
+            val simulation = run.simulation
+            repeat(2) { simulation.advance() }
+            val e = assertThrows(IllegalStateException::class.java) { simulation.advance() }
+            assertEquals("it has failed late", e.message)
+            // Not made again from the start: the nodes are as before the step.
+            assertEquals(serialDigest(2), stateDigest(simulation.population))
+            assertEquals(1, fleet.crews)
+            simulation.advance()
+            assertEquals(serialDigest(3), stateDigest(simulation.population))
         }
     }
 
@@ -179,5 +206,10 @@ class NodeFaultsTest {
             assertEquals(2, fleet.crews)
             assertEquals(serialDigest(2), stateDigest(run.simulation.population))
         }
+    }
+
+    private companion object {
+        /** Bytes of a turn between two nodes in which nothing is said: no message for one, and one that is empty. */
+        const val NOTHING_TO_ALL = 1 + Int.SIZE_BYTES + Int.SIZE_BYTES + (Int.SIZE_BYTES + 1)
     }
 }

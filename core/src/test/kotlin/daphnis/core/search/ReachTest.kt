@@ -10,6 +10,7 @@ import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -43,6 +44,21 @@ class ReachTest {
         assertNear(listOf(4.2, 2.1, 0.42), reach.speed)
         assertNear(listOf(2.1, 1.05, 0.21), reach.bound)
         for (axis in 0..2) assertTrue(reach.bound[axis] > reach.speed[axis] * 0.5) { "no room for rounding" }
+    }
+
+    @Test
+    fun `the headroom that one part of the spheres needed is had by all parts in the next step`() {
+        val parts = List(2) { reach() }
+        parts[0].enlarge(rows(0, 4.3), 1, -1, population, 0.5)
+        for (part in parts) part.look(population, Open, everywhere = false, InlineLoop)
+        val numbers = parts.map { it.measured.numbers() }
+        val greatest = DoubleArray(numbers[0].size) { k -> maxOf(numbers[0][k], numbers[1][k]) }
+        for (part in parts) {
+            part.measured.take(greatest)
+            part.apply(Open, 0.5)
+            // Half as much again as the least headroom, and a fiftieth of it lost with the step.
+            assertNear(listOf(4.0 * 1.0735, 2.0 * 1.0735, 0.4 * 1.0735), part.speed)
+        }
     }
 
     @Test
