@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.PI
-import kotlin.math.abs
+import kotlin.math.atan
 
 class TransportTest {
     @TempDir
@@ -56,6 +56,8 @@ class TransportTest {
         assertEquals((1.0 + 2.4) / 3, transport.pressure.mean, 1e-12)
         assertEquals(3.4, transport.compressibility.mean, 1e-12)
         assertEquals(0.5 * Math.atan2(1.2, 0.2), transport.orientation.mean, 1e-12)
+        val hot = file(*rows.map { it.replace(",0.5,0.3,0.2,", ",1,0.6,0.4,") }.toTypedArray())
+        assertEquals((2.0 + 2.4) / 2, Transport(TransportTable.read(hot), -3.0).compressibility.mean, 1e-12)
     }
 
     /**
@@ -181,7 +183,7 @@ class TransportTest {
             "$t,$t,10,10,0.2,0.5,0.2,$xy,0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,0,0,0,0"
         }
         val orientation = Transport(TransportTable.read(file(*rows.toTypedArray())), -3.0).orientation
-        assertEquals(PI / 2, abs(orientation.mean), 0.001)
+        assertEquals(PI / 2 - 0.5 * atan(2 * 0.0105 / 40 / 0.3), orientation.mean, 1e-12)
         // Of the angle ½ atan(2 xy / 0.3) from the right angle: a scatter of 0.0048 in xy, over √40.
         assertEquals(0.0048 / 0.3 / Math.sqrt(40.0), orientation.error, 0.0005)
     }

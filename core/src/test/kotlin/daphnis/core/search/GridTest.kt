@@ -1,17 +1,25 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
 import daphnis.core.boundary.Images
+import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
+import daphnis.core.boundary.Periodic
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
+import daphnis.core.search.SearchStructure.LEVELS
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.sqrt
 
 class GridTest {
     private class Pair(val a: Int, val b: Int, val code: Int) {
@@ -159,5 +167,86 @@ class GridTest {
         val near = CellRuns(grid)
         assertEquals(1, near.aheadAt(0, 1.0, 2.0, 3.0, radius = 0.1))
         assertEquals(4, near.to[0] - near.from[0])
+    }
+
+    @Test
+    fun `cells fill the box, and sight is out to the end of two ranges and a cell, by class`() {
+        val box = Box.centred(10.0, 12.0, 9.0)
+        for (boundary in listOf(Periodic(box), HillSheet(box, 1.0))) {
+            val p = randomSpheres(60, Periodic(box), 5, 1.0) { if (it.nextInt(12) == 0) 0.9 else 0.1 }
+            val grid = Grid().apply { build(p, boundary, 0.3, 0.1, DoubleArray(3) { 0.2 }, InlineLoop, LEVELS) }
+            assertEquals(listOf(2, 0.1, 0.9), listOf(grid.classes, grid.largestRadius(0), grid.largestRadius(1)))
+            for (axis in 0..2) {
+                val widths = List(2) { grid.cellWidth(axis, it) }
+                if (boundary.hasImages(axis)) {
+                    for (c in 0..1) assertEquals(box.length(axis), grid.cellsAlong(axis, c) * widths[c], 1e-9)
+                }
+                val ranges = listOf(0.1 + 0.2, 0.9 + 0.2)
+                assertEquals(2 * ranges[0] + widths[0], grid.sight(axis, 0.1, 0.1), 1e-6)
+                assertEquals(2 * ranges[1] + widths[1], grid.sight(axis, 0.9, 0.9), 1e-6)
+                for ((a, b) in listOf(0.1 to 0.9, 0.9 to 0.1)) {
+                    assertEquals(ranges.sum() + maxOf(widths[0], widths[1]), grid.sight(axis, a, b), 1e-6)
+                }
+                assertEquals(ranges[1] + maxOf(ranges[0] + widths[0], ranges[1] + widths[1]), grid.sight(axis), 1e-6)
+            }
+        }
+    }
+
+    @Test
+    fun `a sphere much larger than the cells finds all it can touch, from more rows than fit at first, each once`() {
+        val box = Box.centred(10.0, 11.0, 9.0)
+        for (boundary in listOf(Periodic(box), LeesEdwards(box, 0.6), Periodic(box, true, true, false))) {
+            val n = 1500
+            val random = SeededRandom(8)
+            fun place(length: Double) = DoubleArray(n) { random.nextDouble(-length / 2, length / 2) }
+            val zero = DoubleArray(n)
+            val radii = DoubleArray(n) { 0.1 }
+            val p = Population(place(10.0), place(11.0), place(9.0), zero, zero, zero, radii, radii)
+            val grid = Grid().apply { build(p, boundary, 0.4, 0.5, DoubleArray(3) { REACH }) }
+            val runs = CellRuns(grid)
+            val codes = imagesWithin(1, boundary)
+            for (way in listOf(0.0, 4.0)) {
+                val row = DoubleArray(STRIDE)
+                doubleArrayOf(3.0, -4.0, 2.0, way, -way / 2, way / 4).copyInto(row)
+                row[RADIUS] = LARGE
+                val count = runs.around(row, 0, 1.0)
+                val found = ArrayList<Long>()
+                each(runs, count) { slot, code -> found += code.toLong() * n + slot }
+                assertEquals(found.size, found.toSet().size) { "a sphere is named twice" }
+                val names = found.toSet()
+                var touched = 0
+                var cube = 0
+                for (code in codes) {
+                    for (slot in 0 until n) {
+                        val k = grid.order[slot]
+                        var isInCube = false
+                        var isNear = false
+                        for (m in 0..MOMENTS) {
+                            fun gap(axis: Int): Double {
+                                val at = p.position(axis)[k] + grid.images.shift(code, axis)
+                                return maxOf(0.0, abs(at - row[axis] - row[VX + axis] * m / MOMENTS) - REACH)
+                            }
+                            val (a, b, c) = doubleArrayOf(gap(0), gap(1), gap(2))
+                            isInCube = isInCube || maxOf(a, b, c) <= LARGE + 0.1
+                            isNear = isNear || sqrt(a * a + b * b + c * c) <= LARGE + 0.1
+                        }
+                        if (isInCube) cube++
+                        if (!isNear) continue
+                        touched++
+                        assertTrue(code.toLong() * n + slot in names) {
+                            "$slot is not found, ${boundary.javaClass.simpleName}"
+                        }
+                    }
+                }
+                assertTrue(count > 64 && touched > 150) { "$count runs, $touched spheres" }
+                if (way == 0.0) assertTrue(found.size < cube) { "${found.size} for a cube of $cube" }
+            }
+        }
+    }
+
+    private companion object {
+        const val LARGE = 3.0
+        const val REACH = 0.05
+        const val MOMENTS = 10
     }
 }

@@ -1,6 +1,8 @@
 package daphnis.core.search
 
+import daphnis.core.boundary.Box
 import daphnis.core.boundary.Images
+import daphnis.core.boundary.Periodic
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
@@ -9,6 +11,9 @@ import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.randomSpheres
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
@@ -71,6 +76,73 @@ class RowBoundsTest {
             }
         }
         assertTrue(met > 2000) { "only $met meetings" }
+    }
+
+    /** Row of [slot] among those of a grid of one class, from its cells. */
+    private fun rowOf(grid: Grid, slot: Int): Int {
+        val cells = grid.levels[0].cells
+        return (0 until cells[0] * cells[1] * cells[2]).first { grid.cellStart[it + 1] > slot } / cells[0]
+    }
+
+    @Test
+    fun `bounds are the least and greatest velocities of the spheres of each row, and grow by what is included`() {
+        for (seed in 1L..10L) {
+            val boundary = Periodic(Box.centred(10.0, 12.0, 8.0))
+            val p = randomSpheres(60, boundary, seed, 1.0) { 0.5 }
+            val grid = Grid().apply { build(p, boundary, 0.0, 0.5, DoubleArray(3) { 0.5 }) }
+            val rows = StepRows().apply { load(p, grid.order, 0.5, false) }
+            val bounds = RowBounds().apply { measure(grid, rows, 0.5, InlineLoop, fewest = 0.0) }
+            assertTrue(bounds.isInUse)
+            assertEquals(0.5, bounds.duration)
+            // Rows lie along x, then z, then y.
+            val axes = listOf(0, 2, 1)
+            fun velocity(slot: Int, k: Int) = rows.state[slot * STRIDE + VX + axes[k]]
+            val members = (0 until 60).groupBy { rowOf(grid, it) }
+            val wanted = DoubleArray(grid.levels.rowCount * RowBounds.WIDTH) {
+                if (it % 2 == 0) Double.POSITIVE_INFINITY else Double.NEGATIVE_INFINITY
+            }
+            fun widen(row: Int, slot: Int) {
+                for (k in 0..2) {
+                    val at = row * RowBounds.WIDTH + 2 * k
+                    wanted[at] = minOf(wanted[at], velocity(slot, k))
+                    wanted[at + 1] = maxOf(wanted[at + 1], velocity(slot, k))
+                }
+            }
+            for ((row, slots) in members) for (slot in slots) widen(row, slot)
+            assertEquals(wanted.toList(), bounds.values.take(wanted.size)) { "seed $seed" }
+            val random = SeededRandom(seed)
+            for (slot in 0 until 60 step 3) {
+                for (k in 0..2) rows.state[slot * STRIDE + VX + k] = random.nextDouble(-4.0, 4.0)
+                bounds.include(slot, rows, slot)
+                widen(rowOf(grid, slot), slot)
+            }
+            assertEquals(wanted.toList(), bounds.values.take(wanted.size)) { "seed $seed, included" }
+        }
+    }
+
+    @Test
+    fun `bounds are used from the given number of candidates on, and not while there are no rows`() {
+        val boundary = Periodic(Box.centred(10.0, 12.0, 8.0))
+        val p = randomSpheres(60, boundary, 1, 1.0) { 0.5 }
+        val grid = Grid().apply { build(p, boundary, 0.0, 0.5, DoubleArray(3) { 0.5 }) }
+        val rows = StepRows().apply { load(p, grid.order, 0.5, false) }
+        // 60 spheres spread over the box; a search covers both ranges and a cell along each axis.
+        val candidates = (0..2).fold(60.0) { n, axis ->
+            n * minOf(1.0, (2 * (0.5 + 0.5) + grid.cellWidth(axis)) / boundary.box.length(axis))
+        }
+        assertEquals(candidates, grid.levels.candidates(), 1e-6)
+        val bounds = RowBounds()
+        for ((fewest, isInUse) in listOf(candidates - 1e-3 to true, candidates + 1e-3 to false)) {
+            bounds.measure(grid, rows, 0.5, InlineLoop, fewest)
+            assertEquals(isInUse, bounds.isInUse)
+        }
+        bounds.measure(grid, rows, 0.5, InlineLoop, 0.0)
+        val before = bounds.values.copyOf()
+        bounds.rest()
+        assertFalse(bounds.isInUse)
+        rows.state[VX] = 100.0
+        bounds.include(0, rows, 0)
+        assertArrayEquals(before, bounds.values)
     }
 
     private fun query(

@@ -114,4 +114,81 @@ class SizeClassesTest {
         assertTrue(classes(wide, SearchStructure.LEVELS) >= 2)
         assertTrue(classes(wide, SearchStructure.AUTO) >= 2)
     }
+
+    private class SizeClass(val spheres: Int, val largest: Double)
+
+    /** What all searches check, by the definition: each class looks at itself and at those of larger spheres. */
+    private fun cost(classes: List<SizeClass>, reach: DoubleArray, size: DoubleArray): Double {
+        var sum = 0.0
+        for ((k, a) in classes.withIndex()) {
+            for (b in classes.drop(k)) {
+                var others = if (b === a) a.spheres / 2.0 else b.spheres.toDouble()
+                for (axis in 0..2) {
+                    val range = 2 * (a.largest + b.largest + 2 * reach[axis])
+                    if (size[axis] > 0) others *= minOf(1.0, range / size[axis])
+                }
+                sum += a.spheres * (12 + others)
+            }
+        }
+        return sum
+    }
+
+    private fun classes(radii: DoubleArray, structure: SearchStructure, reach: DoubleArray, size: DoubleArray) =
+        SizeClasses().also {
+            val zero = DoubleArray(radii.size)
+            val p = Population(zero, zero, zero, zero, zero, zero, radii, DoubleArray(radii.size) { 1.0 })
+            it.divide(p, radii.minOrNull() ?: 1.0, radii.maxOrNull() ?: 0.0, structure, reach, size)
+        }
+
+    private fun SizeClasses.list() = List(count) { listOf(spheres[it], largest[it]) }
+
+    @Test
+    fun `neighbouring octaves are merged, the best two first, while that is not dearer`() {
+        val seen = IntArray(8)
+        for (seed in 1L..200L) {
+            val random = SeededRandom(seed)
+            val octaves = 2 + random.nextInt(5)
+            val counts = List(octaves) { 1 + random.nextInt(if (random.nextInt(3) == 0) 3 else 400) }
+            val radii = counts.flatMapIndexed { o, n -> List(n) { Math.scalb(random.nextDouble(1.0, 1.999), -o) } }
+            val reach = DoubleArray(3) { random.nextDouble(0.0, 0.2) }
+            val size = DoubleArray(3) { random.nextDouble(4.0, 40.0) }
+            if (seed % 5 == 0L) size[2] = 0.0
+            for (structure in listOf(SearchStructure.LEVELS, SearchStructure.AUTO)) {
+                var wanted = radii.groupBy { Math.getExponent(it) }.toSortedMap().values.map {
+                    SizeClass(it.size, it.max())
+                }
+                while (wanted.size > if (structure == SearchStructure.LEVELS) 2 else 1) {
+                    val merged = (0 until wanted.size - 1).map { c ->
+                        val both = SizeClass(wanted[c].spheres + wanted[c + 1].spheres, wanted[c + 1].largest)
+                        wanted.take(c) + both + wanted.drop(c + 2)
+                    }
+                    val best = merged.minBy { cost(it, reach, size) }
+                    if (cost(best, reach, size) > cost(wanted, reach, size)) break
+                    wanted = best
+                }
+                val found = classes(radii.toDoubleArray(), structure, reach, size)
+                assertEquals(wanted.map { listOf(it.spheres, it.largest) }, found.list()) { "seed $seed, $structure" }
+                for (r in radii) assertEquals(wanted.indexOfFirst { r <= it.largest }, found.of(r)) { "radius $r" }
+                if (structure == SearchStructure.AUTO) seen[wanted.size]++
+            }
+        }
+        assertTrue((1..3).all { seen[it] > 10 }) { seen.toList().toString() }
+    }
+
+    @Test
+    fun `one octave is one class, the lowest of 24 takes all smaller spheres, and nothing is one class too`() {
+        val reach = DoubleArray(3)
+        val size = DoubleArray(3) { 100.0 }
+        for (structure in SearchStructure.entries) {
+            val octave = doubleArrayOf(1.0, 1.999, 1.5)
+            assertEquals(listOf(listOf(3, 1.999)), classes(octave, structure, reach, size).list())
+            assertEquals(listOf(listOf(0, 0.0)), classes(doubleArrayOf(), structure, reach, size).list())
+        }
+        val wide = doubleArrayOf(Math.scalb(1.0, -30), 1.0, Math.scalb(1.5, -25))
+        assertEquals(
+            listOf(listOf(2, Math.scalb(1.5, -25)), listOf(1, 1.0)),
+            classes(wide, SearchStructure.LEVELS, reach, size).list(),
+        )
+        assertEquals(listOf(listOf(3, 1.0)), classes(wide, SearchStructure.GRID, reach, size).list())
+    }
 }

@@ -1,0 +1,55 @@
+package daphnis.core.search
+
+import daphnis.core.Sphere
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Open
+import daphnis.core.boundary.Periodic
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.population.Population
+import daphnis.core.populationOf
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.Double.Companion.NEGATIVE_INFINITY
+import kotlin.Double.Companion.POSITIVE_INFINITY
+
+class StepBoundsTest {
+    private val a = Sphere(1.0, -2.0, 3.0, vx = -4.0, vy = 1.0, vz = 0.5, r = 0.3)
+    private val b = Sphere(-1.5, 2.5, 0.5, vx = 2.0, vy = -3.0, vz = 0.25, r = 0.2)
+    private val thin = Periodic(Box.centred(10.0, 10.0, 10.0), true, false, true)
+
+    private fun bounds(p: Population, boundary: BoundaryConditions, everywhere: Boolean) =
+        StepBounds().apply { measure(p, boundary, everywhere, InlineLoop) }
+
+    @Test
+    fun `speeds, places and radii of two spheres, along open axes only if asked for`() {
+        for (everywhere in listOf(true, false)) {
+            val found = bounds(populationOf(a, b), thin, everywhere)
+            assertEquals(listOf(4.0, 3.0, 0.5), found.fastest.toList())
+            val (low, high) = if (everywhere) -2.0 to 2.5 else POSITIVE_INFINITY to NEGATIVE_INFINITY
+            assertEquals(listOf(-1.5, low, 0.5), found.lowest.toList())
+            assertEquals(listOf(1.0, high, 3.0), found.highest.toList())
+            assertEquals(listOf(0.2, 0.3), listOf(found.leastRadius, found.largestRadius))
+            assertFalse(found.isEmpty)
+        }
+        val none = bounds(populationOf(), Open, true)
+        assertTrue(none.isEmpty)
+        assertEquals(0.0, none.largestRadius)
+    }
+
+    @Test
+    fun `the greatest of the numbers of parts are those of the whole, an empty part among them`() {
+        val parts = listOf(populationOf(a), populationOf(), populationOf(b)).mapIndexed { k, p ->
+            bounds(p, thin, true).apply { headroom = 0.125 * k }.numbers()
+        }
+        val taken = StepBounds().apply { take(DoubleArray(parts[0].size) { k -> parts.maxOf { it[k] } }) }
+        val whole = bounds(populationOf(a, b), thin, true).apply { headroom = 0.25 }
+        assertEquals(whole.numbers().toList(), taken.numbers().toList())
+        assertEquals(listOf(0.2, 0.3, 0.25), listOf(taken.leastRadius, taken.largestRadius, taken.headroom))
+        assertEquals(listOf(-1.5, -2.0, 0.5), taken.lowest.toList())
+        assertEquals(listOf(1.0, 2.5, 3.0), taken.highest.toList())
+        assertEquals(listOf(4.0, 3.0, 0.5), taken.fastest.toList())
+    }
+}
