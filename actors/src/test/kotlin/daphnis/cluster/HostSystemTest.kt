@@ -5,6 +5,7 @@ import com.typesafe.config.ConfigFactory
 import daphnis.cluster.TestedFleet.Companion.await
 import daphnis.cluster.TestedFleet.Companion.awaitThat
 import daphnis.cluster.settings.HostConfig
+import daphnis.cluster.system.HostGround
 import daphnis.core.cluster.MailClosedException
 import org.apache.pekko.actor.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors
@@ -17,6 +18,8 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import java.io.Closeable
+import java.time.Duration
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /** Nodes and runs in actor systems of a host, which has its own name, settings and guardian. */
@@ -92,6 +95,19 @@ class HostSystemTest {
     }
 
     @Test
+    fun `what lives in a host's system ends without an exception when the system has no timers any more`() {
+        val quiet = "pekko { loglevel = OFF, stdout-loglevel = OFF, loggers = [], daemonic = on }"
+        val own = "pekko.coordinated-shutdown.run-by-actor-system-terminate = off"
+        val system = ActorSystem.create("ending", ConfigFactory.parseString("$quiet\n$own").withFallback(DEFAULTS))
+        val ground = HostGround(system, TestedFleet.SECRET, 1, Duration.ofSeconds(1))
+        val actor = ground.spawn(system, Behaviors.empty(), "tenant")
+        (system.scheduler() as Closeable).close()
+        ground.end(system, listOf(actor))
+        system.terminate()
+        system.getWhenTerminated().toCompletableFuture().get()
+    }
+
+    @Test
     fun `a system that lacks something is refused with what it lacks`() {
         fun refusal(system: ActorSystem) =
             assertThrows(IllegalArgumentException::class.java) { leader(system, "x") }.message!!
@@ -108,6 +124,7 @@ class HostSystemTest {
     }
 
     private companion object {
+        val DEFAULTS: Config = ConfigFactory.load()
         const val BARE = "pekko { actor { provider = cluster, typed.library-extensions = [] } }"
         const val HOST = """
             pekko { loglevel = OFF, stdout-loglevel = OFF, loggers = [], daemonic = on }

@@ -22,6 +22,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
+import org.apache.pekko.actor.ActorRef as ClassicRef
 
 /**
  * A host's actor [system]. It is neither started nor ended here, and joins and leaves a cluster as its host likes.
@@ -86,15 +87,19 @@ internal class HostGround(
 
     override fun end(system: ActorSystem, actors: List<ActorRef<Any>>) {
         Fronts.of(system).leave(actors)
-        for (actor in actors) {
-            val stopped = Patterns.gracefulStop(Adapter.toClassic(actor), STOP, PoisonPill.getInstance())
-            try {
-                stopped.toCompletableFuture().get(STOP.toSeconds(), TimeUnit.SECONDS)
-            } catch (_: TimeoutException) {
-                // It stops when the host's threads are free.
-            } catch (_: ExecutionException) {
-                // The same.
-            }
+        for (actor in actors) stop(Adapter.toClassic(actor))
+    }
+
+    private fun stop(actor: ClassicRef) {
+        try {
+            val stopped = Patterns.gracefulStop(actor, STOP, PoisonPill.getInstance())
+            stopped.toCompletableFuture().get(STOP.toSeconds(), TimeUnit.SECONDS)
+        } catch (_: TimeoutException) {
+            // It stops when the host's threads are free.
+        } catch (_: ExecutionException) {
+            // The same.
+        } catch (_: IllegalStateException) {
+            // The host's system is ending, has no timers any more, and ends its actors itself.
         }
     }
 

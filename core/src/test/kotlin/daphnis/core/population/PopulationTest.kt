@@ -8,6 +8,7 @@ import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertNotSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -142,6 +143,18 @@ class PopulationTest {
         q.retain { q.id[it] != 3 }
         q.add(others(3, 600))
         assertEquals(0, q.boxesCrossed(3, 1))
+    }
+
+    @Test
+    fun `columns for another number of spheres know of no collision, and have times that no others have`() {
+        val q = populationOf(Sphere(), Sphere(x = 9.0))
+        q.lastCollision[0] = 5.0
+        val two = q.lastCollision
+        q.take(q.columnsToWrite(tracksLastCollision = true, count = 1))
+        // The arrays for two spheres are used again.
+        q.take(q.columnsToWrite(tracksLastCollision = true, count = 2))
+        assertEquals(listOf(Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY), q.lastCollision.asList())
+        assertNotSame(two, q.lastCollision)
     }
 
     @Test
