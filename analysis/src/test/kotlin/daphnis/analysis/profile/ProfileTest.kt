@@ -161,16 +161,18 @@ class ProfileTest {
 
     @Test
     fun `a profile spans a period if its ends are those of the box but for a part in 10⁹`() {
-        val p = populationOf(Sphere(4.9, 0.0, 0.0, 0.0, 0.0, 0.0, r = 0.5, m = 1.0))
+        val spheres = listOf(4.9, -4.9).map { populationOf(Sphere(x = it, r = 0.5)) }
         val atFarEnd = PI * 0.16 * (1.5 - 0.4) / 3
         for ((shift, isWhole) in listOf(0.0 to true, 5e-9 to true, -5e-9 to true, 1e-7 to false, -1e-7 to false)) {
             for ((low, high) in listOf(shift to 0.0, 0.0 to shift)) {
-                val r = Profile(0, -5 + low, 5 + high, 2).of(State(p, Periodic(box), 0.0))
-                assertEquals(if (isWhole) atFarEnd else 0.0, r[column("filling_factor")] * 5 * 80, 1e-6) {
-                    "ends off by $low and $high"
+                for ((farBin, p) in spheres.withIndex()) {
+                    val r = Profile(0, -5 + low, 5 + high, 2).of(State(p, Periodic(box), 0.0))
+                    val found = r[farBin * width + column("filling_factor")] * 5 * 80
+                    assertEquals(if (isWhole) atFarEnd else 0.0, found, 1e-6) { "ends off by $low and $high" }
                 }
             }
         }
+        assertEquals(2, Profile(2, 0.0, 1.0, 1).axis)
     }
 
     @Test

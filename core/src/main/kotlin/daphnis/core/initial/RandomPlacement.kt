@@ -20,7 +20,8 @@ import daphnis.core.parallel.RangeLoop
  *
  * @param mostTries tries for one sphere before giving up
  * @param obstacles spheres that are already placed
- * @param threads threads to look for free places on, the caller's included; they end before [place] returns
+ * @param threads threads to look for free places on, the caller's included; the others are told to end before
+ *   [place] returns, and not waited for
  */
 public class RandomPlacement internal constructor(
     private val mostTries: Int,

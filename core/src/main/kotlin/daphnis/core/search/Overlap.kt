@@ -20,7 +20,7 @@ public class Overlap private constructor(public val first: Int, public val secon
         /**
          * Checks every pair of neighbours, through the faces too where contacts are found through them. Allocates a
          * grid. Of equally deep pairs it returns the first in the order of the grid, for any number of [threads], which
-         * end before it returns.
+         * are told to end before it returns, and not waited for.
          */
         @JvmStatic
         @JvmOverloads

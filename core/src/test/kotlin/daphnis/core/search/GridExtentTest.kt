@@ -6,6 +6,7 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
 
 class GridExtentTest {
@@ -57,5 +58,15 @@ class GridExtentTest {
         val none = StepBounds().apply { measure(populationOf(), boundary, true, InlineLoop) }
         GridExtent().apply { take(none, boundary) }
             .hold(listOf(-2.0, 0.0, 0.0), listOf(10.0, 20.0, 0.0), listOf(-2.0, 0.0, 0.0), listOf(10.0, 20.0, 0.0))
+    }
+
+    @Test
+    fun `spheres too far apart to compute with are refused, at either end of an open axis`() {
+        measured(Double.NaN, 1.0, 4.0).requireComputable(1.0)
+        for (far in listOf(1e200, -1e200)) {
+            // z is 5 − x; x is periodic.
+            val extent = measured(Double.NaN, 1.0, far)
+            assertThrows(IllegalArgumentException::class.java) { extent.requireComputable(1.0) }
+        }
     }
 }

@@ -54,6 +54,9 @@ class OverlapTest {
     fun `spheres that touch do not overlap, and the pair is named by ids, the lower one first`() {
         val touching = Overlap.deepest(populationOf(Sphere(x = 0.0), Sphere(x = 2.0)), Open, 0.0)
         assertEquals(listOf(-1, -1, 0.0), listOf(touching.first, touching.second, touching.depth))
+        // 0.5 and 1 and 1 are 1.5 together.
+        val oblique = Overlap.deepest(populationOf(Sphere(), Sphere(x = -0.5, y = 1.0, z = -1.0)), Open, 0.0)
+        assertEquals(0.25, oblique.depth, 1e-15)
         for (order in listOf(listOf(0.0, 1.0, 9.0), listOf(9.0, 1.0, 0.0), listOf(1.0, 9.0, 0.0))) {
             val found = Overlap.deepest(populationOf(*order.map { Sphere(y = it) }.toTypedArray()), Open, 0.0)
             val ids = listOf(order.indexOf(0.0), order.indexOf(1.0)).sorted()

@@ -191,4 +191,22 @@ class SizeClassesTest {
         )
         assertEquals(listOf(listOf(3, 1.0)), classes(wide, SearchStructure.GRID, reach, size).list())
     }
+
+    @Test
+    fun `classes of a step know nothing of the step before`() {
+        val reach = DoubleArray(3)
+        val size = DoubleArray(3) { 100.0 }
+        val used = classes(doubleArrayOf(0.6, 0.9, 1.2, 1.9, 3.0), SearchStructure.LEVELS, reach, size)
+        val radii = doubleArrayOf(0.5, 1.0, 1.1)
+        val zero = DoubleArray(3)
+        used.divide(
+            Population(zero, zero, zero, zero, zero, zero, radii, DoubleArray(3) { 1.0 }),
+            0.5,
+            1.1,
+            SearchStructure.LEVELS,
+            reach,
+            size,
+        )
+        assertEquals(listOf(listOf(1, 0.5), listOf(2, 1.1)), used.list())
+    }
 }
