@@ -167,16 +167,17 @@ class StreamlinesTest {
 
     @Test
     fun `all columns of a few particles are those of their definitions`() {
-        for (isOpen in listOf(false, true)) {
-            val state = few(29, isOpen)
+        // In groups of seven or eight, and of two.
+        for ((count, isOpen) in listOf(29 to false, 29 to true, 8 to false, 8 to true)) {
+            val state = few(count, isOpen)
             val lines = Streamlines.of(state, 1, 4, RadialKey.GUIDING_CENTRE)
             assertEquals(listOf(1, 4, 60.0), listOf(lines.slabs, lines.groups, lines.slabWidth))
-            val sorted = (0 until 29).sortedBy { Few(state, listOf(it)).guiding(it) }
-            val groups = List(4) { Few(state, sorted.subList(29 * it / 4, 29 * (it + 1) / 4)) }
+            val sorted = (0 until count).sortedBy { Few(state, listOf(it)).guiding(it) }
+            val groups = List(4) { Few(state, sorted.subList(count * it / 4, count * (it + 1) / 4)) }
             val middles = groups.map { it.mean(it.guiding) }
             for ((g, few) in groups.withIndex()) {
                 fun hold(name: String, wanted: Double, found: DoubleArray) =
-                    assertEquals(wanted, found[g], 1e-9 * abs(wanted)) { "$name of group $g, open: $isOpen" }
+                    assertEquals(wanted, found[g], 1e-9 * abs(wanted)) { "$name of group $g of $count, open: $isOpen" }
                 hold("x", few.mean(few.x), lines.meanX)
                 hold("guiding centre", middles[g], lines.guidingX)
                 hold("error of x", few.error(few.cosine), lines.meanXError)

@@ -27,6 +27,10 @@ class OverlapTest {
         val p = populationOf(Sphere(x = -4.5), Sphere(x = 4.5))
         assertEquals(0.5, Overlap.deepest(p, Periodic(Box.centred(10.0, 10.0, 10.0)), 0.0).depth, 1e-15)
         assertEquals(0.0, Overlap.deepest(p, Open, 0.0).depth)
+        for (sphere in listOf<(Double) -> Sphere>({ Sphere(y = it) }, { Sphere(z = it) })) {
+            val q = populationOf(sphere(-4.5), sphere(4.5))
+            assertEquals(0.5, Overlap.deepest(q, Periodic(Box.centred(10.0, 10.0, 10.0)), 0.0).depth, 1e-15)
+        }
     }
 
     @Test
