@@ -145,7 +145,7 @@ class CorrelationTest {
     @Test
     fun `the autocorrelation of a leaning density wave leans as it does, and goes on through the faces`() {
         val box = Box.centred(60.0, 60.0, 2.0)
-        // Trailing crests: outward and backward, 30 degrees from the orbit; density 1 + cos(k (x cos 30° + y sin 30°)),
+        // Trailing crests: outward and backward, 30° from the orbit; density 1 + cos(k (x cos 30° + y sin 30°)),
         // made periodic by whole waves.
         val kx = 2 * PI / 60 * 4
         val ky = 2 * PI / 60 * 2
