@@ -98,6 +98,9 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             throw e
         } catch (e: InterruptedException) {
             throw e
+        } catch (e: TornTurnException) {
+            // The crew ends with this node's work.
+            throw e
         } catch (e: NodeFailedException) {
             MessageWriter().byte(Answer.FAILED_ELSEWHERE.ordinal).text("").text(e.message.orEmpty())
         } catch (e: Throwable) {

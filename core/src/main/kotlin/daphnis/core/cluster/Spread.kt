@@ -17,6 +17,10 @@ internal class Spread(private val mail: Mail) {
     var bytesSent = 0L
         private set
 
+    /** Whether something of the present or last time [around] was sent. */
+    var hasBegun = false
+        private set
+
     /**
      * What a node has heard, by rank of who said it.
      *
@@ -32,6 +36,7 @@ internal class Spread(private val mail: Mail) {
      * @param toOne by rank, written by [forOne]
      */
     fun around(toAll: ByteBuffer, toOne: Array<ByteBuffer?>): Heard {
+        hasBegun = false
         val next = (rank + 1) % size
         for (to in 0 until size) {
             if (to != next) toOne[to]?.let { send(to, it) }
@@ -79,8 +84,10 @@ internal class Spread(private val mail: Mail) {
     }
 
     private fun send(to: Int, message: ByteBuffer) {
-        bytesSent += message.remaining()
+        val bytes = message.remaining()
         mail.send(to, message)
+        hasBegun = true
+        bytesSent += bytes
     }
 
     private fun MessageWriter.block(bytes: ByteBuffer?) {

@@ -6,7 +6,8 @@ import java.nio.ByteBuffer
  * What the nodes of a crew do together. In a turn each says something to all others, and may say something to single
  * ones ([Spread]). All make the same turns in the same order. A node that has failed says so in place of its next
  * message ([fail]); then the turn throws [NodeFailedException] at all others. After that all are at the same place
- * again.
+ * again. What fails while messages go around, such as for lack of memory, is a [TornTurnException]: nobody knows who
+ * has heard what, and the crew has to end.
  */
 internal class Turns(mail: Mail) {
     val rank: Int = mail.rank
@@ -59,19 +60,29 @@ internal class Turns(mail: Mail) {
 
     /** Takes part in a turn by saying that this node has failed because of [cause]. Does not throw what others say. */
     fun fail(cause: Throwable) {
-        spread.around(MessageWriter().byte(FAILED).text(cause.toString()).message(), arrayOfNulls(size))
+        send(MessageWriter().byte(FAILED).text(cause.toString()).message(), arrayOfNulls(size))
     }
 
     fun others(): List<Int> = (0 until size).filter { it != rank }
 
     fun around(toAll: MessageWriter, toOne: Array<ByteBuffer?>): Spread.Heard {
-        val heard = spread.around(toAll.message(), toOne)
+        val heard = send(toAll.message(), toOne)
         // All was received, whatever is in it, so that the next turn begins with its own messages.
         for (from in 0 until size) {
             val message = heard.toAll[from]
             if (message.get().toInt() != FINE) throw NodeFailedException(from, message.text())
         }
         return heard
+    }
+
+    private fun send(toAll: ByteBuffer, toOne: Array<ByteBuffer?>): Spread.Heard = try {
+        spread.around(toAll, toOne)
+    } catch (e: MailClosedException) {
+        throw e
+    } catch (e: InterruptedException) {
+        throw e
+    } catch (e: Throwable) {
+        throw if (spread.hasBegun) TornTurnException(e) else e
     }
 
     companion object {
@@ -82,3 +93,6 @@ internal class Turns(mail: Mail) {
 
 /** Another node has failed in the turn: that of [rank]. */
 internal class NodeFailedException(val rank: Int, message: String) : RuntimeException(message)
+
+/** A turn has failed on this node after the first of its messages was sent. */
+internal class TornTurnException(cause: Throwable) : RuntimeException(cause.toString(), cause)

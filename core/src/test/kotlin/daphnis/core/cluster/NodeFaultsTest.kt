@@ -110,6 +110,23 @@ class NodeFaultsTest {
     }
 
     @Test
+    fun `a node that fails while messages go around ends the crew, and the next one makes the step`() {
+        val fleet = ThreadFleet(3)
+        val left = AtomicInteger(40)
+        // Of three nodes the second tells the first what it has heard before; that message says so in its first byte.
+        fleet.onSend = { from, to, message ->
+            val isSecond = from == 1 && to == 0 && message.get(message.position()).toInt() == 0
+            if (isSecond && left.decrementAndGet() == 0) throw OutOfMemoryError("made up")
+        }
+        start(fleet).use { run ->
+            repeat(12) { run.simulation.advance() }
+            assertEquals(serialDigest(12), stateDigest(run.simulation.population))
+        }
+        assertTrue(left.get() < 0) { "${left.get()}" }
+        assertEquals(2, fleet.crews)
+    }
+
+    @Test
     fun `nodes that end whenever they begin end the run with the reason`() {
         val fleet = ThreadFleet(2)
         var begun = 0

@@ -112,6 +112,37 @@ class TurnsTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = [3, 6, 9])
+    fun `what fails while messages go around is no failure that others could be told of`(nodes: Int) {
+        for (bad in 2..rounds(nodes)) {
+            var count = 0
+            lateinit var room: MailRoom
+            room = MailRoom(nodes) { from, _, _ -> if (from == 1 && ++count == bad) throw OutOfMemoryError("made up") }
+            val pool = Executors.newFixedThreadPool(nodes)
+            val ends = (0 until nodes).map { node ->
+                pool.submit(
+                    Callable {
+                        try {
+                            Turns(room.mail(node)).gather(doubleArrayOf(1.0))
+                            // Others may have heard all.
+                            null
+                        } catch (e: TornTurnException) {
+                            // As a node's work does which ends.
+                            room.end("torn")
+                            e.cause
+                        } catch (e: MailClosedException) {
+                            e
+                        }
+                    },
+                )
+            }.map { it.get() }
+            pool.shutdownNow()
+            assertTrue(ends[1] is OutOfMemoryError) { "${ends[1]}" }
+            assertTrue(ends.any { it is MailClosedException }) { "$ends" }
+        }
+    }
+
     @Test
     fun `of several failures the first by rank is told`() {
         val ends = together(5) { turns ->
