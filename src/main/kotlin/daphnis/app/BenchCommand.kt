@@ -69,14 +69,18 @@ class BenchCommand : CliktCommand(name = "bench") {
         val names = words.ifEmpty { PAPER }.distinct()
         val contests = names.map { Contest(allEngines, contestants, scenarioNamed(it, settings), it, steps) }
         val directory = out?.let { pathOf(it, "--out") } ?: freeDirectory(Path.of("runs", "bench"))
-        writing(directory) { requireOwn(directory) }
+        writing(directory) {
+            requireOwn(directory)
+            removePlots(directory)
+        }
         val all = ArrayList<List<Timing>>()
         for (contest in contests) {
             all +=
                 timed(contest) { writing(directory) { writeTables(directory, all + listOf(it)) } }
         }
-        writing(directory) { drawAll(directory, all) }
-        if (!quiet) println("tables and plots are in $directory")
+        var plots = 0
+        writing(directory) { plots = drawAll(directory, all) }
+        if (!quiet) println("${if (plots == 0) "tables" else "tables and plots"} are in $directory")
     }
 
     private fun timed(contest: Contest, keep: (List<Timing>) -> Unit): List<Timing> {
@@ -141,18 +145,33 @@ class BenchCommand : CliktCommand(name = "bench") {
         return "daphnis ${Version.text}, $java, $system, $cores processors"
     }
 
-    private fun drawAll(directory: Path, all: List<List<Timing>>) {
+    /** Those of a result that is replaced; its tables are written over. */
+    private fun removePlots(directory: Path) {
+        val csv = directory.resolve(CSV)
+        if (!Files.exists(csv)) return
         val taken = HashSet<String>()
+        for (scenario in TimingFile.read(csv).map { it.scenario }.distinct()) {
+            ScalingPlot.remove(directory, fileName(scenario, taken))
+        }
+    }
+
+    /** How many scenarios have plots: those with an engine on several numbers of threads. */
+    private fun drawAll(directory: Path, all: List<List<Timing>>): Int {
+        val taken = HashSet<String>()
+        var drawn = 0
         for (timings in all) {
+            val name = timings.first().scenario
+            val file = fileName(name, taken)
             val curves = timings.groupBy { it.engine }.map { (engine, own) ->
                 val sorted = own.sortedBy { it.threads }
                 val threads = DoubleArray(sorted.size) { sorted[it].threads.toDouble() }
                 Curve(engine, threads, DoubleArray(sorted.size) { sorted[it].fastest })
             }
             if (curves.all { it.x.size == 1 }) continue
-            val name = timings.first().scenario
-            ScalingPlot.write(curves, Ranking(timings).yardstick.fastest, directory, fileName(name, taken), name)
+            ScalingPlot.write(curves, Ranking(timings).yardstick.fastest, directory, file, name)
+            drawn++
         }
+        return drawn
     }
 
     /** The last part of [scenario] without its extension; numbered when it is among those [taken]. */

@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.parameters.types.int
 import daphnis.cluster.ClusterFleet
 import daphnis.cluster.LocalNodes
 import daphnis.cluster.hosts.HostPort
+import daphnis.cluster.settings.ClusterSettings
 import daphnis.core.cluster.Fleet
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.cluster.FleetNode
@@ -19,7 +20,7 @@ internal class FleetOptions : ProcessOptions("Several nodes", "See docs/cluster.
     private val nodes by option(
         "--nodes",
         metavar = "number",
-        help = "compute with so many processes on this machine; with --cluster, wait for so many nodes (default: 1)",
+        help = "compute with so many processes on this machine; with --cluster, wait for so many (1 if not given)",
     ).int()
     private val cluster by option(
         "--cluster",
@@ -39,7 +40,9 @@ internal class FleetOptions : ProcessOptions("Several nodes", "See docs/cluster.
     fun <T> withEngines(name: String, threads: Int?, act: (EngineFactory) -> T): T {
         requireConsistent(threads)
         if (!isGiven) return act(allEngines)
-        return LateFleet { if (cluster == null) onThisMachine(name, threads) else onCluster(name) }.use {
+        val settings = settings(cluster?.let { HostPort.parseList(it, "--cluster") }.orEmpty())
+        settings.requireUsable()
+        return LateFleet { if (cluster == null) onThisMachine(name, threads) else onCluster(name, settings) }.use {
             act(FleetEngines(it, log = ::say))
         }
     }
@@ -76,8 +79,7 @@ internal class FleetOptions : ProcessOptions("Several nodes", "See docs/cluster.
         }.also { tell(it.nodes()) }
     }
 
-    private fun onCluster(name: String): Fleet {
-        val settings = settings(HostPort.parseList(cluster!!, "--cluster"))
+    private fun onCluster(name: String, settings: ClusterSettings): Fleet {
         val fleet = ClusterFleet.join(settings, name, ::say)
         try {
             tell(NodesAwaited(fleet, Duration.ofSeconds(WAIT_SECONDS), ::say).await(nodes ?: 1))

@@ -39,6 +39,11 @@ class BenchCommandTest {
             // Timed on one thread alone, it has a speed, and no efficiency against itself.
             assertEquals(kind != "efficiency", ">serial<" in svg.replace(Regex("\\s"), "")) { kind }
         }
+        // No plots of an earlier result beside the tables of the next.
+        val alone = arrayOf("cooling-gas", "--steps", "2", "--rounds", "1", "--engines", "serial", "--out", out)
+        val last = assertDone(bench(*alone)).trim().lines().last()
+        assertEquals("tables are in $out", last)
+        assertEquals(setOf("bench.csv", "bench.md"), folder.resolve("out").toFile().list()!!.toSet())
     }
 
     @Test

@@ -51,6 +51,14 @@ class FleetOptionsTest {
         assertRefused(daphnis("run", "self-gravity-wakes", "--nodes", "2", "--out", out), "self-gravity", "one machine")
         assertRefused(daphnis("resume", "${folder.resolve("none")}", "--nodes", "3"), "none")
         assertRefused(daphnis("resume", out, "--threads", "2"), "--threads", "needs --nodes")
+        fun refuse(vararg options: String, says: String) =
+            assertRefused(daphnis("run", "shear-cell", "--out", out, *options), says)
+        refuse("--cluster", "foo", says = "a port is needed")
+        refuse("--cluster", "127.0.0.1:70000", says = "--cluster")
+        refuse("--cluster", "127.0.0.1:1", "--secret-file", "$out/none", says = "none")
+        refuse("--cluster", "127.0.0.1:1", "--config", "$out/none", says = "none")
+        refuse("--nodes", "2", "--config", "$out/none", says = "none")
+        refuse("--cluster", "127.0.0.1:1", "--host", "192.0.2.1", says = "open to other machines")
         assertFalse(Files.exists(Path.of(out)))
         assertTrue(Files.list(folder).use { it.count() } == 0L)
     }

@@ -40,6 +40,16 @@ public data class ClusterSettings @JvmOverloads constructor(
         }
     }
 
+    /**
+     * Reads all files that these settings name, and checks what can be checked before anything listens, as every start
+     * of a node or a run does.
+     *
+     * @throws InputException when they cannot be right
+     */
+    public fun requireUsable() {
+        Effective(this)
+    }
+
     public companion object {
         /** The address of this machine that no other reaches. */
         public const val LOOPBACK: String = "127.0.0.1"

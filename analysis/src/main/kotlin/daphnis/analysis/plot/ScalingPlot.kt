@@ -1,5 +1,6 @@
 package daphnis.analysis.plot
 
+import java.nio.file.Files
 import java.nio.file.Path
 
 /** Plots of how the time of a computation falls with the number of threads. Needs no display. */
@@ -17,20 +18,30 @@ public object ScalingPlot {
     public fun write(times: List<Curve>, alone: Double, directory: Path, name: String, title: String) {
         require(times.isNotEmpty()) { "there is nothing to draw" }
         require(times.all { c -> c.y.all { it > 0 } } && alone > 0) { "a time is not positive" }
+        // Those of one point come last, so that each engine looks the same in all three.
+        val curves = times.sortedBy { it.x.size == 1 }
         val threads = times.flatMap { it.x.asList() }.map { it.toInt() }.distinct().sorted()
-        fun draw(kind: String, curves: List<Curve>, label: String, horizontal: Double?) {
-            val plot = Chart.lines(curves, "threads", label, title, horizontal = horizontal, ticks = threads)
+        fun draw(kind: String, drawn: List<Curve>, label: String, horizontal: Double?) {
+            val plot = Chart.lines(drawn, "threads", label, title, horizontal = horizontal, ticks = threads)
             Figures.write(plot, directory, "$name-$kind", Chart.WIDTH, Chart.HEIGHT)
         }
-        draw("time", times, "time [s]", alone)
-        draw("speed", times.map { c -> mapped(c) { _, t -> alone / t } } + ideal(times), "speed", 1.0)
-        val measured = times.filter { it.x.size > 1 && 1.0 in it.x.asList() }
+        draw("time", curves, "time [s]", alone)
+        draw("speed", curves.map { c -> mapped(c) { _, t -> alone / t } } + ideal(times), "speed", 1.0)
+        val measured = curves.filter { it.x.size > 1 && 1.0 in it.x.asList() }
         if (measured.isEmpty()) return
         val efficiencies = measured.map { c ->
             val one = c.y[c.x.indexOfFirst { it == 1.0 }]
             mapped(c) { n, t -> one / t / n }
         }
         draw("efficiency", efficiencies, "efficiency", 1.0)
+    }
+
+    /** Removes what [write] has drawn as [name] in [directory], if anything. */
+    @JvmStatic
+    public fun remove(directory: Path, name: String) {
+        for (kind in listOf("time", "speed", "efficiency")) {
+            for (type in listOf("svg", "png")) Files.deleteIfExists(directory.resolve("$name-$kind.$type"))
+        }
     }
 
     private fun mapped(curve: Curve, value: (x: Double, y: Double) -> Double) =
