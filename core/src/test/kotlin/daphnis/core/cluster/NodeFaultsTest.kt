@@ -50,6 +50,15 @@ class NodeFaultsTest {
         return CopyClock { now.also { now += 10_000_000_000 } }
     }
 
+    /** A step of [run] in a thread of its own; what it throws is [thrown]. */
+    private fun stepping(run: Run, thrown: AtomicReference<Throwable>): Thread = thread {
+        try {
+            run.simulation.advance()
+        } catch (e: Throwable) {
+            thrown.set(e)
+        }
+    }
+
     private fun serialDigest(steps: Int): String {
         val one = scenario("engine.name=serial")
         return Run.start(one, "test", home.resolve("serial"), force = true, engines = Engines).use { run ->
@@ -172,13 +181,7 @@ class NodeFaultsTest {
         }
         val run = start(slow)
         val thrown = AtomicReference<Throwable>()
-        val stepping = thread {
-            try {
-                run.simulation.advance()
-            } catch (e: Throwable) {
-                thrown.set(e)
-            }
-        }
+        val stepping = stepping(run, thrown)
         forming.await()
         run.close()
         closed.countDown()
@@ -197,13 +200,7 @@ class NodeFaultsTest {
         }
         val run = start(watched, patience = Duration.ofHours(1))
         val thrown = AtomicReference<Throwable>()
-        val stepping = thread {
-            try {
-                run.simulation.advance()
-            } catch (e: Throwable) {
-                thrown.set(e)
-            }
-        }
+        val stepping = stepping(run, thrown)
         waiting.await()
         run.close()
         stepping.join()

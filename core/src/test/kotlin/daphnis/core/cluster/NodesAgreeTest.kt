@@ -73,8 +73,8 @@ class NodesAgreeTest {
         val summary = Run.start(one, "paper", home.resolve("nodes"), engines = engines).use { it.execute() }
         assertEquals(expected.stateDigest, summary.stateDigest)
         val perStep = sent.get().toDouble() / nodes / summary.steps
-        // Five rounds of four messages around, some for those near, and a few steps computed again or planned; from each
-        // to all others there would be 55 and more.
+        // Five turns of four messages around, some for those near, and a few steps computed again or planned; from
+        // each to all others there would be 55 and more.
         assertTrue(perStep in 20.0..40.0) { "$perStep" }
     }
 

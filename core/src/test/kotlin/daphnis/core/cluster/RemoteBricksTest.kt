@@ -22,9 +22,8 @@ class RemoteBricksTest {
         Outcome(AttemptKey(1, 0, 0), 0, list, DoubleArray(3) { 0.5 })
     }
 
-    /** What the bricks of [node] get in one turn, in words. */
-    private fun turn(node: Int, said: Map<Int, Outcome>): List<String> {
-        val places = RemoteBricks(Turns(room.mail(node)), threads)
+    /** What the bricks of [places] get in one turn, in words. */
+    private fun turn(places: RemoteBricks, said: Map<Int, Outcome>): List<String> {
         val boxes = Mailboxes(threads.sum())
         for ((to, outcome) in said) boxes.post(0).send(to, outcome)
         boxes.turn()
@@ -37,12 +36,15 @@ class RemoteBricksTest {
     }
 
     @Test
-    fun `a brick gets what was said to it alone, or else that nothing was, and one of the two only`() {
+    fun `a brick gets what was said to it alone, or else that nothing was, and one of the two only, once`() {
         val pool = Executors.newFixedThreadPool(threads.size)
+        val nodes = threads.indices.map { RemoteBricks(Turns(room.mail(it)), threads) }
+        fun all(says: List<Map<Int, Outcome>>) =
+            pool.invokeAll(says.indices.map { Callable { turn(nodes[it], says[it]) } }).map { it.get() }
         try {
-            val says = listOf(outcomes(mapOf(1 to 4, 2 to 0)), emptyMap())
-            val got = pool.invokeAll(says.indices.map { Callable { turn(it, says[it]) } }).map { it.get() }
+            val got = all(listOf(outcomes(mapOf(1 to 4, 2 to 0)), emptyMap()))
             assertEquals(listOf(emptyList(), listOf("1 from 0: 4 paths", "2 from 0: 0 paths")), got)
+            assertEquals(listOf(emptyList<String>(), emptyList()), all(listOf(emptyMap(), emptyMap())))
         } finally {
             pool.shutdownNow()
         }
