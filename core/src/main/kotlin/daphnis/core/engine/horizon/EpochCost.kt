@@ -10,6 +10,7 @@ import kotlin.math.sqrt
  * @param collisions per sphere and step; that of a gas when negative
  * @param strays spheres found off their lines per sphere and step
  * @param deviation see [HorizonTuning]
+ * @param filter by which searches dismiss lines
  */
 internal class EpochCost(
     private val spheres: Int,
@@ -19,6 +20,7 @@ internal class EpochCost(
     collisions: Double,
     private val strays: Double,
     private val deviation: Double,
+    private val filter: LineFilter,
 ) {
     private val radius = frame.largestRadius
     private val dt = frame.duration
@@ -51,8 +53,9 @@ internal class EpochCost(
         val own = 2 * radius * (1 + deviation)
         look(time, along, across) { own + classBound * cells.rmsAtLeast(it) * time / 2 }
         testsAhead = tests / 2
-        val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
-        val around = SEARCH + ROAMERS + FAR * (ROW * rows + TEST * tests)
+        val all = filter.perRun * rows + filter.perLine * tests
+        val ahead = SEARCH + all / 2
+        val around = SEARCH + ROAMERS + FAR * all
         return PASS + (EPOCH + ahead) / steps + collisions * COLLISION + (2 * collisions + strays) * around
     }
 
@@ -85,7 +88,7 @@ internal class EpochCost(
         /** Mean speed along an axis of a gas, in units of the root mean square. */
         const val MEAN_WAY = 0.8
 
-        // Nanoseconds: of a search, of a row of cells in it, of a line or sphere tested.
+        // Nanoseconds: of a search, of a row of cells and of a sphere in one of the serial engine.
         const val SEARCH = 30.0
         const val ROW = 8.0
         const val TEST = 1.6

@@ -8,7 +8,7 @@ package daphnis.core.engine.horizon
  * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
  * and spheres on curved paths leave their lines.
  */
-internal class EpochPlan {
+internal class EpochPlan(private val filter: LineFilter = LineFilter.BEST) {
     /** Collisions per sphere and step in the last epoch, or in a step since; unknown below 0. */
     private var collisions = -1.0
 
@@ -42,7 +42,7 @@ internal class EpochPlan {
      * @return null when the serial engine is expected to be quicker
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells): HorizonTuning? {
-        val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level])
+        val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level], filter)
         var least = WORTH * cost.ofSerial()
         var bestSteps = 0
         var bestAcross = 0.0
@@ -114,7 +114,7 @@ internal class EpochPlan {
         const val MOST_STRAYS = 0.03
 
         /** Expected cost, in units of that of the serial engine, below which an epoch is begun. */
-        const val WORTH = 0.8
+        const val WORTH = 0.88
         const val REST = 16
         const val PATIENCE = 32
         const val LEAST_CROWDING = 0.2

@@ -4,10 +4,7 @@ import daphnis.core.search.SlotRuns
 
 /**
  * Finds the pairs of lines that come so near, from some time to the end of the epoch, that their spheres may touch.
- *
- * Most candidates are dismissed by [scan], in floats. For spheres a distance **d** apart with relative velocity **u**,
- * s the sum of the inflated radii, b = **d**·**u** and c = d² − s², two lines can come as near as s within a time τ
- * only if c ≤ 0, or if b² ≥ u²c and c ≤ −2bτ. Both are tested with room for the rounding of floats.
+ * Most candidates are dismissed by [filter], in floats.
  *
  * @param found is told of the pairs that are left, some of which are not near after all
  */
@@ -17,6 +14,7 @@ internal class LineSearch(
     private val cells: EpochCells,
     private val roamers: Roamers,
     private val found: Found,
+    private val filter: LineFilter = LineFilter.BEST,
 ) : SlotRuns() {
     /** Takes the pairs that a search finds. */
     fun interface Found {
@@ -38,9 +36,13 @@ internal class LineSearch(
     private var there1 = 0.0
     private var there2 = 0.0
     private val margin = DoubleArray(AXES)
+    private var spannedLayer = -1
+    private var spannedBoxes = 0
     private val least = IntArray(AXES)
     private val most = IntArray(AXES)
     private var time = 0.0
+    private val query = LineQuery(frame)
+    private var hits = IntArray(INITIAL_HITS)
 
     /** Begins an epoch, whose cells are laid out. */
     fun begin() {
@@ -78,7 +80,7 @@ internal class LineSearch(
         for (l in layer + 1..most[2]) {
             for (r in least[1]..most[1]) addRow(r, l)
         }
-        scan(slot, NOBODY, hasMoved = false)
+        scan(slot, NOBODY)
     }
 
     /** Finds the pairs of the line in [slot] from time [from] on with all others, except that in slot [except]. */
@@ -87,7 +89,7 @@ internal class LineSearch(
         for (layer in least[2]..most[2]) {
             for (row in least[1]..most[1]) addRow(row, layer)
         }
-        scan(slot, except, hasMoved = true)
+        scan(slot, except)
         roamers.forEachNear(slot, from) { other, image ->
             if (other != slot && other != except) found.pair(slot, other, image, from)
         }
@@ -95,6 +97,7 @@ internal class LineSearch(
 
     private fun cover(slot: Int, from: Double) {
         count = 0
+        spannedLayer = -1
         searches++
         time = from
         val axes = frame.axes
@@ -116,6 +119,9 @@ internal class LineSearch(
 
     /** The cells to be searched in the rows of [layer], as many [boxes] away as the layer that is looked for. */
     private fun spanRow(layer: Int, boxes: Int) {
+        if (layer == spannedLayer && boxes == spannedBoxes) return
+        spannedLayer = layer
+        spannedBoxes = boxes
         val drift = cells.flow[layer]
         var now = here0 - drift * (time - frame.middle)
         var later = there0 - drift * (frame.end - frame.middle)
@@ -167,62 +173,19 @@ internal class LineSearch(
         }
     }
 
-    /**
-     * Tests the runs. At the start of the epoch, when no line [hasMoved], lines are where they begin. Inlined twice
-     * with a constant for [hasMoved], of which the compiler keeps one branch.
-     */
-    @Suppress("NOTHING_TO_INLINE")
-    private inline fun scan(slot: Int, except: Int, hasMoved: Boolean) {
-        val state = lines.state
-        val images = frame.images
-        val start = time
-        val t = start.toFloat()
-        val closing = (CLOSING * (frame.end - start)).toFloat()
-        val own = slot * Lines.STRIDE
-        val radius = (state[own + Lines.RADIUS] + frame.inflation).toFloat()
-        val ownW = state[own + Lines.U + 2]
-        val ownZ = if (hasMoved) state[own + 2] + ownW * t else state[own + 2]
+    /** Tests the runs. */
+    private fun scan(slot: Int, except: Int) {
+        query.begin(lines, slot, time)
         for (r in 0 until count) {
-            val code = image[r]
-            var ownU = state[own + Lines.U]
-            var ownV = state[own + Lines.U + 1]
-            var ownX = if (hasMoved) state[own] + ownU * t else state[own]
-            var ownY = if (hasMoved) state[own + 1] + ownV * t else state[own + 1]
-            var z = ownZ
-            if (code != 0) {
-                val slideX = images.slide(code, 0)
-                val slideY = images.slide(code, 1)
-                ownX -= (images.shift(code, 0) + slideX * start).toFloat()
-                ownY -= (images.shift(code, 1) + slideY * start).toFloat()
-                z -= images.shift(code, 2).toFloat()
-                ownU -= slideX.toFloat()
-                ownV -= slideY.toFloat()
-            }
-            var q = from[r] * Lines.STRIDE
-            val end = to[r] * Lines.STRIDE
-            tested += (end - q) / Lines.STRIDE
-            while (q < end) {
-                val u = state[q + Lines.U]
-                val v = state[q + Lines.U + 1]
-                val w = state[q + Lines.U + 2]
-                val a = u - ownU
-                val b = v - ownV
-                val c = w - ownW
-                val dx = (if (hasMoved) state[q] + u * t else state[q]) - ownX
-                val dy = (if (hasMoved) state[q + 1] + v * t else state[q + 1]) - ownY
-                val dz = (if (hasMoved) state[q + 2] + w * t else state[q + 2]) - z
-                val s = radius + state[q + Lines.RADIUS]
-                val gap = dx * dx + dy * dy + dz * dz - s * s
-                val approach = dx * a + dy * b + dz * c
-                val late = approach * closing - gap
-                val miss = approach * approach * ROUNDING - (a * a + b * b + c * c) * gap
-                // Sign bits instead of comparisons: one branch, which nearly always goes the same way.
-                val isNear = (late.toRawBits() or miss.toRawBits()) >= 0
-                if (isNear || gap <= 0f) {
-                    val other = q / Lines.STRIDE
-                    if (other != slot && other != except) found.pair(slot, other, code, start)
-                }
-                q += Lines.STRIDE
+            val first = from[r]
+            val end = to[r]
+            tested += end - first
+            if (hits.size < end - first) hits = IntArray(2 * (end - first))
+            query.toward(image[r])
+            val near = filter.near(lines.state, query, first, end, hits)
+            for (k in 0 until near) {
+                val other = hits[k]
+                if (other != slot && other != except) found.pair(slot, other, image[r], time)
             }
         }
     }
@@ -230,9 +193,6 @@ internal class LineSearch(
     private companion object {
         const val AXES = 3
         const val NOBODY = -1
-
-        /** −2, and 1, with room for the rounding of floats. */
-        const val CLOSING = -2 * (1 + 1e-4)
-        const val ROUNDING = 1.00001f
+        const val INITIAL_HITS = 256
     }
 }

@@ -7,9 +7,9 @@ import kotlin.math.sqrt
 
 /**
  * A straight line for each sphere, by slot: where the sphere would be at each moment of the epoch if it flew freely.
- * Entries i·8 to i·8 + 6 of [state] are x y z, u v w and the radius, rounded up: at time t of the epoch the line is at
- * x + u t. Floats side by side, since a search passes over many of them; their rounding is part of
- * [EpochFrame.deviation].
+ * Entries of [state] are x y z, u v w and the radius, rounded up: at time t of the epoch the line is at x + u t. Floats,
+ * since a search passes over many of them; their rounding is part of [EpochFrame.deviation]. Eight lines make a block,
+ * in which each of the seven quantities lies side by side, as a vector unit takes them: see [place].
  *
  * A line lies in the box at the middle of the epoch, so that it fits the cells. The sphere itself is [image] boxes
  * away: its position is that of the line plus the displacement of the image.
@@ -35,7 +35,7 @@ internal class Lines(private val frame: EpochFrame) {
     fun begin(count: Int) {
         isLost = false
         if (image.size < count) {
-            state = FloatArray(count * STRIDE)
+            state = FloatArray((count + LANES - 1) / LANES * BLOCK)
             version = IntArray(count)
             image = IntArray(count)
         }
@@ -47,13 +47,13 @@ internal class Lines(private val frame: EpochFrame) {
         val bx = px - pu * time
         val by = py - pv * time
         val bz = pz - pw * time
-        val p = i * STRIDE
+        val p = place(i)
         state[p] = bx.toFloat()
-        state[p + 1] = by.toFloat()
-        state[p + 2] = bz.toFloat()
+        state[p + Y] = by.toFloat()
+        state[p + Z] = bz.toFloat()
         state[p + U] = pu.toFloat()
-        state[p + U + 1] = pv.toFloat()
-        state[p + U + 2] = pw.toFloat()
+        state[p + V] = pv.toFloat()
+        state[p + W] = pw.toFloat()
         image[i] = 0
         val most = frame.farthest
         val fastest = frame.fastest
@@ -69,26 +69,29 @@ internal class Lines(private val frame: EpochFrame) {
     /** Gives slot [i] a radius of at least [radius]. */
     fun putRadius(i: Int, radius: Double) {
         val f = radius.toFloat()
-        state[i * STRIDE + RADIUS] = if (f < radius) Math.nextUp(f) else f
+        state[place(i) + RADIUS] = if (f < radius) Math.nextUp(f) else f
     }
 
     /** Moves the line in slot [i] back by the boxes of [code], and the sphere's image forth. */
     fun moveBack(i: Int, code: Int) {
         if (code == 0) return
         val images = frame.images
-        val p = i * STRIDE
         for (axis in 0..2) {
-            state[p + axis] = (state[p + axis] - images.shift(code, axis)).toFloat()
-            state[p + U + axis] = (state[p + U + axis] - images.slide(code, axis)).toFloat()
+            val p = place(i) + axis * LANES
+            state[p] = (state[p] - images.shift(code, axis)).toFloat()
+            state[p + U] = (state[p + U] - images.slide(code, axis)).toFloat()
         }
         image[i] = sum(image[i], code)
     }
 
     /** Position along [axis] (x, y, z) of the line in slot [i] at time [t]. */
-    fun at(i: Int, axis: Int, t: Double): Double = state[i * STRIDE + axis] + state[i * STRIDE + U + axis] * t
+    fun at(i: Int, axis: Int, t: Double): Double {
+        val p = place(i) + axis * LANES
+        return state[p] + state[p + U] * t
+    }
 
     /** Velocity along [axis] of the line in slot [i]. */
-    fun velocity(i: Int, axis: Int): Double = state[i * STRIDE + U + axis].toDouble()
+    fun velocity(i: Int, axis: Int): Double = state[place(i) + U + axis * LANES].toDouble()
 
     /** For the image [code] of line [j] as seen from line [i], the image of sphere j as seen from sphere i. */
     fun spheresImage(code: Int, i: Int, j: Int): Int {
@@ -103,14 +106,14 @@ internal class Lines(private val frame: EpochFrame) {
      */
     fun touch(i: Int, j: Int, code: Int, t: Double): Double {
         val images = frame.images
-        val p = i * STRIDE
-        val q = j * STRIDE
+        val p = place(i)
+        val q = place(j)
         val ux = (state[q + U].toDouble() - state[p + U]) + images.slide(code, 0)
-        val uy = (state[q + U + 1].toDouble() - state[p + U + 1]) + images.slide(code, 1)
-        val uz = state[q + U + 2].toDouble() - state[p + U + 2]
+        val uy = (state[q + V].toDouble() - state[p + V]) + images.slide(code, 1)
+        val uz = state[q + W].toDouble() - state[p + W]
         val dx = (state[q].toDouble() - state[p]) + images.shift(code, 0) + ux * t
-        val dy = (state[q + 1].toDouble() - state[p + 1]) + images.shift(code, 1) + uy * t
-        val dz = (state[q + 2].toDouble() - state[p + 2]) + images.shift(code, 2) + uz * t
+        val dy = (state[q + Y].toDouble() - state[p + Y]) + images.shift(code, 1) + uy * t
+        val dz = (state[q + Z].toDouble() - state[p + Z]) + images.shift(code, 2) + uz * t
         val s = state[p + RADIUS].toDouble() + state[q + RADIUS] + frame.inflation
         val c = dx * dx + dy * dy + dz * dz - s * s
         if (c <= 0) return t
@@ -121,12 +124,21 @@ internal class Lines(private val frame: EpochFrame) {
     }
 
     companion object {
-        /** Floats per line in [state]. */
-        const val STRIDE = 8
+        /** Lines of a block, and its floats. */
+        const val LANES = 8
+        const val BLOCK = 64
 
-        /** Offsets of the velocity and of the radius. */
-        const val U = 3
-        const val RADIUS = 6
+        /** Where the other quantities of a line are, counted from its x. */
+        const val Y = LANES
+        const val Z = 2 * LANES
+        const val U = 3 * LANES
+        const val V = 4 * LANES
+        const val W = 5 * LANES
+        const val RADIUS = 6 * LANES
+
+        /** Where in [state] the line of slot [i] begins, with its x. */
+        @JvmStatic
+        fun place(i: Int): Int = (i and -LANES) * (BLOCK / LANES) + (i and LANES - 1)
 
         /** The image as many boxes away as [a] and [b] together. */
         fun sum(a: Int, b: Int): Int {

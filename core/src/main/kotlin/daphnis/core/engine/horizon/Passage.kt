@@ -104,14 +104,14 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines) 
             toVz[k] = w
             val r = radius[k]
             toRadius[k] = r
-            val p = k * Lines.STRIDE
+            val p = Lines.place(k)
             if (!(r <= line[p + Lines.RADIUS])) isGrown = true
             val ex = x[k] - (line[p] + line[p + Lines.U] * t)
-            val ey = y[k] - (line[p + 1] + line[p + Lines.U + 1] * t)
-            val ez = z[k] - (line[p + 2] + line[p + Lines.U + 2] * t)
+            val ey = y[k] - (line[p + Lines.Y] + line[p + Lines.V] * t)
+            val ez = z[k] - (line[p + Lines.Z] + line[p + Lines.W] * t)
             val fx = ex + (u - line[p + Lines.U]) * dt
-            val fy = ey + (v - line[p + Lines.U + 1]) * dt
-            val fz = ez + (w - line[p + Lines.U + 2]) * dt
+            val fy = ey + (v - line[p + Lines.V]) * dt
+            val fz = ez + (w - line[p + Lines.W]) * dt
             val isOn = ex * ex + ey * ey + ez * ez <= most && fx * fx + fy * fy + fz * fz <= most
             if (!isOn || image[k] != 0) look(population, k, t)
         }

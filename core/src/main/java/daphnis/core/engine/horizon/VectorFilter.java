@@ -1,0 +1,75 @@
+package daphnis.core.engine.horizon;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * {@link LineFilter} for as many lines at once as the vector unit takes, of a block of eight. In Java, since only its
+ * compiler can be told of an incubating module without losing sight of the oldest Java that is supported.
+ */
+final class VectorFilter implements LineFilter {
+    private static final VectorSpecies<Float> SPECIES =
+            FloatVector.SPECIES_PREFERRED.length() >= Lines.LANES ? FloatVector.SPECIES_256 : FloatVector.SPECIES_128;
+    private static final int LANES = SPECIES.length();
+
+    VectorFilter() {}
+
+    @Override
+    public double getPerRun() {
+        return 13;
+    }
+
+    @Override
+    public double getPerLine() {
+        return 0.8;
+    }
+
+    @Override
+    public int near(float[] state, LineQuery query, int first, int end, int[] into) {
+        FloatVector x = FloatVector.broadcast(SPECIES, query.x);
+        FloatVector y = FloatVector.broadcast(SPECIES, query.y);
+        FloatVector z = FloatVector.broadcast(SPECIES, query.z);
+        FloatVector u = FloatVector.broadcast(SPECIES, query.u);
+        FloatVector v = FloatVector.broadcast(SPECIES, query.v);
+        FloatVector w = FloatVector.broadcast(SPECIES, query.w);
+        FloatVector t = FloatVector.broadcast(SPECIES, query.time);
+        FloatVector closing = FloatVector.broadcast(SPECIES, query.closing);
+        FloatVector radius = FloatVector.broadcast(SPECIES, query.radius);
+        int found = 0;
+        // Lanes before the first slot and after the last hold other lines, or none: they are tested in vain.
+        for (int slot = first & -LANES; slot < end; slot += LANES) {
+            int p = Lines.place(slot);
+            FloatVector pu = FloatVector.fromArray(SPECIES, state, p + Lines.U);
+            FloatVector pv = FloatVector.fromArray(SPECIES, state, p + Lines.V);
+            FloatVector pw = FloatVector.fromArray(SPECIES, state, p + Lines.W);
+            FloatVector dx = pu.fma(t, FloatVector.fromArray(SPECIES, state, p)).sub(x);
+            FloatVector dy = pv.fma(t, FloatVector.fromArray(SPECIES, state, p + Lines.Y)).sub(y);
+            FloatVector dz = pw.fma(t, FloatVector.fromArray(SPECIES, state, p + Lines.Z)).sub(z);
+            FloatVector a = pu.sub(u);
+            FloatVector b = pv.sub(v);
+            FloatVector c = pw.sub(w);
+            FloatVector s = FloatVector.fromArray(SPECIES, state, p + Lines.RADIUS).add(radius);
+            FloatVector gap = dx.fma(dx, dy.fma(dy, dz.mul(dz))).sub(s.mul(s));
+            FloatVector approach = dx.fma(a, dy.fma(b, dz.mul(c)));
+            FloatVector speed = a.fma(a, b.fma(b, c.mul(c)));
+            FloatVector late = approach.mul(closing).sub(gap);
+            FloatVector miss = approach.mul(approach).mul(LineFilter.ROUNDING).sub(speed.mul(gap));
+            // Near unless a sign bit says late or missed, and that of the gap says apart.
+            IntVector far = late.reinterpretAsInts().or(miss.reinterpretAsInts()).and(gap.reinterpretAsInts().not());
+            VectorMask<Integer> near = far.compare(VectorOperators.GE, 0);
+            if (near.anyTrue()) found = note(near.toLong(), slot, first, end, into, found);
+        }
+        return found;
+    }
+
+    private static int note(long near, int slot, int first, int end, int[] into, int found) {
+        for (long bits = near; bits != 0; bits &= bits - 1) {
+            int other = slot + Long.numberOfTrailingZeros(bits);
+            if (other >= first && other < end) into[found++] = other;
+        }
+        return found;
+    }
+}
