@@ -14,7 +14,7 @@ public object Engines : EngineFactory {
         "islands" to { IslandsEngine(it) },
         "bricks" to { BricksEngine(it) },
         "thread-pool" to { ThreadPoolEngine(it) },
-        "horizon" to { HorizonEngine() },
+        "horizon" to { HorizonEngine(threads = it) },
         "serial" to { SerialEngine() },
     )
 

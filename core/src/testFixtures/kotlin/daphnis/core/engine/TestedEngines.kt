@@ -16,7 +16,7 @@ open class TestedEngines(val registry: EngineFactory) {
     open fun make(name: String, settings: EngineSettings): CollisionEngine = when (name) {
         "islands" -> IslandsEngine(FixedPool(settings.threads()), fewest = 0)
         "bricks" -> BricksEngine(FixedPool(settings.threads()), fewest = 0, division = division(settings))
-        "horizon" -> HorizonEngine(fewest = 0, tuning = tuning(settings))
+        "horizon" -> HorizonEngine(FixedPool(settings.threads()), fewest = 0, tuning = tuning(settings))
         else -> checkNotNull(registry.create(name, settings.threads())) { "$name is registered, but cannot be made" }
     }
 

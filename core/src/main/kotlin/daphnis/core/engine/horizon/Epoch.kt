@@ -2,6 +2,7 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.contactTime
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.step.CollisionStep
@@ -41,20 +42,26 @@ import daphnis.core.step.PreparedStep
  * Nothing in an epoch depends on what happened to the step before: a step that was taken back, or a population that was
  * moved by hand, shows by spheres that are not on their lines.
  */
-internal class Epoch(private val prepared: PreparedStep) :
+internal class Epoch(private val prepared: PreparedStep, private val loop: RangeLoop) :
     LineSearch.Found,
     EpochImpact.Course {
     private val frame = EpochFrame()
     private val lines = Lines(frame)
-    private val cells = EpochCells(frame, lines)
+    private val cells = EpochCells(frame, lines, loop)
     private val roamers = Roamers(frame, lines)
+
+    /** Pairs found in searches for all, by worker. */
+    private val calendars = List(loop.workers) { PairCalendar(lines) }
+    private val searches = calendars.map { LineSearch(frame, lines, cells, roamers, Filer(it)) }
+
+    /** For all other searches, which are on one thread. */
     private val search = LineSearch(frame, lines, cells, roamers, this)
-    private val calendar = PairCalendar(lines)
-    private val passage = Passage(frame, lines)
+    private val calendar = calendars[0]
+    private val passage = Passage(frame, lines, loop)
     private val bodies = EpochBodies()
     private val impact = EpochImpact(prepared, bodies, this)
 
-    private val plan = EpochPlan()
+    private val plan = EpochPlan(loop.workers)
 
     /** Number of the present step, from 0. */
     private var index = 0
@@ -106,7 +113,7 @@ internal class Epoch(private val prepared: PreparedStep) :
         index++
         var goesOn = wasOpen &&
             spheres == population.size &&
-            calendar.size <= MOST_ENTRIES * spheres + FEW_ENTRIES &&
+            calendars.sumOf { it.size.toLong() } <= MOST_ENTRIES * spheres + FEW_ENTRIES &&
             frame.continues(step, index, prepared.images)
         if (wasOpen && !goesOn) ended(isBroken = false)
         if (!goesOn && !layOut(step, fixed)) return false
@@ -148,10 +155,11 @@ internal class Epoch(private val prepared: PreparedStep) :
         collisions = 0
         strayed = 0
         spheres = population.size
-        calendar.begin(frame.steps)
+        for (calendar in calendars) calendar.begin(frame.steps)
         passage.first(population, cells, columns)
         roamers.begin(spheres, cells.fastest)
         search.begin()
+        for (search in searches) search.begin()
     }
 
     /** The epoch ends before step [index]. */
@@ -161,8 +169,8 @@ internal class Epoch(private val prepared: PreparedStep) :
     }
 
     private fun searchAll() {
-        search.aheadOfAll()
-        plan.searched(search.tested.toDouble() / spheres)
+        loop.run(search.rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
+        plan.searched(searches.sumOf { it.tested }.toDouble() / spheres)
         // Each sees the roamers before it.
         for (slot in cells.members until spheres) {
             search.around(slot, 0.0, NOBODY)
@@ -201,7 +209,7 @@ internal class Epoch(private val prepared: PreparedStep) :
         if (lines.isLost) return false
         impact.begin(step.record)
         isUnderWay = true
-        calendar.forEachDue(index) { i, j, code -> ask(i, j, code) }
+        for (calendar in calendars) calendar.forEachDue(index) { i, j, code -> ask(i, j, code) }
         val queue = bodies.queue
         while (queue.pop()) {
             if (impact.process(queue.time, queue.first, queue.second, queue.image) != End.DONE) return false
@@ -209,7 +217,18 @@ internal class Epoch(private val prepared: PreparedStep) :
         return true
     }
 
+    /** Files what a worker finds. */
+    private inner class Filer(private val calendar: PairCalendar) : LineSearch.Found {
+        override fun pair(slot: Int, other: Int, code: Int, from: Double) {
+            file(calendar, slot, other, code, from)
+        }
+    }
+
     override fun pair(slot: Int, other: Int, code: Int, from: Double) {
+        file(calendar, slot, other, code, from)
+    }
+
+    private fun file(calendar: PairCalendar, slot: Int, other: Int, code: Int, from: Double) {
         val touch = lines.touch(slot, other, code, from)
         if (touch > frame.end) return
         val due = frame.stepAt(touch)
@@ -263,6 +282,9 @@ internal class Epoch(private val prepared: PreparedStep) :
 
     private companion object {
         const val NOBODY = -1
+
+        /** Rows of cells that a worker takes at a time. */
+        const val ROWS_A_PIECE = 16
 
         /** Entries of the calendar per sphere, and some more, with which an epoch ends: they take memory. */
         const val MOST_ENTRIES = 16L

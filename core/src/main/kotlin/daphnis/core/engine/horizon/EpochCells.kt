@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 import kotlin.math.abs
 import kotlin.math.floor
@@ -19,7 +20,7 @@ import kotlin.math.sqrt
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */
-internal class EpochCells(private val frame: EpochFrame, private val lines: Lines) {
+internal class EpochCells(private val frame: EpochFrame, private val lines: Lines, private val loop: RangeLoop) {
     /** Numbers of cells. */
     val count = IntArray(AXES)
 
@@ -64,7 +65,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     fun sort(spheres: SphereColumns, tuning: HorizonTuning) {
         layOut(spheres.size, tuning)
         reserve(spheres.size)
-        count(spheres)
+        loop.run(spheres.size) { _, from, to -> place(spheres, from, to) }
         fill(spheres.size)
     }
 
@@ -120,8 +121,8 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         start.fill(0, 0, cells + 2)
     }
 
-    /** Finds the cell of each sphere, and how many each cell has. */
-    private fun count(spheres: SphereColumns) {
+    /** Finds the cells of the spheres [from] until [to]. */
+    private fun place(spheres: SphereColumns, from: Int, to: Int) {
         val p0 = spheres.position(frame.axes[0])
         val p1 = spheres.position(frame.axes[1])
         val p2 = spheres.position(frame.axes[2])
@@ -130,7 +131,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         val v2 = spheres.velocity(frame.axes[2])
         val t = frame.middle
         val slide = frame.images.shearVelocity
-        for (i in 0 until spheres.size) {
+        for (i in from until to) {
             val m2 = p2[i] + v2[i] * t
             val m1 = p1[i] + v1[i] * t
             val slow = boxes(m2, 2)
@@ -145,7 +146,6 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
             val c = if (isMember) (c2 * count[1] + c1) * count[0] + c0 else cells
             cellOfIndex[i] = c
             imageOfIndex[i] = frame.code(row, middle, slow)
-            start[c]++
         }
     }
 
@@ -153,8 +153,9 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private fun boxes(position: Double, k: Int): Int =
         if (frame.isPeriodic[k]) floor((position - frame.low[k]) / frame.length[k]).toInt() else 0
 
-    /** Makes [start] of the numbers of spheres, and puts the spheres in order. */
+    /** Makes [start] of the cells of the spheres, and puts these in order. */
     private fun fill(spheres: Int) {
+        for (i in 0 until spheres) start[cellOfIndex[i]]++
         var sum = 0
         for (c in 0..cells) {
             sum += start[c]

@@ -11,6 +11,7 @@ import kotlin.math.sqrt
  * @param strays spheres found off their lines per sphere and step
  * @param deviation see [HorizonTuning]
  * @param filter by which searches dismiss lines
+ * @param threads that share the work
  */
 internal class EpochCost(
     private val spheres: Int,
@@ -21,6 +22,7 @@ internal class EpochCost(
     private val strays: Double,
     private val deviation: Double,
     private val filter: LineFilter,
+    private val threads: Int,
 ) {
     private val radius = frame.largestRadius
     private val dt = frame.duration
@@ -56,15 +58,18 @@ internal class EpochCost(
         val all = filter.perRun * rows + filter.perLine * tests
         val ahead = SEARCH + all / 2
         val around = SEARCH + ROAMERS + FAR * all
-        return PASS + (EPOCH + ahead) / steps + collisions * COLLISION + (2 * collisions + strays) * around
+        val shared = PASS + (EPOCH + ahead) / steps
+        val alone = SORT / steps + collisions * COLLISION + (2 * collisions + strays) * around
+        return shared / threads + alone
     }
 
-    /** In steps of the serial engine. */
-    fun ofSerial(): Double {
+    /** In steps that are not part of an epoch. */
+    fun otherwise(): Double {
         look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.fastest[it] * dt }
         val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
         val around = SEARCH + FAR * (ROW * rows + TEST * tests)
-        return SERIAL_PASS + ahead + collisions * (COLLISION + 2 * around)
+        val serial = SERIAL_PASS + ahead + collisions * (COLLISION + 2 * around)
+        return if (threads == 1) serial else serial * ISLANDS / threads
     }
 
     private inline fun look(time: Double, along: Double, across: Double, margin: (k: Int) -> Double) {
@@ -100,8 +105,12 @@ internal class EpochCost(
 
         /** Of the passes over all in a step, and of those at the start of an epoch. */
         const val PASS = 18.0
-        const val EPOCH = 50.0
+        const val EPOCH = 40.0
+        const val SORT = 10.0
         const val SERIAL_PASS = 35.0
+
+        /** What islands cost more than the serial engine before threads share it. */
+        const val ISLANDS = 1.2
 
         /** Cells in the length that a pair can bridge, in the serial engine's grid. */
         const val SERIAL_ALONG = 4.0

@@ -8,7 +8,7 @@ package daphnis.core.engine.horizon
  * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
  * and spheres on curved paths leave their lines.
  */
-internal class EpochPlan(private val filter: LineFilter = LineFilter.BEST) {
+internal class EpochPlan(private val threads: Int, private val filter: LineFilter = LineFilter.BEST) {
     /** Collisions per sphere and step in the last epoch, or in a step since; unknown below 0. */
     private var collisions = -1.0
 
@@ -42,8 +42,8 @@ internal class EpochPlan(private val filter: LineFilter = LineFilter.BEST) {
      * @return null when the serial engine is expected to be quicker
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells): HorizonTuning? {
-        val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level], filter)
-        var least = WORTH * cost.ofSerial()
+        val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level], filter, threads)
+        var least = WORTH * cost.otherwise()
         var bestSteps = 0
         var bestAcross = 0.0
         var bestAlong = 0.0

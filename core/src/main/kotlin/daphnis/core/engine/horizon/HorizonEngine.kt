@@ -2,38 +2,52 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.parallel.ClosableLoop
-import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ParallelLoop
+import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.ThreadHandler
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
 
 /**
- * Looks ahead over several steps at once, on one thread: it searches for neighbours once in an [Epoch], where the
- * serial engine searches in every step. In a dilute system the search is most of the work.
+ * Looks ahead over several steps at once: it searches for neighbours once in an [Epoch], where the serial engine
+ * searches in every step. In a dilute system the search is most of the work. Threads share the search and the passes
+ * over all spheres; collisions are processed on one of them, in order of time.
  *
  * It takes the same collisions in the same order and fails at the same collision as the serial engine, with the same
  * words. Where lines cannot be used ([EpochFrame.begin]), where a sphere is suddenly too fast for the bounds of the
- * step, and where an epoch would not pay, the serial engine takes the step.
+ * step, and where an epoch would not pay, another engine takes the step: the serial one, and [IslandsEngine] where
+ * there are several threads.
  *
- * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used
+ * @param handler the threads; closed with the engine
+ * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
+ *   shares all work among the threads, however little
  * @param tuning how epochs are laid out; null for what should be quickest
  */
-public class HorizonEngine @JvmOverloads constructor(
-    private val fewest: Int = WORTH_SPHERES,
-    private val tuning: HorizonTuning? = null,
+public class HorizonEngine(
+    private val handler: ThreadHandler,
+    private val fewest: Int,
+    private val tuning: HorizonTuning?,
 ) : CollisionEngine {
+    @JvmOverloads
+    public constructor(fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null, threads: Int = 1) :
+        this(FixedPool(threads), fewest, tuning)
 
     override val name: String get() = "horizon"
-    override val threads: Int get() = 1
-    private val gate = ClosableLoop(InlineLoop, CollisionEngine.CLOSED)
+    override val threads: Int get() = handler.threads
+    private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
     override val loop: RangeLoop get() = gate
 
     private val prepared = PreparedStep()
-    private val serial = SerialEngine(prepared = prepared)
-    private val epoch = Epoch(prepared)
+    private val other: CollisionEngine =
+        if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
+    private val epoch = Epoch(prepared, if (fewest == 0) FineLoop(gate) else gate)
 
-    /** Epochs begun, and steps taken in them, since the start; all other steps were the serial engine's. */
+    /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
     public var epochSteps: Long = 0
         private set
@@ -47,19 +61,36 @@ public class HorizonEngine @JvmOverloads constructor(
         if (size < maxOf(fewest, 1) || tuning == null && epoch.rests()) {
             epoch.drop()
         } else {
-            prepared.measure(step)
+            prepared.measure(step, loop)
             if (epoch.carry(step, tuning)) {
                 epochSteps++
                 return
             }
         }
         val before = step.counters.collisions
-        serial.advance(step)
+        other.advance(step)
         if (size > 0) epoch.observe((step.counters.collisions - before).toDouble() / size)
     }
 
     override fun close() {
         gate.close()
+        other.close()
+        handler.close()
+    }
+
+    /** A loop of small pieces. */
+    private class FineLoop(private val loop: RangeLoop) : RangeLoop by loop {
+        override fun run(size: Int, body: RangeBody) {
+            loop.run(size, GRAIN, body)
+        }
+
+        override fun run(size: Int, grain: Int, body: RangeBody) {
+            loop.run(size, minOf(grain, GRAIN), body)
+        }
+
+        private companion object {
+            const val GRAIN = 8
+        }
     }
 
     private companion object {

@@ -51,20 +51,24 @@ internal class LineSearch(
         for (k in 0 until AXES) margin[k] = 2 * frame.largestRadius + frame.inflation + cells.reach[k]
     }
 
+    /** Rows of cells, for [aheadOfRows]. */
+    val rows: Int get() = cells.count[1] * cells.count[2]
+
     /**
-     * Finds, at the start of the epoch, the pairs of each member with members in later slots of its cell and in cells
-     * ahead, so that each pair of members, and each image, is found from one of the two.
+     * Finds, at the start of the epoch, the pairs of each member in the rows of cells [first] until [end] with members
+     * in later slots of its cell and in cells ahead, so that each pair of members, and each image, is found from one of
+     * the two.
      */
-    fun aheadOfAll() {
+    fun aheadOfRows(first: Int, end: Int) {
         val start = cells.start
-        var cell = 0
-        for (layer in 0 until cells.count[2]) {
-            for (row in 0 until cells.count[1]) {
-                val rowStart = cell
-                for (c in 0 until cells.count[0]) {
-                    for (slot in start[cell] until start[cell + 1]) ahead(slot, rowStart, c, row, layer)
-                    cell++
+        var cell = first * cells.count[0]
+        for (r in first until end) {
+            val rowStart = cell
+            for (c in 0 until cells.count[0]) {
+                for (slot in start[cell] until start[cell + 1]) {
+                    ahead(slot, rowStart, c, r % cells.count[1], r / cells.count[1])
                 }
+                cell++
             }
         }
     }

@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 
@@ -11,23 +12,41 @@ import daphnis.core.population.PopulationColumns
  * A sphere whose place at both ends of the step is within [EpochFrame.deviation] of its line is within it in between
  * too, since both are straight.
  */
-internal class Passage(private val frame: EpochFrame, private val lines: Lines) {
-    /** Slots of the spheres which have left their lines; the first [changed] entries count. */
+internal class Passage(private val frame: EpochFrame, private val lines: Lines, private val loop: RangeLoop) {
+    /** Slots of the spheres which have left their lines, in order; the first [changed] entries count. */
     var slots = IntArray(INITIAL)
         private set
     var changed = 0
         private set
 
-    private var isGrown = false
+    /** What one worker has found. */
+    private class Strays {
+        var slots = IntArray(INITIAL)
+        var count = 0
+
+        fun add(slot: Int) {
+            if (count == slots.size) slots = slots.copyOf(count * 2)
+            slots[count++] = slot
+        }
+    }
+
+    private val found = List(loop.workers) { Strays() }
+
+    /** Whether a sphere is larger than its line has it, or so many have left that nobody needs to look further. */
+    @Volatile
+    private var isOver = false
 
     /** The first step of an epoch: puts spheres into the order of [cells] and gives each its line. */
     fun first(population: Population, cells: EpochCells, columns: PopulationColumns) {
-        val p = population
+        lines.begin(population.size)
+        changed = 0
+        loop.run(population.size) { _, from, to -> first(population, cells, columns, from, to) }
+    }
+
+    private fun first(p: Population, cells: EpochCells, columns: PopulationColumns, from: Int, to: Int) {
         val order = cells.order
         val dt = frame.duration
-        lines.begin(p.size)
-        changed = 0
-        for (slot in 0 until p.size) {
+        for (slot in from until to) {
             val k = order[slot]
             val u = p.vx[k]
             val v = p.vy[k]
@@ -54,22 +73,38 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines) 
      */
     fun next(population: Population, columns: PopulationColumns, step: Int): Boolean {
         changed = 0
-        isGrown = false
-        val count = population.size
-        val most = count / PART + FEW
-        var k = 0
-        while (k < count) {
-            val end = minOf(k + BLOCK, count)
-            pass(population, columns, step, k, end)
-            if (isGrown || changed > most) return false
-            k = end
+        isOver = false
+        for (strays in found) strays.count = 0
+        val most = population.size / PART + FEW
+        loop.run(population.size) { worker, from, to ->
+            var k = from
+            while (k < to && !isOver) {
+                val end = minOf(k + BLOCK, to)
+                pass(population, columns, step, k, end, found[worker])
+                if (found[worker].count > most) isOver = true
+                k = end
+            }
         }
-        population.mass.copyInto(columns.mass)
-        population.id.copyInto(columns.id)
+        if (isOver || found.sumOf { it.count } > most) return false
+        for (strays in found) {
+            if (slots.size < changed + strays.count) slots = slots.copyOf(2 * (changed + strays.count))
+            strays.slots.copyInto(slots, changed, 0, strays.count)
+            changed += strays.count
+        }
+        if (found.size > 1) slots.sort(0, changed)
         return true
     }
 
-    private fun pass(population: Population, columns: PopulationColumns, step: Int, from: Int, to: Int) {
+    private fun pass(
+        population: Population,
+        columns: PopulationColumns,
+        step: Int,
+        from: Int,
+        to: Int,
+        strays: Strays,
+    ) {
+        population.mass.copyInto(columns.mass, from, from, to)
+        population.id.copyInto(columns.id, from, from, to)
         val x = population.x
         val y = population.y
         val z = population.z
@@ -105,7 +140,7 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines) 
             val r = radius[k]
             toRadius[k] = r
             val p = Lines.place(k)
-            if (!(r <= line[p + Lines.RADIUS])) isGrown = true
+            if (!(r <= line[p + Lines.RADIUS])) isOver = true
             val ex = x[k] - (line[p] + line[p + Lines.U] * t)
             val ey = y[k] - (line[p + Lines.Y] + line[p + Lines.V] * t)
             val ez = z[k] - (line[p + Lines.Z] + line[p + Lines.W] * t)
@@ -113,19 +148,18 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines) 
             val fy = ey + (v - line[p + Lines.V]) * dt
             val fz = ez + (w - line[p + Lines.W]) * dt
             val isOn = ex * ex + ey * ey + ez * ez <= most && fx * fx + fy * fy + fz * fz <= most
-            if (!isOn || image[k] != 0) look(population, k, t)
+            if (!isOn || image[k] != 0) look(population, k, t, strays)
         }
     }
 
     /** Looks closer at the sphere in slot [k]: it may be at another image than before. */
-    private fun look(p: Population, k: Int, t: Double) {
+    private fun look(p: Population, k: Int, t: Double, strays: Strays) {
         if (isOn(p, k, lines.image[k], t)) return
         val code = imageAt(p, k, t)
         if (code != lines.image[k] && isOn(p, k, code, t)) {
             lines.image[k] = code
         } else {
-            if (changed == slots.size) slots = slots.copyOf(changed * 2)
-            slots[changed++] = k
+            strays.add(k)
         }
     }
 
