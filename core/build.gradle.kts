@@ -10,6 +10,15 @@ dependencies {
     testRuntimeOnly(libs.slf4j.nop)
 }
 
+// What uses the vector unit is in Java. An incubating module is of the JDK in use only: no release, but its bytecode.
+tasks.compileJava {
+    val target = rootProject.libs.versions.jvmTarget.get()
+    options.release = null as Int?
+    sourceCompatibility = target
+    targetCompatibility = target
+    options.compilerArgs.addAll(listOf("--add-modules", "jdk.incubator.vector"))
+}
+
 // Tests hold these against the code.
 tasks.test {
     inputs.files(rootProject.file("docs/library.md"), rootProject.file("docs/guide.md"))

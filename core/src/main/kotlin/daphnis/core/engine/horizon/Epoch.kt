@@ -42,7 +42,7 @@ import daphnis.core.step.PreparedStep
  * Nothing in an epoch depends on what happened to the step before: a step that was taken back, or a population that was
  * moved by hand, shows by spheres that are not on their lines.
  */
-internal class Epoch(private val prepared: PreparedStep, private val loop: RangeLoop) :
+internal class Epoch(private val prepared: PreparedStep, private val loop: RangeLoop, filter: LineFilter) :
     LineSearch.Found,
     EpochImpact.Course {
     private val frame = EpochFrame()
@@ -52,16 +52,16 @@ internal class Epoch(private val prepared: PreparedStep, private val loop: Range
 
     /** Pairs found in searches for all, by worker. */
     private val calendars = List(loop.workers) { PairCalendar(lines) }
-    private val searches = calendars.map { LineSearch(frame, lines, cells, roamers, Filer(it)) }
+    private val searches = calendars.map { LineSearch(frame, lines, cells, roamers, Filer(it), filter) }
 
     /** For all other searches, which are on one thread. */
-    private val search = LineSearch(frame, lines, cells, roamers, this)
+    private val search = LineSearch(frame, lines, cells, roamers, this, filter)
     private val calendar = calendars[0]
     private val passage = Passage(frame, lines, loop)
     private val bodies = EpochBodies()
     private val impact = EpochImpact(prepared, bodies, this)
 
-    private val plan = EpochPlan(loop.workers)
+    private val plan = EpochPlan(loop.workers, filter)
 
     /** Number of the present step, from 0. */
     private var index = 0

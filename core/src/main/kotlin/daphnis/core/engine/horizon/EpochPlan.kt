@@ -8,7 +8,7 @@ package daphnis.core.engine.horizon
  * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
  * and spheres on curved paths leave their lines.
  */
-internal class EpochPlan(private val threads: Int, private val filter: LineFilter = LineFilter.BEST) {
+internal class EpochPlan(private val threads: Int, private val filter: LineFilter) {
     /** Collisions per sphere and step in the last epoch, or in a step since; unknown below 0. */
     private var collisions = -1.0
 

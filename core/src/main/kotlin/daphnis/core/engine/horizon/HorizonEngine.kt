@@ -23,16 +23,23 @@ import daphnis.core.step.PreparedStep
  * step, and where an epoch would not pay, another engine takes the step: the serial one, and [IslandsEngine] where
  * there are several threads.
  *
+ * Where the JVM was started with `--add-modules jdk.incubator.vector`, the search uses the vector unit
+ * ([usesVectorUnit]), which is quicker and gives the same bits.
+ *
  * @param handler the threads; closed with the engine
  * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
  *   shares all work among the threads, however little
  * @param tuning how epochs are laid out; null for what should be quickest
  */
-public class HorizonEngine(
+public class HorizonEngine internal constructor(
     private val handler: ThreadHandler,
     private val fewest: Int,
-    private val tuning: HorizonTuning?,
+    internal val tuning: HorizonTuning?,
+    filter: LineFilter,
 ) : CollisionEngine {
+    public constructor(handler: ThreadHandler, fewest: Int, tuning: HorizonTuning?) :
+        this(handler, fewest, tuning, LineFilter.BEST)
+
     @JvmOverloads
     public constructor(fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null, threads: Int = 1) :
         this(FixedPool(threads), fewest, tuning)
@@ -45,7 +52,7 @@ public class HorizonEngine(
     private val prepared = PreparedStep()
     private val other: CollisionEngine =
         if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
-    private val epoch = Epoch(prepared, if (fewest == 0) FineLoop(gate) else gate)
+    private val epoch = Epoch(prepared, if (fewest == 0) FineLoop(gate) else gate, filter)
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
@@ -93,7 +100,11 @@ public class HorizonEngine(
         }
     }
 
-    private companion object {
-        const val WORTH_SPHERES = 256
+    public companion object {
+        /** Whether searches use the vector unit in this JVM. */
+        @JvmStatic
+        public val usesVectorUnit: Boolean get() = LineFilter.BEST !== ScalarFilter
+
+        private const val WORTH_SPHERES = 256
     }
 }

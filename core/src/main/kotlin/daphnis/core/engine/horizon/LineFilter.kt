@@ -20,11 +20,11 @@ internal interface LineFilter {
         /** Room for the rounding of floats in b² ≥ u²c. */
         const val ROUNDING = 1.00001f
 
-        /** What is quickest on this machine. */
-        val BEST: LineFilter = vectorFilter() ?: ScalarFilter
+        /** What is quickest in this JVM. */
+        val BEST: LineFilter = vector() ?: ScalarFilter
 
-        /** Filters with the vector unit, where the JVM was started with the module for it. */
-        private fun vectorFilter(): LineFilter? = try {
+        /** The filter with the vector unit; null where the JVM was started without the module for it. */
+        fun vector(): LineFilter? = try {
             if (ModuleLayer.boot().findModule(VECTOR_MODULE).isEmpty) {
                 null
             } else {

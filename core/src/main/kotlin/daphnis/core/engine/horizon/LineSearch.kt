@@ -14,7 +14,7 @@ internal class LineSearch(
     private val cells: EpochCells,
     private val roamers: Roamers,
     private val found: Found,
-    private val filter: LineFilter = LineFilter.BEST,
+    private val filter: LineFilter,
 ) : SlotRuns() {
     /** Takes the pairs that a search finds. */
     fun interface Found {

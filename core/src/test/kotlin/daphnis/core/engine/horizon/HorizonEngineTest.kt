@@ -17,6 +17,7 @@ import daphnis.core.engine.failure
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
+import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -32,7 +33,10 @@ class HorizonEngineTest {
         val settings = FixedThreads(1)
         for (seed in 1..DRAWS) {
             val draw = LongDraw(seed)
-            val engine = CoreEngines.make("horizon", settings) as HorizonEngine
+            val made = CoreEngines.make("horizon", settings) as HorizonEngine
+            // Filters take turns, and so do numbers of threads.
+            val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
+            val engine = HorizonEngine(FixedPool((1 + seed % 3).toInt()), 0, made.tuning, filter)
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS) {

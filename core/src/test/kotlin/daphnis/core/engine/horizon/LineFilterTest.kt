@@ -1,0 +1,145 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.initial.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import java.math.BigDecimal
+
+class LineFilterTest {
+    private val filters = listOfNotNull(ScalarFilter, LineFilter.vector())
+
+    @Test
+    fun `tests run with the vector unit, which then is what engines use`() {
+        assertNotNull(LineFilter.vector(), "start tests with --add-modules jdk.incubator.vector")
+        assertSame(LineFilter.vector()!!.javaClass, LineFilter.BEST.javaClass)
+        assertTrue(HorizonEngine.usesVectorUnit)
+    }
+
+    @Test
+    fun `whoever comes near in exact arithmetic is kept, and hardly anyone else`() {
+        var near = 0
+        val kept = IntArray(filters.size)
+        for (seed in 1..DRAWS) {
+            val draw = Draw(seed)
+            val exact = (0 until LINES).filter { draw.comesNear(it) }
+            near += exact.size
+            for ((f, filter) in filters.withIndex()) {
+                val found = draw.search(filter, 0, LINES)
+                val missed = exact - found.toSet()
+                assertTrue(missed.isEmpty()) { "seed $seed, ${filter.javaClass.simpleName}: $missed" }
+                kept[f] += found.size
+            }
+        }
+        assertTrue(near > 4 * DRAWS) { "only $near come near" }
+        for (count in kept) assertTrue(count < near * MOST_TOO_MANY) { "$count kept for $near" }
+    }
+
+    @Test
+    fun `only slots of the run are told, in order, wherever it begins and ends in a block`() {
+        val draw = Draw(7)
+        for (filter in filters) {
+            val all = draw.search(filter, 0, LINES)
+            assertTrue(all.size > 3) { "$all" }
+            for (first in 0..20) {
+                for (end in first..LINES step 3) {
+                    assertEquals(all.filter { it in first until end }, draw.search(filter, first, end)) {
+                        "${filter.javaClass.simpleName}: $first until $end"
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `a pair that touches already is kept, whether or not it parts`() {
+        for (filter in filters) {
+            for (speed in listOf(-1f, 0f, 1f)) {
+                val state = FloatArray(Lines.BLOCK)
+                state[Lines.place(3)] = 1.5f
+                state[Lines.place(3) + Lines.U] = speed
+                state[Lines.place(3) + Lines.RADIUS] = 1f
+                val query = query().apply {
+                    radius = 1f
+                    closing = -2f
+                }
+                val into = IntArray(8)
+                val found = filter.near(state, query, 3, 4, into)
+                assertEquals(listOf(3), into.take(found)) { "${filter.javaClass.simpleName} at $speed" }
+            }
+        }
+    }
+
+    /** One line at rest in the middle of others, with the lengths of [EpochFrame]. */
+    private class Draw(seed: Int) {
+        private val random = SeededRandom(seed.toLong())
+        private fun between(a: Double, b: Double) = random.nextDouble(a, b)
+
+        private val size = Math.pow(10.0, between(0.5, 2.0))
+        private val from = between(0.0, 2.0).toFloat()
+        private val end = from + between(0.01, 3.0).toFloat()
+        private val state = FloatArray((LINES + 7) / 8 * Lines.BLOCK)
+        private val query = query()
+        private val inflation: Float
+        private val scale: Double
+
+        init {
+            val own = size / 2 + between(-1.0, 1.0)
+            for (slot in 0 until LINES) {
+                val p = Lines.place(slot)
+                // Around the middle, and with speeds by which some come near only just, or only just in time.
+                for (axis in 0..2) {
+                    val velocity = between(-3.0, 3.0)
+                    state[p + axis * 8] = (own + between(-2.5, 2.5) - velocity * from).toFloat()
+                    state[p + Lines.U + axis * 8] = velocity.toFloat()
+                }
+                state[p + Lines.RADIUS] = between(0.2, 1.0).toFloat()
+            }
+            scale = 4 * (size + 12 + 3 * end)
+            inflation = (8 * scale * 8 / (1 shl 23) + 1e-3).toFloat()
+            query.x = own.toFloat()
+            query.y = own.toFloat()
+            query.z = own.toFloat()
+            query.u = between(-1.0, 1.0).toFloat()
+            query.v = between(-1.0, 1.0).toFloat()
+            query.radius = 0.5f + inflation
+            query.time = from
+            query.closing = (-2 * (1 + 1e-4) * (end - from)).toFloat()
+        }
+
+        fun search(filter: LineFilter, first: Int, end: Int): List<Int> {
+            val into = IntArray(maxOf(1, end - first))
+            return into.take(filter.near(state, query, first, end, into))
+        }
+
+        /** Whether two spheres without inflation overlap at some time, computed without rounding. */
+        fun comesNear(slot: Int): Boolean {
+            val p = Lines.place(slot)
+            fun exact(f: Float) = BigDecimal(f.toDouble())
+            val u = List(3) { exact(state[p + Lines.U + it * 8]) - exact(listOf(query.u, query.v, query.w)[it]) }
+            val d = List(3) {
+                exact(state[p + it * 8]) + exact(state[p + Lines.U + it * 8]) * exact(from) -
+                    exact(listOf(query.x, query.y, query.z)[it])
+            }
+            val s = exact(state[p + Lines.RADIUS]) + BigDecimal("0.5")
+            val c = d.sumOf { it * it } - s * s
+            val b = (0..2).sumOf { d[it] * u[it] }
+            val a = u.sumOf { it * it }
+            val time = exact(end) - exact(from)
+            if (c.signum() <= 0 || c + b * time * BigDecimal(2) + a * time * time <= BigDecimal.ZERO) return true
+            // Between the ends only if the least distance is reached there: 0 < -b < a * time.
+            return b.signum() < 0 && -b < a * time && b * b >= a * c
+        }
+    }
+
+    private companion object {
+        const val DRAWS = 300
+        const val LINES = 61
+        const val MOST_TOO_MANY = 1.5
+
+        /** Of a line that rests at the origin. */
+        fun query() = LineQuery(EpochFrame())
+    }
+}
