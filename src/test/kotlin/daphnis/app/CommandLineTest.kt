@@ -50,6 +50,7 @@ class CommandLineTest {
             "bricks" to 2,
             "thread-pool" to 2,
             "horizon" to 1,
+            "horizon" to 3,
             "actors" to 2,
             "pekko" to 2,
         )) {

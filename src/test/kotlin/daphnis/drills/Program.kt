@@ -97,4 +97,4 @@ internal class Program(
 }
 
 /** What `--threads` is for [engine]. */
-internal fun threadsOf(engine: String): String = if (engine in setOf("serial", "horizon")) "1" else "2"
+internal fun threadsOf(engine: String): String = if (engine == "serial") "1" else "2"

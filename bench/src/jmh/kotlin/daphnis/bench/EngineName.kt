@@ -20,7 +20,7 @@ import java.util.concurrent.ForkJoinPool
 /** All competitors, one parameter. Those that work on one thread only ignore the number of threads. */
 enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
-    HORIZON({ HorizonEngine() }),
+    HORIZON({ HorizonEngine(it) }),
     ISLANDS({ IslandsEngine(it) }),
     BRICKS({ BricksEngine(it) }),
 

@@ -11,10 +11,10 @@ import daphnis.core.engine.threadpool.ThreadPoolEngine
 /** The engines of this module. */
 public object Engines : EngineFactory {
     private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
+        "horizon" to { HorizonEngine(it) },
         "islands" to { IslandsEngine(it) },
         "bricks" to { BricksEngine(it) },
         "thread-pool" to { ThreadPoolEngine(it) },
-        "horizon" to { HorizonEngine(threads = it) },
         "serial" to { SerialEngine() },
     )
 

@@ -250,7 +250,7 @@ public sealed interface TimeStepSpec {
 }
 
 @Serializable
-public class EngineSpec @JvmOverloads constructor(public val name: String = "islands", public val threads: Int = 0) {
+public class EngineSpec @JvmOverloads constructor(public val name: String = "horizon", public val threads: Int = 0) {
     /**
      * Number of threads that make and check the initial state: that of the engine, which is one for the serial engine.
      */

@@ -63,7 +63,7 @@ class EndsAgreeTest {
 
     private fun islands(threads: Int) = IslandsEngine(FixedPool(threads), fewest = 0)
 
-    private fun horizon(steps: Int) = HorizonEngine(fewest = 0, tuning = HorizonTuning(steps))
+    private fun horizon(steps: Int) = HorizonEngine(FixedPool(1), fewest = 0, tuning = HorizonTuning(steps))
 
     /** The end that all engines agree on. */
     private fun common(

@@ -34,7 +34,7 @@ class RefusalsAgreeTest {
         IslandsEngine(FixedPool(2), fewest = 0),
         BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 2, 2)),
         ThreadPoolEngine(2),
-        HorizonEngine(fewest = 0, tuning = HorizonTuning(3)),
+        HorizonEngine(FixedPool(1), fewest = 0, tuning = HorizonTuning(3)),
     )
 
     private fun end(p: Population, boundary: BoundaryConditions, engine: CollisionEngine, dt: Double = 1.0): String {

@@ -35,7 +35,7 @@ class ScenarioJsonTest {
     fun `comments and trailing commas are allowed, defaults are filled in`() {
         val setup = ScenarioSetup.of(ScenarioJson.parse(good, "my.json"), "my.json")
         assertEquals(20, setup.population.size)
-        assertEquals("islands", setup.scenario.engine.name)
+        assertEquals("horizon", setup.scenario.engine.name)
         val guard = setup.scenario.guard as GuardSpec.FloorSpeed
         assertEquals(1.7e-6, guard.speed!!, 0.5e-6)
     }

@@ -37,12 +37,11 @@ public class HorizonEngine internal constructor(
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
 ) : CollisionEngine {
-    public constructor(handler: ThreadHandler, fewest: Int, tuning: HorizonTuning?) :
+    @JvmOverloads
+    public constructor(handler: ThreadHandler, fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null) :
         this(handler, fewest, tuning, LineFilter.BEST)
 
-    @JvmOverloads
-    public constructor(fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null, threads: Int = 1) :
-        this(FixedPool(threads), fewest, tuning)
+    public constructor(threads: Int) : this(FixedPool(threads))
 
     override val name: String get() = "horizon"
     override val threads: Int get() = handler.threads

@@ -58,7 +58,7 @@ class HorizonEngineTest {
 
     @Test
     fun `in free flight all are searched once an epoch, and a sphere that comes back through a face keeps its line`() {
-        val engine = HorizonEngine(0, HorizonTuning(4))
+        val engine = HorizonEngine(FixedPool(1), 0, HorizonTuning(4))
         val simulation = gas(engine)
         repeat(20) { simulation.advance() }
         val p = simulation.population
@@ -71,12 +71,12 @@ class HorizonEngineTest {
 
     @Test
     fun `without a fixed layout a dilute gas is taken in epochs of several steps, and a dense one serially`() {
-        val dilute = HorizonEngine(fewest = 0)
+        val dilute = HorizonEngine(FixedPool(1), fewest = 0)
         val simulation = gas(dilute)
         repeat(30) { simulation.advance() }
         assertEquals(30L, dilute.epochSteps)
         assertTrue(dilute.epochs <= 15) { "${dilute.epochs} epochs" }
-        val dense = HorizonEngine(fewest = 0)
+        val dense = HorizonEngine(FixedPool(1), fewest = 0)
         val crowd = gas(dense, apart = 1.85)
         repeat(30) { crowd.advance() }
         assertEquals(0L, dense.epochSteps)
@@ -100,7 +100,7 @@ class HorizonEngineTest {
             DoubleArray(n) { 1.0 },
             DoubleArray(n) { 1.0 },
         )
-        val engine = HorizonEngine(fewest = 0)
+        val engine = HorizonEngine(FixedPool(1), fewest = 0)
         fun simulation(engine: CollisionEngine): Simulation {
             val forcing = CollisionForcing(ConstantRestitution(0.5), engine = engine, recordCollisions = true)
             return Simulation(start.copy(), sheet, forcing, FixedTimeStep(0.03), listOf(HillFrame(1.0)))
@@ -119,11 +119,11 @@ class HorizonEngineTest {
 
     @Test
     fun `walls, few spheres and a closed engine make no epochs`() {
-        val engine = HorizonEngine(0, HorizonTuning(4))
+        val engine = HorizonEngine(FixedPool(1), 0, HorizonTuning(4))
         val walled = simulationOf(gas(engine).population, Walls(BOX), 0.1, engine = engine)
         repeat(3) { walled.advance() }
         assertEquals(0L, engine.epochSteps)
-        val few = HorizonEngine(fewest = 1000)
+        val few = HorizonEngine(FixedPool(1), fewest = 1000)
         repeat(3) { gas(few).advance() }
         assertEquals(0L, few.epochSteps)
         engine.close()
@@ -133,7 +133,7 @@ class HorizonEngineTest {
     @Test
     fun `a step that is taken back is done again in the same bits, in the same epoch or a new one`() {
         val serial = gas(SerialEngine())
-        val engine = HorizonEngine(0, HorizonTuning(5))
+        val engine = HorizonEngine(FixedPool(1), 0, HorizonTuning(5))
         var isBroken = false
         val p = gas(engine).population
         val horizon = Simulation(
