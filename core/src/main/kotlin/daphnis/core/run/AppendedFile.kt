@@ -50,22 +50,47 @@ internal class AppendedFile(
      * costs at most one reading of the clock.
      */
     fun flushIfDue() {
-        if (pending.isNotEmpty() && clock() - handedOverAt >= SECOND) flush()
+        if (pending.isNotEmpty() && isDue()) flush()
     }
+
+    /** Whether the last time that lines were handed over is a second ago. */
+    fun isDue(): Boolean = clock() - handedOverAt >= SECOND
 
     /** Hands over what is buffered. */
     fun flush() {
         handedOverAt = clock()
         if (pending.isEmpty()) return
-        val bytes = takePending()
+        val bytes = bytesOf(pending)
+        handOver(bytes.size.toLong()) { append(bytes) }
+    }
+
+    /**
+     * Hands over [count] lines that are not yet in words. The writer makes line k with [line], from what is its own
+     * from now on: [bytes] of memory.
+     */
+    fun handOver(bytes: Long, count: Int, line: (k: Int, line: StringBuilder) -> Unit) {
+        flush()
+        handOver(bytes) {
+            val block = StringBuilder()
+            for (k in 0 until count) {
+                line(k, block)
+                block.append('\n')
+                if (block.length > BLOCK || k == count - 1) append(bytesOf(block))
+            }
+        }
+    }
+
+    private fun handOver(bytes: Long, append: () -> Unit) {
         handedOver++
-        writer.rows(bytes.size.toLong()) {
-            append(bytes)
+        writer.rows(bytes) {
+            append()
             written++
         }
     }
 
-    private fun takePending(): ByteArray = pending.toString().toByteArray(Charsets.UTF_8).also { pending.setLength(0) }
+    /** Takes the text out of [block]. */
+    private fun bytesOf(block: StringBuilder): ByteArray =
+        block.toString().toByteArray(Charsets.UTF_8).also { block.setLength(0) }
 
     private fun append(bytes: ByteArray) {
         file.write(bytes)
@@ -84,7 +109,7 @@ internal class AppendedFile(
 
     /** To be called when the writer is done. What is buffered is written, unless a block before it could not be. */
     override fun close() {
-        file.use { if (written == handedOver) append(takePending()) }
+        file.use { if (written == handedOver) append(bytesOf(pending)) }
     }
 
     private companion object {
