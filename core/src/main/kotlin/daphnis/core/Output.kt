@@ -9,6 +9,9 @@ package daphnis.core
  * drives the simulation; [close] comes from the thread that closes it, never while another call is under way. An output
  * given as a lambda has [write] only.
  *
+ * A run writes its own files on a further thread, so a snapshot or a row of a step may reach the disk after later steps
+ * were shown to this output.
+ *
  * An exception from any of these functions ends a run, with a [daphnis.core.run.RunException] that names the output and
  * the step and has it as its cause. A [Simulation] alone passes it on as it is.
  */

@@ -6,9 +6,9 @@ import java.util.zip.CRC32C
 import kotlin.io.path.name
 
 /**
- * A text table that only grows, by whole lines. Buffered lines are written at every checkpoint, when there are many,
- * and when they have waited for a second ([flushIfDue]). On resume the file is cut back to the length in the
- * checkpoint, so no line is there twice. The checksum is updated as the file grows, so nothing is read again.
+ * A text table that only grows, by whole lines. Buffered lines are handed over to [writer] at every checkpoint, when
+ * there are many, and when they have waited for a second ([flushIfDue]). On resume the file is cut back to the length
+ * in the checkpoint, so no line is there twice. The checksum is updated as the file grows, so nothing is read again.
  *
  * @param header names of the columns, separated by commas
  * @param kept the beginning to continue from, or null to start a new file
@@ -19,12 +19,17 @@ internal class AppendedFile(
     header: String,
     kept: Beginning?,
     private val files: FileOperations,
+    private val writer: Writer,
     private val clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {
     private val file = RandomAccessFile(path.toFile(), "rw")
     private val checksum = kept?.checksum ?: CRC32C()
     private val pending = StringBuilder()
-    private var writtenAt = clock()
+    private var handedOverAt = clock()
+
+    /** Blocks handed over, and those of them that [writer] has written. */
+    private var handedOver = 0L
+    private var written = 0L
 
     init {
         file.setLength(kept?.length ?: 0)
@@ -34,38 +39,77 @@ internal class AppendedFile(
 
     fun line(): StringBuilder = pending
 
-    /** Ends the line; writes when much is buffered. */
+    /** Ends the line; hands over when much is buffered. */
     fun endLine() {
         pending.append('\n')
         if (pending.length > BLOCK) flush()
     }
 
     /**
-     * Writes what is buffered when the last time is a second ago. To be called between lines, after each step; costs at
-     * most one reading of the clock.
+     * Hands over what is buffered when the last time is a second ago. To be called between lines, after each step;
+     * costs at most one reading of the clock.
      */
     fun flushIfDue() {
-        if (pending.isNotEmpty() && clock() - writtenAt >= SECOND) flush()
+        if (pending.isNotEmpty() && isDue()) flush()
     }
 
-    /** Writes what is buffered. */
+    /** Whether the last time that lines were handed over is a second ago. */
+    fun isDue(): Boolean = clock() - handedOverAt >= SECOND
+
+    /** Hands over what is buffered. */
     fun flush() {
-        val bytes = pending.toString().toByteArray(Charsets.UTF_8)
+        handedOverAt = clock()
+        if (pending.isEmpty()) return
+        val bytes = bytesOf(pending)
+        handOver(bytes.size.toLong()) { append(bytes) }
+    }
+
+    /**
+     * Hands over [count] lines that are not yet in words. The writer makes line k with [line], from what is its own
+     * from now on: [bytes] of memory.
+     */
+    fun handOver(bytes: Long, count: Int, line: (k: Int, line: StringBuilder) -> Unit) {
+        flush()
+        handOver(bytes) {
+            val block = StringBuilder()
+            for (k in 0 until count) {
+                line(k, block)
+                block.append('\n')
+                if (block.length > BLOCK || k == count - 1) append(bytesOf(block))
+            }
+        }
+    }
+
+    private fun handOver(bytes: Long, append: () -> Unit) {
+        handedOver++
+        writer.rows(bytes) {
+            append()
+            written++
+        }
+    }
+
+    /** Takes the text out of [block]. */
+    private fun bytesOf(block: StringBuilder): ByteArray =
+        block.toString().toByteArray(Charsets.UTF_8).also { block.setLength(0) }
+
+    private fun append(bytes: ByteArray) {
         file.write(bytes)
         checksum.update(bytes)
-        pending.setLength(0)
-        writtenAt = clock()
     }
 
-    /** Forces everything to the disk, so that a checkpoint may rely on it. @return the mark of the file as it is now */
+    /**
+     * Forces what was handed over to the disk, so that a checkpoint may rely on it. To be called by the writer.
+     *
+     * @return the mark of the file as it is now
+     */
     fun force(): FileMark {
-        flush()
         files.force(path.name, file.fd)
         return FileMark(file.filePointer, checksum.value)
     }
 
+    /** To be called when the writer is done. What is buffered is written, unless a block before it could not be. */
     override fun close() {
-        file.use { flush() }
+        file.use { if (written == handedOver) append(bytesOf(pending)) }
     }
 
     private companion object {

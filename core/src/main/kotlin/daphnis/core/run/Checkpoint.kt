@@ -4,7 +4,6 @@ import daphnis.core.OutputState
 import daphnis.core.population.Population
 import kotlinx.serialization.json.Json
 import java.io.DataOutputStream
-import java.nio.ByteBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -46,34 +45,21 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         fun write(
             meta: CheckpointMeta,
             scenario: String,
-            population: Population,
+            spheres: SpheresById,
             outputs: Map<String, OutputState>,
             path: Path,
         ) {
-            val order = population.indicesById()
             DataOutputStream(Files.newOutputStream(path).buffered(1 shl 16)).use { out ->
                 val records = RecordWriter(out)
                 records.text(META, json.encodeToString(CheckpointMeta.serializer(), meta))
                 records.text(SCENARIO, scenario)
-                val ids = ByteBuffer.allocate(4 * order.size)
-                for (k in order) ids.putInt(population.id[k])
-                records.write(IDS, ids.array())
-                for ((name, column) in COLUMNS.zip(columns(population))) {
-                    val bytes = ByteBuffer.allocate(8 * order.size)
-                    for (k in order) bytes.putDouble(column[k])
-                    records.write(name, bytes.array())
-                }
-                for ((axis, name) in IMAGES.withIndex()) {
-                    val bytes = ByteBuffer.allocate(4 * order.size)
-                    for (k in order) bytes.putInt(population.boxesCrossed(population.id[k], axis))
-                    records.write(name, bytes.array())
-                }
+                records.integers(IDS, spheres.ids)
+                for ((name, column) in COLUMNS.zip(spheres.columns)) records.doubles(name, column)
+                for ((name, boxes) in IMAGES.zip(spheres.boxes)) records.integers(name, boxes)
                 records.write(OUTPUTS, SavedOutputs.bytes(outputs))
                 records.write(Records.END, ByteArray(0))
             }
         }
-
-        private fun columns(p: Population) = listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision)
 
         /** @throws CheckpointException with one line that says what is wrong with the file */
         fun read(path: Path): Checkpoint {

@@ -28,6 +28,12 @@ internal class CheckpointMeta(
     val whole: Map<String, FileMark> = emptyMap(),
     val losses: List<String> = emptyList(),
 ) {
+    /** The same with the marks of the run's files. */
+    fun with(appended: Map<String, FileMark>, whole: Map<String, FileMark>): CheckpointMeta = CheckpointMeta(
+        step, time, collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays, wallSeconds,
+        appended, whole, losses,
+    )
+
     /** Sets [counters] to the stored counts. */
     fun countInto(counters: CollisionCounters) {
         counters.collisions = collisions

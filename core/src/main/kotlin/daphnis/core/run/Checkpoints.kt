@@ -1,7 +1,6 @@
 package daphnis.core.run
 
 import daphnis.core.OutputState
-import daphnis.core.population.Population
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.WayOut
 import java.nio.file.Files
@@ -32,8 +31,8 @@ internal class Checkpoints(private val directory: RunDirectory) {
     private var isLastGood = false
 
     /** @param saved what outputs have saved, by name */
-    fun write(meta: CheckpointMeta, scenario: String, population: Population, saved: Map<String, OutputState>) {
-        files.writeWhole(directory.newCheckpoint) { Checkpoint.write(meta, scenario, population, saved, it) }
+    fun write(meta: CheckpointMeta, scenario: String, spheres: SpheresById, saved: Map<String, OutputState>) {
+        files.writeWhole(directory.newCheckpoint) { Checkpoint.write(meta, scenario, spheres, saved, it) }
         if (isLastGood) files.move(directory.checkpoint, directory.previousCheckpoint)
         files.move(directory.newCheckpoint, directory.checkpoint)
         files.forceDirectory(directory.path)

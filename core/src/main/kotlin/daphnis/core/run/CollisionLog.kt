@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.Output
+import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.scenario.OutputSpec
@@ -25,24 +26,62 @@ internal object CollisionLogOutput : PeriodicOutput("collisions", OutputSpec::co
         if (every > 0) CollisionLog(files) else null
 }
 
-/** `collisions.csv`: one row per collision, in time order. */
-internal class CollisionLog(files: RunFiles) : Output {
+/**
+ * `collisions.csv`: one row per collision, in time order. To put numbers into words takes most of the time of a log, so
+ * the writer does that, from collisions that are held back until there are [many], or one has waited for a second.
+ */
+internal class CollisionLog(files: RunFiles, private val many: Int = MANY) : Output {
     private val file = files.table(CollisionColumns.rows)
+    private var held = HeldCollisions()
 
     override fun write(simulation: Simulation) {
         if (simulation.step == 0L) return
-        val record = simulation.collisions?.record ?: return
-        val row = LoggedCollision(simulation.step, record)
-        for (k in 0 until record.size) {
+        held.add(simulation.step, simulation.collisions?.record ?: return)
+        if (held.size >= many || held.size > 0 && file.isDue()) handOver()
+    }
+
+    /** Before a checkpoint, which relies on all rows. */
+    override fun save(state: OutputState): Unit = handOver()
+
+    override fun close(): Unit = handOver()
+
+    private fun handOver() {
+        if (held.size == 0) return
+        val row = LoggedCollision(held)
+        held = HeldCollisions()
+        file.handOver(row.held.bytes, row.held.size) { k, line ->
             row.k = k
-            CollisionColumns.rows.write(row, file.line())
-            file.endLine()
+            CollisionColumns.rows.write(row, line)
         }
+    }
+
+    private companion object {
+        const val MANY = 1024
     }
 }
 
-/** Collision [k] in [record], the record of step [step]. */
-internal class LoggedCollision(val step: Long, val record: CollisionRecord) {
+/** Collisions of one step after the other. */
+internal class HeldCollisions {
+    val record = CollisionRecord()
+    private val steps = ArrayList<Long>()
+    private val ends = ArrayList<Int>()
+    val size: Int get() = record.size
+    val bytes: Long get() = size * (CollisionRecord.WIDTH + 1) * Double.SIZE_BYTES + 3L * size * Int.SIZE_BYTES
+
+    fun add(step: Long, record: CollisionRecord) {
+        if (record.size == 0) return
+        this.record.addAll(record, 0, record.size)
+        steps += step
+        ends += size
+    }
+
+    /** The step of collision [k]. */
+    fun stepOf(k: Int): Long = steps[ends.binarySearch(k + 1).let { if (it < 0) -it - 1 else it }]
+}
+
+/** Collision [k] of [held]. */
+internal class LoggedCollision(val held: HeldCollisions) {
+    val record = held.record
     var k = 0
 }
 
@@ -53,7 +92,7 @@ public object CollisionColumns : TableColumns {
     override val columns: List<Column> get() = rows.columns
 
     @JvmField
-    public val STEP: Column = rows.whole("step") { it.step }
+    public val STEP: Column = rows.whole("step") { it.held.stepOf(it.k) }
 
     @JvmField
     public val TIME_IN_STEP: Column = rows.number("time_in_step", Dimension.TIME) { it.record.time[it.k] }

@@ -16,6 +16,9 @@ internal open class FileOperations {
     /** Called before each operation. */
     protected open fun begin(operation: String) = Unit
 
+    /** What does the operations of a run; tests take another. */
+    open fun writer(): Writer = WriterThread()
+
     fun write(path: Path, write: (Path) -> Unit) {
         begin("write ${path.fileName}")
         write(path)

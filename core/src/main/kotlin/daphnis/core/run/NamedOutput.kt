@@ -31,20 +31,23 @@ internal class NamedOutput(private val title: String, private val output: Output
 
     override fun close(): Unit = named { output.close() }
 
-    private inline fun named(what: String = "", call: () -> Unit) {
-        try {
-            call()
-        } catch (e: IOException) {
-            throw e
-        } catch (e: UncheckedIOException) {
-            throw e.cause ?: e
-        } catch (e: FleetException) {
-            throw e
-        } catch (e: NodeException) {
-            throw e
-        } catch (e: Exception) {
-            if (e is InterruptedException) Thread.currentThread().interrupt()
-            throw RunException("step ${simulation.step}: $title$what: ${e.message ?: e.javaClass.name}", e)
-        }
+    private inline fun named(what: String = "", call: () -> Unit) = named("$title$what", simulation.step, call)
+}
+
+/** Does [call] of the output [title] after [step]; exceptions come out as [NamedOutput] says. */
+internal inline fun named(title: String, step: Long, call: () -> Unit) {
+    try {
+        call()
+    } catch (e: IOException) {
+        throw e
+    } catch (e: UncheckedIOException) {
+        throw e.cause ?: e
+    } catch (e: FleetException) {
+        throw e
+    } catch (e: NodeException) {
+        throw e
+    } catch (e: Exception) {
+        if (e is InterruptedException) Thread.currentThread().interrupt()
+        throw RunException("step $step: $title: ${e.message ?: e.javaClass.name}", e)
     }
 }

@@ -104,5 +104,15 @@ internal class RecordWriter(private val out: DataOutputStream) {
         out.writeInt(Records.checksum(bytes))
     }
 
+    fun integers(name: String, numbers: IntArray): Unit =
+        write(name, ByteBuffer.allocate(Int.SIZE_BYTES * numbers.size).apply { asIntBuffer().put(numbers) }.array())
+
+    fun doubles(name: String, numbers: DoubleArray): Unit = write(
+        name,
+        ByteBuffer.allocate(Double.SIZE_BYTES * numbers.size).apply {
+            asDoubleBuffer().put(numbers)
+        }.array(),
+    )
+
     fun text(name: String, text: String): Unit = write(name, text.toByteArray(Charsets.UTF_8))
 }

@@ -1,12 +1,10 @@
 package daphnis.core.run
 
 import daphnis.core.Engines
-import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.NodeException
-import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.EngineFactory
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ResolvedScenario
@@ -34,7 +32,6 @@ public class Run internal constructor(
 ) : AutoCloseable {
     public val simulation: Simulation = plan.simulation
     public val resumedFrom: Long = simulation.step
-    private val secondsBefore = from?.checkpoint?.meta?.wallSeconds ?: 0.0
     private var isExecuted = false
     private var isClosed = false
 
@@ -65,112 +62,31 @@ public class Run internal constructor(
         check(!isExecuted) { "this run was executed before; resume continues it" }
         isExecuted = true
         try {
-            RunFiles(directory, from?.beginnings.orEmpty()).use { files ->
+            RunFiles(directory, from?.beginnings.orEmpty(), directory.files.writer()).use { files ->
                 val usual = named(PeriodicOutputs.make(plan.output, plan.sums, files), simulation)
                 from?.let { restore(usual, it.checkpoint.outputs) }
                 val last = NamedOutput("the watcher", watcher, simulation)
-                RunOutputs(usual + plan.own, last).use { return Execution(files, it).carryOut(cancelled) }
+                RunOutputs(usual + plan.own, last).use {
+                    return Execution(directory, plan, origin, checkpoints, from, files, it).carryOut(cancelled)
+                }
             }
         } catch (e: IllegalStateException) {
-            throw failed(e)
+            throw failed(e, simulation.step)
         } catch (e: IllegalArgumentException) {
-            throw failed(e)
+            throw failed(e, simulation.step)
         } catch (e: FleetException) {
-            throw failed(e)
+            throw failed(e, simulation.step)
         } catch (e: NodeException) {
-            throw failed(e)
+            throw failed(e, simulation.step)
         } catch (e: IOException) {
             throw RunException("${cannotWrite(directory, e).message}; ${wayOn()}", e)
         }
     }
 
-    private fun failed(e: RuntimeException) = RunException("step ${simulation.step}: ${e.message}", e)
-
     private fun wayOn() = if (directory.holdsRun()) {
         "earlier output is intact; fix this, then resume"
     } else {
         "the run was removed while it was in progress"
-    }
-
-    private fun isDone(): Boolean = simulation.time >= until - plan.endSlack
-
-    /** The run between the first call of the outputs and the last. */
-    private inner class Execution(private val files: RunFiles, private val outputs: RunOutputs) {
-        private val begin = System.nanoTime()
-        private fun seconds() = secondsBefore + (System.nanoTime() - begin) * 1e-9
-
-        fun carryOut(cancelled: BooleanSupplier): Summary {
-            outputs.open(simulation, if (from == null) Opening.START else Opening.RESUME)
-            if (from == null) {
-                show()
-                checkpoint(0.0)
-            }
-            var finished = isDone()
-            while (!finished && !cancelled.asBoolean) {
-                advance()
-                show()
-                files.flushIfDue()
-                finished = isDone()
-                if (!finished && isDue(plan.output.checkpointEvery, simulation.step)) checkpoint(seconds())
-            }
-            if (finished) outputs.finish(simulation)
-            val summary = Summary.of(plan, finished, seconds())
-            checkpoint(summary.wallSeconds, summary)
-            summary.write(directory)
-            return summary
-        }
-
-        /** The outputs look at the state, and cannot change it meanwhile. */
-        private fun show() {
-            simulation.hold { outputs.write(simulation) }
-        }
-
-        /**
-         * One step. When it fails, the state before it is kept as a checkpoint; not of a [Program], whose functions may
-         * have changed what they save.
-         */
-        private fun advance() {
-            try {
-                simulation.advance()
-            } catch (e: IOException) {
-                // From an output: the disk is the cause, and nothing more can be written.
-                throw e
-            } catch (e: FleetException) {
-                // Without nodes the state before cannot be had, and at the first step this has nothing to do with it.
-                val step = if (simulation.step == resumedFrom) "" else "step ${simulation.step + 1}: "
-                throw RunException("$step${e.message}", e)
-            } catch (e: Exception) {
-                keepStateBefore(e)
-                throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}", e)
-            } catch (e: Error) {
-                keepStateBefore(e)
-                throw e
-            }
-        }
-
-        private fun keepStateBefore(e: Throwable) {
-            if (plan.scenario == null) return
-            try {
-                checkpoint(seconds())
-            } catch (another: Throwable) {
-                // A full disk, or no memory for it; what ended the step matters more.
-                if (another !== e) e.addSuppressed(another)
-            }
-        }
-
-        /** @param summary of a run that ends here, whose mark is in the checkpoint before the summary is written */
-        private fun checkpoint(wallSeconds: Double, summary: Summary? = null) {
-            val saved = outputs.save()
-            val appended = files.force()
-            val whole = files.whole + listOfNotNull(summary?.let { RunDirectory.SUMMARY to FileMark.of(it.bytes()) })
-            val c = simulation.collisions?.counters ?: CollisionCounters()
-            val meta = CheckpointMeta(
-                simulation.step, simulation.time,
-                c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
-                wallSeconds, appended, whole, from?.losses.orEmpty(),
-            )
-            checkpoints.write(meta, origin, simulation.population, saved)
-        }
     }
 
     override fun close() {

@@ -8,30 +8,37 @@ import java.nio.file.Files
  * The tables that outputs of a run write into [directory], and what a checkpoint keeps about them (ADR 33).
  *
  * @param beginnings of tables, by name, to continue from; a table without one starts as a new file
+ * @property writer does the writing; closed with this
  * @param clock nanoseconds; rows that have waited for a second are written
  */
 internal class RunFiles(
     val directory: RunDirectory,
     private val beginnings: Map<String, Beginning> = emptyMap(),
+    val writer: Writer = DirectWriter,
     private val clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {
     private val tables = LinkedHashMap<String, AppendedFile>()
     private val marks = LinkedHashMap<String, FileMark>()
 
-    /** The marks of files that were written whole since the start. */
+    /** The marks of files that were written whole since the start. For the writer. */
     val whole: Map<String, FileMark> get() = marks
 
     /** Opens the table of [columns], which grows row by row and is closed with this. */
     fun table(columns: Columns<*>): AppendedFile {
         val name = columns.file
         val path = directory.path.resolve(name)
-        return AppendedFile(path, columns.header, beginnings[name], directory.files, clock).also { tables[name] = it }
+        return AppendedFile(path, columns.header, beginnings[name], directory.files, writer, clock).also {
+            tables[name] =
+                it
+        }
     }
 
     /** Replaces a small file atomically. */
     fun writeWhole(name: String, bytes: ByteArray) {
-        directory.files.writeAtomically(directory.path.resolve(name)) { Files.write(it, bytes) }
-        marks[name] = FileMark.of(bytes)
+        writer.rows(bytes.size.toLong()) {
+            directory.files.writeAtomically(directory.path.resolve(name)) { Files.write(it, bytes) }
+            marks[name] = FileMark.of(bytes)
+        }
     }
 
     /** To be called after each step: writes rows that have waited for a second. */
@@ -39,10 +46,15 @@ internal class RunFiles(
         for (table in tables.values) table.flushIfDue()
     }
 
-    /** Forces all tables to the disk. @return their marks, by name */
+    /** Hands over all rows. */
+    fun flush() {
+        for (table in tables.values) table.flush()
+    }
+
+    /** Forces all tables to the disk, up to the last [flush]. For the writer. @return their marks, by name */
     fun force(): Map<String, FileMark> = tables.mapValues { it.value.force() }
 
     override fun close() {
-        closeAll(tables.values)
+        closeAll(tables.values + writer)
     }
 }

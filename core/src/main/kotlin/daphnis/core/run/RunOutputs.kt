@@ -46,7 +46,10 @@ internal class RunOutputs(private val byName: Map<String, Output>, watcher: Outp
 
 /** [outputs] as outputs of a run of [simulation], which say their names when they fail. */
 internal fun named(outputs: Map<String, Output>, simulation: Simulation): Map<String, Output> =
-    outputs.mapValues { (name, output) -> NamedOutput("output '$name'", output, simulation) }
+    outputs.mapValues { (name, output) -> NamedOutput(titleOf(name), output, simulation) }
+
+/** What messages call the output [name]. */
+internal fun titleOf(name: String): String = "output '$name'"
 
 /** Gives each of [outputs] the state that it [saved]. */
 internal fun restore(outputs: Map<String, Output>, saved: Map<String, OutputState>) {

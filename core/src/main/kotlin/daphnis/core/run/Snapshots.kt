@@ -20,11 +20,12 @@ internal object SnapshotsOutput : PeriodicOutput("snapshots", OutputSpec::snapsh
         return OutputCost("snapshots", count, count * (SPHERE_BYTES * spheres + HEAD_BYTES))
     }
 
-    override fun make(every: Int, sums: StepSums, files: RunFiles): Output = Snapshots(every, files.directory)
+    override fun make(every: Int, sums: StepSums, files: RunFiles): Output = Snapshots(every, files)
 }
 
 /** `snapshots/`: the state every [every] steps, 0 for never, and at the end. */
-internal class Snapshots(private val every: Int, private val directory: RunDirectory) : Output {
+internal class Snapshots(private val every: Int, private val files: RunFiles) : Output {
+    private val directory = files.directory
     private var lastWritten = -1L
 
     override fun write(simulation: Simulation) {
@@ -37,9 +38,17 @@ internal class Snapshots(private val every: Int, private val directory: RunDirec
     }
 
     private fun writeState(simulation: Simulation) {
-        val state = Snapshot.of(simulation.population, simulation.boundary, simulation.step, simulation.time)
-        val path = directory.snapshot(simulation.step)
-        directory.files.writeAtomically(path) { H5md.write(listOf(state), it, Version.text) }
-        lastWritten = simulation.step
+        val step = simulation.step
+        val population = simulation.population
+        val copy = { Snapshot.of(population, simulation.boundary, step, simulation.time) }
+        files.writer.state(population.size * SpheresById.BYTES, copy) {
+            named(titleOf(SnapshotsOutput.name), step) { write(it) }
+        }
+        lastWritten = step
+    }
+
+    /** By the writer. */
+    private fun write(state: Snapshot) {
+        directory.files.writeAtomically(directory.snapshot(state.step)) { H5md.write(listOf(state), it, Version.text) }
     }
 }

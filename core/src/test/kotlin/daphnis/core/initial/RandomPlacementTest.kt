@@ -87,6 +87,40 @@ class RandomPlacementTest {
     }
 
     @Test
+    fun `one to eight threads come to the same bits, and to the same refusal, where hardly a place is free`() {
+        val box = Box.centred(10.0, 10.0, 10.0)
+        val crowd = Crowd(DoubleArray((0.34 / ONE * box.volume).toInt()) { 0.25 }, box)
+        val placed = crowd.outcome(1, 200_000, 1000L)
+        val inVain = crowd.outcome(1, 200_000, 1L)
+        val tooFewTries = crowd.outcome(1, 100, 1000L)
+        assertTrue(placed.first is List<*>) { placed.first.toString() }
+        assertTrue("spheres found a place in 10000 tries and more" in "${inVain.first}") { "${inVain.first}" }
+        assertTrue("no free place found for a sphere of radius 0.25 in 100 tries" in "${tooFewTries.first}")
+        for (threads in 2..8) {
+            assertEquals(placed, crowd.outcome(threads, 200_000, 1000L)) { "$threads threads" }
+            assertEquals(inVain, crowd.outcome(threads, 200_000, 1L)) { "$threads threads" }
+            assertEquals(tooFewTries, crowd.outcome(threads, 100, 1000L)) { "$threads threads" }
+        }
+    }
+
+    /** Spheres that are hard to place in a periodic box. */
+    private class Crowd(private val radii: DoubleArray, private val box: Box) {
+        /** Positions, or the message of the refusal; and the next number of the stream. */
+        fun outcome(threads: Int, tries: Int, vain: Long): Pair<Any, Long> {
+            val random = SeededRandom(11)
+            val placement = RandomPlacement(tries, emptyList(), threads, null, 0, vain)
+            val outcome = try {
+                placement.place(radii, box, BooleanArray(3), random).let {
+                    listOf(it.x, it.y, it.z).map { a -> a.toList() }
+                }
+            } catch (e: PlacementException) {
+                e.message.orEmpty()
+            }
+            return outcome to random.nextLong()
+        }
+    }
+
+    @Test
     fun `most places of a block are judged before their turn, between walls and with sizes too`() {
         val box = Box.centred(60.0, 60.0, 8.0)
         val radii = PowerLawSizes(0.1, 1.0, 3.0).radii(100_000, SeededRandom(9))
@@ -161,6 +195,9 @@ class RandomPlacementTest {
 
     private companion object {
         const val TRIES = 300
+
+        /** Volume of a sphere of radius 0.25. */
+        const val ONE = 4.0 / 3.0 * Math.PI / 64
         const val COUNT = 2000
     }
 }
