@@ -58,7 +58,7 @@ class PlacementFileTest {
     }
 
     @Test
-    fun `positions, velocities, radii and masses come from a snapshot, H5MD, extended XYZ, CartAndRad and LAMMPS alike`() {
+    fun `positions, velocities, radii and masses come from a snapshot and from each format alike`() {
         val (digest, energy) = start("a/snapshots/0000000010.h5")
         assertEquals(digest to energy, start("a/export/trajectory.h5"))
         assertEquals(digest to energy, start("a/export/trajectory.xyz"))

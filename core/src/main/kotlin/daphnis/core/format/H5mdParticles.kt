@@ -15,29 +15,29 @@ internal class H5mdParticles(
         }
     }
 
-    /** First, for that compares what is declared with the size of the file. */
+    private val hasId = source.has("$all/id")
+    private val hasMass = source.has("$all/mass")
+    private val hasRadius = source.has("$all/radius")
+
+    // What is declared is compared with the size of the file before the number of particles is used.
+    private val id = if (hasId) valued("id") { name, its -> source.ints(name, its, 0..Int.MAX_VALUE) } else null
+    private val mass = if (hasMass) valued("mass", source::doubles) else null
+    private val radius = if (hasRadius) valued("radius", source::doubles) else null
     private val position = source.doubles("$all/position/value", shape)
     private val count = Math.toIntExact(shape[1])
     private val velocity = if (source.has("$all/velocity")) source.doubles("$all/velocity/value", shape) else null
     private val image = if (source.has("$all/image")) source.ints("$all/image/value", shape, ANY) else null
-    private val hasId = source.has("$all/id")
-    private val hasMass = source.has("$all/mass")
-    private val hasRadius = source.has("$all/radius")
-    private val id = if (hasId) valued("id") { name, its -> source.ints(name, its, 0..Int.MAX_VALUE) } else null
-    private val mass = if (hasMass) valued("mass", source::doubles) else null
-    private val radius = if (hasRadius) valued("radius", source::doubles) else null
 
     /** What a file holds once, or for each frame. */
     private class Valued<A>(val data: A, val isByFrame: Boolean)
 
     private fun <A> valued(part: String, read: (String, List<Long>) -> A): Valued<A> {
         val isByFrame = source.has("$all/$part/value")
-        val shape = listOf(count.toLong())
-        if (!isByFrame) return Valued(read("$all/$part", shape), false)
-        return Valued(read("$all/$part/value", listOf(frames) + shape), true)
+        if (!isByFrame) return Valued(read("$all/$part", listOf(shape[1])), false)
+        return Valued(read("$all/$part/value", shape.take(2)), true)
     }
 
-    /** Moves particles that are all between 0 and the edge of a periodic box so that the box is centred on the origin. */
+    /** Moves particles that are all between 0 and the edge of a periodic box, so that it is centred on the origin. */
     fun centre(periodic: BooleanArray, lengths: List<DoubleArray>) {
         for (axis in 0..2) {
             val length = lengths.firstOrNull()?.get(axis) ?: return

@@ -4,8 +4,8 @@ import java.nio.file.Path
 
 /**
  * Reads the states of an H5MD file, whichever program wrote it. Of several groups of particles `all` is read. Velocity,
- * id, mass and radius may be missing; the last three may be datasets or elements with a value per frame. A program other
- * than daphnis may have the box begin at the origin: then its particles are moved by half a box.
+ * id, mass and radius may be missing; the last three may be datasets or elements with a value per frame. Other programs
+ * may have the box begin at the origin: then particles are moved by half a box.
  */
 internal class H5mdReader(private val source: H5Source, private val path: Path) {
     private val all = "particles/${group()}"

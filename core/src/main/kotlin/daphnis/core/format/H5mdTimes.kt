@@ -2,7 +2,7 @@ package daphnis.core.format
 
 import java.nio.file.Path
 
-/** Steps and times of the frames of an H5MD file: listed, or in fixed intervals. A file without times has steps only. */
+/** Steps and times of the frames of an H5MD file: listed, or in fixed intervals. Without times they are the steps. */
 internal class H5mdTimes(private val source: H5Source, private val all: String, private val path: Path) {
     fun steps(): LongArray {
         val name = "$all/position/step"

@@ -35,7 +35,7 @@ internal class LammpsCell(
         if (leaning.isEmpty()) return -1
         if (leaning.size > 1 || leaning[0] !in SLIDING) {
             fail(
-                "the box leans in a way that sliding images do not; only xy, or y of the first edge, may be other than 0",
+                "the box leans in a way that sliding images do not; only xy, or y of the first edge, may differ from 0",
             )
         }
         return leaning[0] / 3

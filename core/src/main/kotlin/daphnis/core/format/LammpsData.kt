@@ -5,9 +5,9 @@ import daphnis.core.format.Kept.Presence.IF_THERE
 import java.nio.file.Path
 
 /**
- * The data file that LAMMPS reads with `read_data` and writes with `write_data`: one state, with atoms of style `sphere`
- * (radii and densities) or `atomic` (masses by type, no radii). A box without faces in the header is open; the file does
- * not say whether it is periodic, which is LAMMPS' default.
+ * The data file that LAMMPS reads with `read_data` and writes with `write_data`: one state, atoms of style `sphere`
+ * (radii and densities) or `atomic` (masses by type, no radii). Along an axis without bounds the box is open. The file
+ * does not say whether it is periodic; that is taken, as it is LAMMPS' default.
  */
 public object LammpsData : ReadableFormat {
     override val title: String = "LAMMPS data"

@@ -79,9 +79,9 @@ public object LammpsDump : ReadableFormat, WritableFormat {
     }
 
     /**
-     * Reads every state of [path]. Columns `x y z` (or `xu yu zu`, or scaled `xs ys zs`, `xsu ysu zsu`) are needed; `id`,
-     * `vx vy vz`, `radius` or `diameter` and `mass` are read where they are there. The time is `ITEM: TIME`, otherwise
-     * the number of the step.
+     * Reads every state of [path]. Columns `x y z` (or `xu yu zu`, or scaled `xs ys zs`, `xsu ysu zsu`) are needed.
+     * `id`, `vx vy vz`, `radius` or `diameter` and `mass` are read where they are there, and are otherwise the place in
+     * the file, 0, 1/2 and 1. The time is `ITEM: TIME`, otherwise the number of the step.
      *
      * @throws FormatException that names the line of the error
      */

@@ -119,7 +119,7 @@ internal class LammpsDumpReader(private val lines: TextLines, private val path: 
         const val BOX = "ITEM: BOX BOUNDS"
         const val BOX_WORDS = 3
 
-        /** What a face does: periodic, fixed, shrink-wrapped, shrink-wrapped with a minimum; one letter for each side. */
+        /** What faces do: periodic, fixed, shrink-wrapped, shrink-wrapped with a minimum; a letter for each side. */
         val FACES = listOf('p', 'f', 's', 'm').flatMap { one -> listOf('p', 'f', 's', 'm').map { "$one$it" } }.toSet()
 
         /** What may stand behind x, y and z. */
