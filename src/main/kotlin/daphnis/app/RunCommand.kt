@@ -29,8 +29,8 @@ class RunCommand : CliktCommand(name = "run") {
     ).optional()
     private val from by option(
         FROM,
-        metavar = "run[@state]",
-        help = "start from a state of another run: its last, or @STEP, @time=T, @orbits=T",
+        metavar = "run@state",
+        help = "start from a state of another run: RUN (its last), RUN@STEP, RUN@time=T or RUN@orbits=T",
     )
     private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
     private val threads by option("--threads", help = "threads of the engine (default: one per core)").int()

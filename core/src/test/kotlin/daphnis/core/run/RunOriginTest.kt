@@ -127,10 +127,14 @@ class RunOriginTest {
         }
         wrong(ring("box.lengths[1]=26"), origin("a", 14), "box.lengths[1]", "26.0", "25.0", "after step 14")
         wrong(ring("frame.angularSpeed=0.8"), origin("a", 14), "frame", "0.8", "0.7")
+        wrong(ring("units.lengthInMetres=2"), origin("a", 14), "units.lengthInMetres", "is 2.0", "1.0")
         wrong(ring("particles.count=100"), origin("a", 14), "particles.count", "is 100", "has 120")
         wrong(ring("bodies=[]", "forces=[]"), origin("a", 14), "bodies", "0 entries", "1 entry")
         wrong(ring("until=0.1"), origin("a", 14), "until", "0.1", "later than", "0.518")
         wrong(tableScenario(), origin("a", 14), "bodies")
+        run(tableScenario("boundary={\"type\":\"open\"}"), "open")
+        val framed = """frame={"type":"hill","angularSpeed":1}"""
+        wrong(tableScenario("boundary={\"type\":\"open\"}", framed, "until=9"), origin("open"), "frame", "is in none")
         wrong(tableScenario("particles.count=61"), origin("t"), "particles.count", "is 61", "has 60")
         wrong(tableScenario("boundary.shearRate=0.5"), origin("t", 4), "boundary", "off by", "placement.time")
         wrong(tableScenario("until=1.2"), origin("t"), "until", "later than", "1.2")
@@ -138,6 +142,16 @@ class RunOriginTest {
         wrong(walls, origin("t", 4), "placement", "outside the box")
         val unsheared = tableScenario("boundary={\"type\":\"periodic\"}", "until=9")
         wrong(unsheared, origin("t", 4), "boundary", "off by 0.0 at time 0.4", "1.96")
+    }
+
+    @Test
+    fun `a guard that counts from the last collisions says that it begins anew`() {
+        run(tableScenario(), "a")
+        val guarded = tableScenario("guard={\"type\":\"contact-duration\",\"duration\":0.01}", "until=1.4")
+        fun notices(scenario: Scenario, name: String) =
+            Run.start(scenario, "test", at(name), from = origin("a")).use { run -> run.notices.toString() }
+        assertTrue("guard.duration" in notices(guarded, "b"))
+        assertTrue("guard.duration" !in notices(tableScenario("until=1.4"), "c"))
     }
 
     @Test
