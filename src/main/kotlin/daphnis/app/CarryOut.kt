@@ -7,6 +7,7 @@ import daphnis.analysis.plot.RunPlot
 import daphnis.app.describe.spheres
 import daphnis.core.run.Run
 import daphnis.core.run.Summary
+import daphnis.core.scenario.PlacementSpec
 import java.util.Locale
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
@@ -21,7 +22,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
             for (notice in run.notices) warn(notice)
             val directory = run.directory.path
             if (!quiet) {
-                val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else ""
+                val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else originOf(run)
                 val count = spheres(run.simulation.population.size)
                 println("$count, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
             }
@@ -42,6 +43,12 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
     } finally {
         interruption.done()
     }
+}
+
+/** The state of another run from which this one starts, in words; empty without one. */
+private fun originOf(run: Run): String {
+    val placement = run.scenario?.placement as? PlacementSpec.File ?: return ""
+    return placement.run?.let { "from step ${placement.step ?: 0} of $it, " }.orEmpty()
 }
 
 /** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */

@@ -3,7 +3,7 @@ package daphnis.app
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
-import com.github.ajalt.clikt.parameters.arguments.default
+import com.github.ajalt.clikt.parameters.arguments.optional
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -11,19 +11,27 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.long
+import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Run
+import daphnis.core.run.RunOrigin
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
+import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /** `daphnis run`. */
 class RunCommand : CliktCommand(name = "run") {
     private val scenario by argument(
-        help = "scenario file or built-in name (default: paper-figure-1)",
-    ).default("paper-figure-1")
+        help = "scenario file or built-in name (default: paper-figure-1, or with --from the scenario of that run)",
+    ).optional()
+    private val from by option(
+        FROM,
+        metavar = "run@state",
+        help = "start from a state of another run: RUN (its last), RUN@STEP, RUN@time=T or RUN@orbits=T",
+    )
     private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
     private val threads by option("--threads", help = "threads of the engine (default: one per core)").int()
     private val steps by option("--steps", help = "end after this many steps").long()
@@ -49,11 +57,36 @@ class RunCommand : CliktCommand(name = "run") {
         if (engine != null && fleet.isGiven) {
             throw InputException("--engine", null, "is for one process; nodes compute in a way of their own")
         }
-        val resolved = resolve(described(scenarioNamed(scenario, settings + shorthands())))
+        val origin = from?.let {
+            checkState()
+            originNamed(it)
+        }
+        val source = scenario ?: origin?.let { ownScenario(it) } ?: "paper-figure-1"
+        val resolved = resolve(described(scenarioNamed(source, settings + shorthands())), source, origin)
         val directory = out?.let { pathOf(it, "--out") } ?: directoryNamed(resolved.name)
         fleet.withEngines(resolved.name, threads) { engines ->
-            carryOut(quiet) { Run.start(resolved, scenario, directory, force, engines) }
+            carryOut(quiet) { Run.start(resolved, source, directory, force, engines, from = origin) }
         }
+    }
+
+    /** What makes an initial state has no meaning when that is of another run. */
+    private fun checkState() {
+        if (seed != null) throw InputException("--seed", null, "is of an initial state; with $FROM it is $from")
+        for (setting in settings) {
+            val key = setting.takeWhile { it != '.' && it != '[' && it != '=' }
+            if (key !in OF_STATE) continue
+            throw InputException("--set", setting, "is of an initial state; with $FROM it is $from")
+        }
+    }
+
+    /** The scenario of the run from which this one starts. */
+    private fun ownScenario(origin: RunOrigin): String {
+        val directory = origin.run.directory
+        if (!Files.exists(directory.scenario)) {
+            val whose = "is of ${ProgramRecord.read(directory.program)}"
+            throw InputException(origin.name, null, "$whose, which has no scenario; give one for the new run")
+        }
+        return "${directory.scenario}"
     }
 
     private fun shorthands() = listOfNotNull(
@@ -66,21 +99,26 @@ class RunCommand : CliktCommand(name = "run") {
     /** What the command line changes of the physics is said behind the description, which may no longer hold. */
     private fun described(scenario: Scenario): Scenario {
         val changes = settings.filterNot { it.startsWith("output.") || it.startsWith("engine.") } +
-            listOfNotNull(until?.let { "until=$it" }, steps?.let { "steps=$it" }, seed?.let { "seed=$it" })
+            listOfNotNull(
+                from?.let { "from $it" },
+                until?.let { "until=$it" },
+                steps?.let { "steps=$it" },
+                seed?.let { "seed=$it" },
+            )
         val isOwn = settings.any { it.startsWith("description=") }
         if (scenario.description.isEmpty() || changes.isEmpty() || isOwn) return scenario
         return scenario.copy(description = "${scenario.description}; changed: ${changes.joinToString(", ")}")
     }
 
-    private fun resolve(scenario: Scenario): Scenario {
+    private fun resolve(scenario: Scenario, source: String, origin: RunOrigin?): Scenario {
         val steps = steps ?: return scenario
         if (until != null) {
             throw InputException("--steps", null, "is given together with --until; one of the two is enough")
         }
         if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
-        val step = FrameSetup.times(scenario.copy(until = 1.0), this.scenario).timeStep as? TimeStepSpec.Fixed
+        val step = FrameSetup.times(scenario.copy(until = 1.0), source).timeStep as? TimeStepSpec.Fixed
             ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
-        return scenario.copy(until = scenario.startTime + steps * step.dt)
+        return scenario.copy(until = (origin?.state?.time ?: scenario.startTime) + steps * step.dt)
     }
 
     /** runs/NAME, or runs/NAME-2, -3, … */
@@ -99,5 +137,8 @@ class RunCommand : CliktCommand(name = "run") {
 
     private companion object {
         const val LONGEST_NAME = 80
+
+        /** Keys of a scenario that make its initial state. */
+        val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities")
     }
 }

@@ -88,6 +88,7 @@ class CommandLineTest {
             "vtp" to "trajectory.pvd",
             "h5md" to "trajectory.h5",
             "cartandrad" to "CartAndRad.20.bin",
+            "lammps" to "trajectory.lammpstrj",
         )) {
             val result = daphnis("export", at("a"), "--format", format)
             assertEquals(0, result.code) { result.err }

@@ -37,7 +37,14 @@ class PlacementFileTest {
             "output": { "snapshotEvery": 5 } }"""
         Files.writeString(home.resolve("first.json"), first)
         assertDone(daphnis("run", at("first.json"), "--out", at("a"), "--quiet"))
-        for (format in listOf("xyz", "h5md", "cartandrad")) assertDone(daphnis("export", at("a"), "--format", format))
+        for (format in listOf(
+            "xyz",
+            "h5md",
+            "cartandrad",
+            "lammps",
+        )) {
+            assertDone(daphnis("export", at("a"), "--format", format))
+        }
     }
 
     private fun field(run: String, key: String) =
@@ -51,11 +58,12 @@ class PlacementFileTest {
     }
 
     @Test
-    fun `positions, velocities, radii and masses come from a snapshot, H5MD, extended XYZ and CartAndRad alike`() {
+    fun `positions, velocities, radii and masses come from a snapshot and from each format alike`() {
         val (digest, energy) = start("a/snapshots/0000000010.h5")
         assertEquals(digest to energy, start("a/export/trajectory.h5"))
         assertEquals(digest to energy, start("a/export/trajectory.xyz"))
         assertEquals(digest to energy, start("a/export/CartAndRad.10.bin", ", \"density\": 3"))
+        assertEquals(digest to energy, start("a/export/trajectory.lammpstrj"))
         assertEquals(field("a", "energy").toDouble(), energy.toDouble(), 1e-9)
     }
 
@@ -80,6 +88,23 @@ class PlacementFileTest {
         assertTrue(Files.exists(home.resolve("b/initial.bin")))
         assertDone(daphnis("run", at("b/scenario.json"), "--out", at("c"), "--quiet"))
         assertDone(daphnis("compare", at("b"), at("c")))
+    }
+
+    @Test
+    fun `a LAMMPS data file gives spheres, masses from its densities, and is kept in the run directory`() {
+        val text = "title\n\n2 atoms\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\nAtoms # sphere\n\n" +
+            "4 1 1 2 1 5 5\n9 1 2 2 5 5 5\n\nVelocities\n\n4 1 0 0\n9 0 0 0\n"
+        Files.writeString(home.resolve("data.two"), text)
+        val (_, energy) = start("data.two")
+        assertEquals(Math.PI / 6 * 2 / 2, energy.toDouble(), 1e-15)
+        assertEquals(text, Files.readString(home.resolve("b/initial.data")))
+        Files.writeString(home.resolve("data.two"), text.replace("2 atoms", "3 atoms"))
+        assertRefused(
+            daphnis("describe", from("data.two")),
+            "placement.path",
+            "data.two:13",
+            "3 particles are declared",
+        )
     }
 
     @Test

@@ -61,4 +61,4 @@ private fun placed(file: Path): Path {
 }
 
 private const val ANALYSED_EVERY = 10
-private val FORMATS = listOf("xyz", "vtp", "h5md", "cartandrad")
+private val FORMATS = listOf("xyz", "vtp", "h5md", "cartandrad", "lammps")

@@ -5,6 +5,7 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.format.CartAndRad
 import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.H5md
+import daphnis.core.format.LammpsDump
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
@@ -21,11 +22,13 @@ import kotlin.math.pow
  */
 internal class ForeignMutation(private val random: SeededRandom, private val home: Path) {
     /** Writes a file whose name begins with [stem] and ends as its format does. */
-    fun file(stem: String): Path = when (random.nextInt(5)) {
+    fun file(stem: String): Path = when (random.nextInt(7)) {
         0 -> Files.write(home.resolve("$stem.xyz"), text(xyz()))
         1 -> Files.write(home.resolve("$stem.csv"), text(csv()))
         2 -> Files.write(home.resolve("$stem.bin"), numbers(cartAndRad()))
         3 -> Files.write(home.resolve("$stem.h5"), bits(h5md(hostile = false)))
+        4 -> Files.write(home.resolve("$stem.lammpstrj"), text(lammpsDump()))
+        5 -> Files.write(home.resolve("$stem.data"), text(lammpsData()))
         else -> Files.write(home.resolve("$stem.h5"), h5md(hostile = true))
     }
 
@@ -83,6 +86,20 @@ internal class ForeignMutation(private val random: SeededRandom, private val hom
             "${frame.position[0][k]},${frame.position[1][k]},${frame.position[2][k]},${frame.radius[k]},1,$k"
         }
         return "x,y,z,radius,mass,id\n$rows\n"
+    }
+
+    private fun lammpsDump(): String = StringWriter().also { out ->
+        for (k in 0..random.nextInt(2)) LammpsDump.write(frame(k), out)
+    }.toString()
+
+    private fun lammpsData(): String {
+        val frame = frame(0)
+        val atoms = (0 until COUNT).joinToString("\n") { k ->
+            "$k 1 ${2 * frame.radius[k]} 1 ${frame.position[0][k]} ${frame.position[1][k]} ${frame.position[2][k]}"
+        }
+        val velocities = (0 until COUNT).joinToString("\n") { k -> "$k ${frame.velocity[0][k]} 0 0 0 0 0" }
+        return "fuzz\n\n$COUNT atoms\n-5 5 xlo xhi\n-4.5 4.5 ylo yhi\n-4 4 zlo zhi\n\n" +
+            "Atoms # sphere\n\n$atoms\n\nVelocities\n\n$velocities\n"
     }
 
     private fun cartAndRad(): ByteArray {
@@ -149,7 +166,7 @@ internal class ForeignMutation(private val random: SeededRandom, private val hom
             ).split(" ")
         val WORDS = listOf(
             "", "x", "pos", "pos:R:3", "species:S:2147483647", "1 2 3", "T T", "\"", "=", "\u0000", "ü", "1,2",
-            "radius", "a".repeat(2000), "0x10", "1d", "--5",
+            "radius", "pp", "ITEM:", "xlo", "xy", "Atoms", "sphere", "a".repeat(2000), "0x10", "1d", "--5",
         )
     }
 }

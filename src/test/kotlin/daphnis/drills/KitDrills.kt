@@ -39,7 +39,7 @@ internal object ScenarioFuzzDrill : Drill {
 /** Files of other programs with hostile values, bytes and shapes, through every door that reads them. */
 internal object ForeignFuzzDrill : Drill {
     override val name = "foreign"
-    override val what = "HDF5, XYZ, CSV and CartAndRad files mutated: each works, or is refused in one line"
+    override val what = "HDF5, XYZ, CSV, CartAndRad and LAMMPS files mutated: each works, or is refused in one line"
     override val cases = 1500
 
     override fun run(cases: Int, seed: Long, say: (String) -> Unit): Tally = inDirectory(name) {

@@ -27,6 +27,7 @@ import daphnis.core.population.Population
  *   step
  * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
  * @param elsewhere computes the steps in place of this process
+ * @param clock gives the times after fixed steps; null for one that begins at [runStart]
  */
 public class Simulation internal constructor(
     population: Population,
@@ -39,6 +40,7 @@ public class Simulation internal constructor(
     startStep: Long,
     runStart: Double?,
     elsewhere: Steps?,
+    clock: Clock? = null,
 ) : AutoCloseable {
     @JvmOverloads
     public constructor(
@@ -87,6 +89,8 @@ public class Simulation internal constructor(
     /** Time at step 0 of the run. */
     public val runStart: Double =
         runStart ?: if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else startTime
+
+    private val clock = clock ?: Clock(this.runStart)
 
     /**
      * The forces in the order in which they act before the drift. A [Drift] acts next to the drift: last before it,
@@ -149,7 +153,7 @@ public class Simulation internal constructor(
     /** Advances the clock by one step of [duration]. @return the time at its end */
     private fun settle(duration: Double): Double {
         step++
-        time = if (timeStep is FixedTimeStep) runStart + step * duration else time + duration
+        time = if (timeStep is FixedTimeStep) clock.time(step, duration) else time + duration
         return time
     }
 

@@ -16,9 +16,11 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.hill.Satellite
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
+import daphnis.core.population.granularTemperature
 import daphnis.core.population.stateDigest
 import daphnis.core.run.Program
 import daphnis.core.run.Run
+import daphnis.core.run.RunOrigin
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioSetup
@@ -209,6 +211,24 @@ class LibraryGuideTest {
     }
 
     @Test
+    fun `a run is read state by state, and another starts from one of them`(@TempDir home: Path) {
+        val directory = home.resolve("gas")
+        val settings = listOf("particles.count=200", "timeStep.dt=0.05", "until=1", "output.snapshotEvery=5")
+        Run.start(BuiltIn.scenario("cooling-gas", settings), "cooling-gas", directory).use { it.execute() }
+        // example: recorded
+        val recorded = Run.open(directory)
+        for (state in recorded.states()) println("${state.time}: ${state.size} spheres")
+        val early = recorded.states().asSequence().map { granularTemperature(it.population(), null) }.take(2).toList()
+        val start = recorded.at(0.5) // or atStep(10), last()
+        val longer = recorded.scenario()!!.copy(until = 2.0)
+        val origin = RunOrigin(recorded, start)
+        val summary = Run.start(longer, "longer", home.resolve("longer"), from = origin).use { it.execute() }
+        // end
+        assertTrue(early.size == 2 && early[1] < early[0]) { "$early" }
+        assertEquals(listOf(30L to 2.0, 10L), listOf(summary.steps to summary.time, start.step))
+    }
+
+    @Test
     fun `the snippet of the first page`() {
         // example: readme
         val scenario = BuiltIn.scenario("cooling-gas", settings = listOf("particles.count=200"))
@@ -230,7 +250,7 @@ class LibraryGuideTest {
             """// example: (\w+)\n(.*?)\n\s*// end\n""",
             RegexOption.DOT_MATCHES_ALL,
         ).findAll(code).toList()
-        assertEquals(9, examples.size)
+        assertEquals(11, examples.size)
         for (example in examples) {
             assertTrue(example.groupValues[2].trimIndent() in guide) {
                 "docs/library.md and README lack the example '${example.groupValues[1]}' as it stands here"

@@ -104,10 +104,10 @@ public class AnalysisInput internal constructor(
             val scenario = read.atHome(path)
             val steps = steps(run)
             val around = Surroundings.of(scenario, run.scenario.toString())
-            val step = around.timeStep
+            val dt = (around.timeStep as? TimeStepSpec.Fixed)?.dt
+            val clock = scenario.clock(around.timeStep)
             val times = DoubleArray(steps.size) { k ->
-                val dt = (step as? TimeStepSpec.Fixed)?.dt
-                if (dt != null) scenario.startTime + steps[k] * dt else run.readSnapshot(steps[k]).time
+                if (dt != null) clock.time(steps[k], dt) else run.readSnapshot(steps[k]).time
             }
             return ofRun(run, scenario.name, scenario, steps, times, around.boundary, around.angularSpeed, notices)
         }

@@ -63,9 +63,11 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             sharedTimeStep(setup.timeStep),
             setup.forces,
             listOf(agreement),
-            startTime = begin.time,
-            startStep = begin.step,
-            runStart = scenario.startTime,
+            begin.time,
+            begin.step,
+            scenario.startTime,
+            null,
+            scenario.clock,
         )
     }
 

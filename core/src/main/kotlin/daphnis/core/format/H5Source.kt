@@ -40,6 +40,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         is FloatArray -> DoubleArray(data.size) { data[it].toDouble() }
         is LongArray -> DoubleArray(data.size) { data[it].toDouble() }
         is IntArray -> DoubleArray(data.size) { data[it].toDouble() }
+        is Number -> doubleArrayOf(data.toDouble())
         else -> wrongType(name)
     }
 
@@ -49,6 +50,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         is IntArray -> LongArray(data.size) { data[it].toLong() }
         is ShortArray -> LongArray(data.size) { data[it].toLong() }
         is ByteArray -> LongArray(data.size) { data[it].toLong() }
+        is Long, is Int -> longArrayOf((data as Number).toLong())
         is Array<*> -> LongArray(data.size) { k ->
             (data[k] as? BigInteger)?.takeIf { it.bitLength() < Long.SIZE_BITS }?.toLong()
                 ?: fail(name, "has ${data[k]}; it must be below 2^63")
@@ -74,6 +76,19 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         return (data as? Array<*>)?.map { it as? String ?: fail(name, "attribute $attribute must be strings") }
             ?: fail(name, "has no list of texts $attribute")
     }
+
+    /** Refuses the dataset [name] if it declares more than the file can hold or the heap can take. */
+    fun requireSize(name: String): Unit = checkSize(name, dataset(name))
+
+    /** Names of the objects in the group [name]; none when it is no group. */
+    fun names(name: String): List<String> = (find(name) as? Group)?.children?.keys?.sorted().orEmpty()
+
+    /** Whether [name] is a dataset of one number, without extents. */
+    fun isScalar(name: String): Boolean = (find(name) as? Dataset)?.dimensionsAsLong?.isEmpty() == true
+
+    /** The number in attribute [attribute] of [name], of any type; 0 when it has none. */
+    fun offset(name: String, attribute: String): Double =
+        (find(name)?.getAttribute(attribute)?.data as? Number)?.toDouble() ?: 0.0
 
     /** The numeric attribute [attribute] of the group [name]; null when it has none of that name. */
     fun number(name: String, attribute: String): Long? {

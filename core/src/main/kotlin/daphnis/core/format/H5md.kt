@@ -1,6 +1,6 @@
 package daphnis.core.format
 
-import daphnis.core.format.Kept.Presence.ALWAYS
+import daphnis.core.format.Kept.Presence.IF_THERE
 import io.jhdf.HdfFile
 import io.jhdf.WritableHdfFile
 import io.jhdf.api.DatasetCreationOptions
@@ -19,7 +19,7 @@ public object H5md : ReadableFormat, WritableFormat {
     override val title: String = "H5MD"
     override val extensions: List<String> = listOf("h5", "h5md")
     override val keeps: Kept =
-        Kept(masses = ALWAYS, velocities = ALWAYS, ids = ALWAYS, severalStates = true, changingParticles = false)
+        Kept(IF_THERE, IF_THERE, IF_THERE, severalStates = true, changingParticles = false)
     override val word: String = "h5md"
     override val programs: String = "h5py, MDAnalysis"
     override val takesUnits: Boolean = true

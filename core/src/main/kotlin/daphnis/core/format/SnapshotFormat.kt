@@ -43,6 +43,9 @@ public interface ReadableFormat : SnapshotFormat {
      */
     public val mark: String? get() = null
 
+    /** How names of files begin, lower case, where neither an ending nor a [mark] tells their format; null for none. */
+    public val prefix: String? get() = null
+
     /**
      * Reads every state of [path], in the order of the file. Where it has no masses ([Snapshot.hasMass]), they are
      * those of density 1, or 1 each in extended XYZ.

@@ -12,6 +12,8 @@ public object SnapshotFormats {
         Vtp,
         H5md,
         CartAndRad,
+        LammpsDump,
+        LammpsData,
         ParticleCsv,
     )
 
@@ -29,7 +31,7 @@ public object SnapshotFormats {
 
     /**
      * The format of [path] by its name: by its ending, or by a [ReadableFormat.mark] anywhere in it unless the ending
-     * is the preferred one of a format.
+     * is the preferred one of a format; else by a [ReadableFormat.prefix].
      *
      * @throws FormatException when no format has such a name
      */
@@ -40,7 +42,7 @@ public object SnapshotFormats {
         val byEnding = readable.find { ending in it.extensions }
         if (byEnding != null && ending == byEnding.extensions.first()) return byEnding
         val byMark = readable.find { format -> format.mark?.let { it in name } == true }
-        return byMark ?: byEnding
+        return byMark ?: byEnding ?: readable.find { format -> format.prefix?.let { name.startsWith(it) } == true }
             ?: throw FormatException("$path: unknown format; known by the end of the name: $known")
     }
 

@@ -1,5 +1,7 @@
 package daphnis.core.run
 
+import daphnis.core.format.H5md
+import daphnis.core.format.Snapshot
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.ResolvedScenario
@@ -110,36 +112,44 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
      * Writes the files from which a run starts, and removes the run that was there. To be called with the lock that
      * [claim] returned.
      *
-     * @return [scenario] as the directory holds it: with its own copy of the particle file, so that the directory can
-     *   be moved
+     * @param start the state of another run from which this one starts
+     * @return [scenario] as the directory holds it: with its own copy of the particle file or of [start], so that the
+     *   directory can be moved
      * @throws IOException when something cannot be written; the run that was there is as it was, unless only part of it
      *   could be removed
      */
-    fun begin(scenario: ResolvedScenario): ResolvedScenario {
-        val original = (scenario.placement as? PlacementSpec.File)?.let { Path.of(it.path) }
-        val copy = original?.let { directory.initial(it) }
-        val resolved = if (copy == null) scenario else scenario.placedFrom(copy.name)
-        replace(directory.scenario, ScenarioJson.write(resolved), original, copy)
+    fun begin(scenario: ResolvedScenario, start: Snapshot? = null): ResolvedScenario {
+        val original = (scenario.placement as? PlacementSpec.File)?.path
+        val copy = when {
+            start != null -> Copy(directory.initial) { H5md.write(listOf(start), it, Version.text) }
+            original != null -> Copy(directory.initial(Path.of(original))) {
+                Files.copy(Path.of(original), it, REPLACE)
+            }
+            else -> null
+        }
+        val resolved = if (copy == null) scenario else scenario.placedFrom(copy.path.name)
+        replace(directory.scenario, ScenarioJson.write(resolved), copy)
         return resolved
     }
 
-    /** The same for a program; returns the text that the directory holds. */
-    fun begin(program: ProgramRecord): String = program.text().also { replace(directory.program, it, null, null) }
+    /** The state from which a run starts, in its own directory. */
+    private class Copy(val path: Path, val write: (Path) -> Unit)
 
-    private fun replace(origin: Path, text: String, original: Path?, copy: Path?) {
+    /** The same for a program; returns the text that the directory holds. */
+    fun begin(program: ProgramRecord): String = program.text().also { replace(directory.program, it, null) }
+
+    private fun replace(origin: Path, text: String, copy: Copy?) {
         val pending = files.besideOf(origin)
         try {
             files.writeWhole(pending) { Files.writeString(it, text) }
-            if (original != null && copy != null) {
-                files.writeWhole(files.besideOf(copy)) { Files.copy(original, it, REPLACE) }
-            }
+            if (copy != null) files.writeWhole(files.besideOf(copy.path), copy.write)
         } catch (e: IOException) {
-            takeBack(pending, copy)
+            takeBack(pending, copy?.path)
             throw e
         }
         removeRun()
         for (folder in directory.folders) Files.createDirectories(folder)
-        if (copy != null) files.move(files.besideOf(copy), copy)
+        if (copy != null) files.move(files.besideOf(copy.path), copy.path)
         files.move(pending, origin)
         for (other in directory.origins - origin) files.deleteQuietly(files.besideOf(other))
         files.forceDirectory(path)

@@ -102,6 +102,10 @@ public class Run internal constructor(
          * @param force whether a run that is in the directory may be replaced
          * @param outputs further outputs by name, in the order in which they are called; what they save is found again
          *   by name
+         *
+         * @param from a state of another run, in place of the scenario's own initial state; its particles and its time
+         *   go on, and `particles`, `velocities` and `placement` of the scenario are not used
+         *
          * @throws InputException for wrong input; what was in the directory is as it was
          * @throws RunException when the directory cannot be written
          */
@@ -114,7 +118,16 @@ public class Run internal constructor(
             force: Boolean = false,
             engines: EngineFactory = Engines,
             outputs: Map<String, Output> = emptyMap(),
-        ): Run = startRun(scenario, source, RunDirectory(path), force, engines, outputs)
+            from: RunOrigin? = null,
+        ): Run = startRun(scenario, source, RunDirectory(path), force, engines, outputs, from)
+
+        /**
+         * The run in [path], finished or still going on, to read its states.
+         *
+         * @throws InputException when there is no run
+         */
+        @JvmStatic
+        public fun open(path: Path): RecordedRun = RecordedRun(RunDirectory(path))
 
         /**
          * Continues the run in [path] from its last good checkpoint, or from the start when it was killed before the

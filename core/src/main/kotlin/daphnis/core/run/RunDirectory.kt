@@ -39,6 +39,9 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         "initial." + SnapshotFormats.of(original).extensions.first(),
     )
 
+    /** The state of another run from which this one started, if it did. */
+    internal val initial: Path get() = path.resolve("initial.${H5md.extensions.first()}")
+
     internal val checkpoint: Path get() = path.resolve("checkpoint")
     internal val previousCheckpoint: Path get() = path.resolve("checkpoint.previous")
     internal val newCheckpoint: Path get() = path.resolve("checkpoint.new")

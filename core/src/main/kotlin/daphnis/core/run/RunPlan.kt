@@ -68,7 +68,7 @@ internal fun planOf(
     }
     val simulation = Simulation(
         setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
-        scenario.startTime, elsewhere,
+        scenario.startTime, elsewhere, scenario.clock,
     )
     val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, scenario.firstBody)
     return RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)

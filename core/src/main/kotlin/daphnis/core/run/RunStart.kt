@@ -27,11 +27,13 @@ internal fun startRun(
     force: Boolean,
     engines: EngineFactory,
     own: Map<String, Output> = emptyMap(),
+    from: RunOrigin? = null,
 ): Run {
-    val setup = ScenarioSetup.of(scenario, source)
-    val notices = setup.notices + warnings(setup)
+    val start = from?.let { OriginCheck(scenario, source, it).start() } ?: scenario
+    val setup = ScenarioSetup.of(start, source, null, from?.state)
+    val notices = from?.notices(start).orEmpty() + setup.notices + warnings(setup)
     val plan = planOf(setup, null, source, engines, own)
-    return begun(directory, force, plan, notices) { ScenarioJson.write(it.begin(setup.scenario)) }
+    return begun(directory, force, plan, notices) { ScenarioJson.write(it.begin(setup.scenario, from?.state)) }
 }
 
 /** A run of [plan] in a directory into which [begin] writes. Closes the plan when it throws. */

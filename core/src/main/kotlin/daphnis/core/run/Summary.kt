@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.format.FormatException
 import daphnis.core.population.stateDigest
+import daphnis.core.scenario.PlacementSpec
 import daphnis.core.search.Overlap
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
@@ -18,6 +19,7 @@ import java.nio.file.Path
  * @property maxOverlap deepest overlap at the end, as a fraction of the sum of two radii
  * @property energy kinetic energy at the end
  * @property momentum Σ m v along x, y, z at the end
+ * @property from the state of another run from which it started; null when it did not
  */
 @Serializable
 public class Summary(
@@ -42,6 +44,7 @@ public class Summary(
     public val momentum: List<Double>,
     public val version: String,
     public val jvm: String,
+    public val from: String? = null,
 ) {
     internal fun bytes(): ByteArray = (JSON.encodeToString(serializer(), this) + "\n").toByteArray(Charsets.UTF_8)
 
@@ -105,6 +108,7 @@ public class Summary(
                 momentum = List(3) { sums.momentum(it) },
                 version = Version.text,
                 jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
+                from = (plan.scenario?.placement as? PlacementSpec.File)?.origin,
             )
         }
     }

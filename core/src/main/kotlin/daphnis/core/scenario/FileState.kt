@@ -10,12 +10,15 @@ import java.nio.file.Files
 /**
  * The population of a scenario that is placed from a file: positions, velocities, radii, masses and ids as they are
  * there.
+ *
+ * @param start the state itself, when no file has to be read for it
  */
 internal class FileState(
     private val scenario: Scenario,
     private val boundary: BoundaryConditions,
     private val spec: PlacementSpec.File,
     private val check: ValueCheck,
+    private val start: Snapshot? = null,
 ) {
     /**
      * Reads the file.
@@ -24,20 +27,15 @@ internal class FileState(
      */
     fun population(notices: MutableList<String>): Population {
         check.must("particles", scenario.particles == null) { "must be left out when the placement is a file" }
-        check.must("bodies", scenario.bodies.isEmpty()) {
+        check.must("bodies", scenario.bodies.isEmpty() || scenario.firstBody != null) {
             "must be left out when the placement is a file, which holds them"
         }
         check.must("velocities", scenario.velocities == null) {
             "must be left out when the placement is a file, which holds them"
         }
         spec.density?.let { check.positive("placement.density", it) }
-        val path = inputPath(spec.path, check.source, KEY)
-        check.that(KEY, spec.path, !Files.isDirectory(path)) {
-            "is a directory; name one file in it, such as a snapshot of a run"
-        }
-        check.that(KEY, spec.path, Files.isRegularFile(path)) { "no such file" }
         val population = try {
-            val snapshot = chosen(SnapshotFormats.read(path))
+            val snapshot = start ?: chosen(read())
             requireTime(snapshot)
             withMasses(snapshot, notices).population()
         } catch (e: FormatException) {
@@ -46,7 +44,27 @@ internal class FileState(
             check.fail(KEY, "${spec.path}: ${e.message}")
         }
         check.that(KEY, spec.path, population.size > 0) { "holds no particle" }
+        checkBodies(population)
         return population
+    }
+
+    private fun read(): List<Snapshot> {
+        val path = inputPath(spec.path, check.source, KEY)
+        check.that(KEY, spec.path, !Files.isDirectory(path)) {
+            "is a directory; name one file in it, such as a snapshot of a run"
+        }
+        check.that(KEY, spec.path, Files.isRegularFile(path)) { "no such file" }
+        return SnapshotFormats.read(path)
+    }
+
+    /** In the scenario of a run that started from another one, bodies are the spheres from `firstBody` on. */
+    private fun checkBodies(population: Population) {
+        if (scenario.bodies.isEmpty()) return
+        val first = scenario.firstBody(population.size)
+        val highest = population.id.max()
+        check.that("firstBody", first, highest.toLong() < first.toLong() + scenario.bodies.size) {
+            "there are ${scenario.bodies.size} bodies; ${spec.path} has a sphere with id $highest"
+        }
     }
 
     private fun chosen(snapshots: List<Snapshot>): Snapshot {

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.format.Snapshot
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
@@ -12,19 +13,24 @@ import daphnis.core.population.Population
 /**
  * Makes the population from which a scenario starts. Sizes, places and velocities are drawn from separate streams, so
  * that changing one does not change the others.
+ *
+ * @param start the state to start from, in place of the placement's file
  */
 internal class InitialState(
     private val scenario: Scenario,
     private val box: Box,
     private val boundary: BoundaryConditions,
     private val check: ValueCheck,
+    private val start: Snapshot? = null,
 ) {
     /** What a user should know about the state made, one line each. */
     val notices = ArrayList<String>()
 
     fun population(): Population {
         val placement = scenario.placement
-        if (placement is PlacementSpec.File) return FileState(scenario, boundary, placement, check).population(notices)
+        if (placement is PlacementSpec.File) {
+            return FileState(scenario, boundary, placement, check, start).population(notices)
+        }
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val radii = DrawnRadii(spec, box, check) { stream(SIZES) }.draw()

@@ -19,8 +19,10 @@ public sealed interface PlacementSpec {
      * relative to the scenario.
      *
      * @property time of the state, which determines the places of sliding images and of satellites; null for 0
-     *   @property step of the state to take from a file that holds several; the last one when left out
+     * @property step of the state to take from a file that holds several; the last one when left out
      * @property density mass per volume, for a file that has no masses
+     * @property run the run directory whose state it is, when a run was started from that
+     * @property clock of that run
      */
     @Serializable
     @SerialName("file")
@@ -29,8 +31,19 @@ public sealed interface PlacementSpec {
         public val time: Double? = null,
         public val step: Long? = null,
         public val density: Double? = null,
-    ) : PlacementSpec
+        public val run: String? = null,
+        public val clock: ClockSpec? = null,
+    ) : PlacementSpec {
+        /** Where a state of another [run] is from, in words; null when it is from a file that a user named. */
+        public val origin: String? get() = run?.let { "step ${step ?: 0} of $it, time ${time ?: 0.0}" }
+    }
 }
+
+/**
+ * As [daphnis.core.Clock]: [steps] fixed steps from [start] lead to the state.
+ */
+@Serializable
+public data class ClockSpec(public val start: Double, public val steps: Long)
 
 @Serializable
 public enum class LatticeName {

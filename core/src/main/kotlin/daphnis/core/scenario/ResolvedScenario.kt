@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.Clock
+
 /**
  * A [Scenario] in which everything that its author left open is decided. A run directory holds it, so that it always
  * means the same. Its file is a scenario file.
@@ -24,6 +26,9 @@ public class ResolvedScenario internal constructor(
         untilOrbits = null,
         firstBody = firstBody.takeIf { it != Int.MAX_VALUE },
     )
+
+    /** The clock by which the run's times are counted. */
+    public val clock: Clock get() = clock(timeStep)
 
     /** Whether the sphere with [id] is one of [bodies]. */
     public fun isBody(id: Int): Boolean = firstBody != Int.MAX_VALUE && id >= firstBody

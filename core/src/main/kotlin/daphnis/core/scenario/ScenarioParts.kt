@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.Clock
 import daphnis.core.search.SearchStructure
 
 /** What a scenario as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]) have in common. */
@@ -23,4 +24,14 @@ public interface ScenarioParts {
 
     /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
     public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
+
+    /**
+     * The clock of a run with [timeStep]: that of the run from which it starts, if its steps lead to [startTime] to the
+     * bit, and otherwise one that begins there.
+     */
+    public fun clock(timeStep: TimeStepSpec): Clock {
+        val kept = (placement as? PlacementSpec.File)?.clock?.let { Clock(it.start, it.steps) }
+        val isKept = kept != null && timeStep is TimeStepSpec.Fixed && kept.time(0, timeStep.dt) == startTime
+        return if (isKept) kept else Clock(startTime)
+    }
 }

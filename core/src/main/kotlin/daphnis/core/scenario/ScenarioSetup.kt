@@ -14,6 +14,7 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
+import daphnis.core.format.Snapshot
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -54,15 +55,20 @@ public class ScenarioSetup private constructor(
          */
         @JvmStatic
         @JvmOverloads
-        public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup {
+        public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup =
+            of(scenario, source, state, null)
+
+        /** @param start the state to start from, in place of one from the file of the placement */
+        internal fun of(scenario: Scenario, source: String, state: Population?, start: Snapshot?): ScenarioSetup {
             val check = ValueCheck(source)
             val around = Surroundings.of(scenario, source)
             checkRun(scenario, check)
             val restitution = restitution(scenario, check)
-            val initial = InitialState(scenario, around.box, around.boundary, check)
+            val initial = InitialState(scenario, around.box, around.boundary, check, start)
             val population = state ?: initial.population()
-            // The ids of bodies in a run of this file do not hold for a new initial state.
-            val bodies = if (state == null) scenario.copy(firstBody = null) else scenario
+            // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
+            val isMade = state == null && scenario.placement !is PlacementSpec.File
+            val bodies = if (isMade) scenario.copy(firstBody = null) else scenario
             val firstBody = bodies.firstBody(population.size)
             val forceSetup = ForceSetup(scenario, around.angularSpeed, check)
             val forces = forceSetup.forces(around.boundary, firstBody)

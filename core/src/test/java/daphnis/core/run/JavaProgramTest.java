@@ -18,6 +18,7 @@ import daphnis.core.boundary.Periodic;
 import daphnis.core.collision.ConstantRestitution;
 import daphnis.core.engine.CollisionForcing;
 import daphnis.core.force.Kick;
+import daphnis.core.format.Snapshot;
 import daphnis.core.hill.Epicycle;
 import daphnis.core.parallel.InlineLoop;
 import daphnis.core.population.Conserved;
@@ -99,6 +100,19 @@ class JavaProgramTest {
     // end
 
     private final Springs whole = new Springs();
+
+    @Test
+    void statesOfARunAreReadOneByOne() {
+        wholeDigest();
+        Path directory = home.resolve("whole");
+        // example: recordedInJava
+        double last = Double.NaN;
+        for (Snapshot state : Run.open(directory).states()) last = state.getTime();
+        // end
+        assertEquals(4.0, last, 1e-12);
+        assertEquals(10, Run.open(directory).atStep(10).getStep());
+        assertEquals(20, Run.open(directory).at(2.0).getStep());
+    }
 
     private String wholeDigest() {
         try (Run run = Run.start(whole, home.resolve("whole"))) {

@@ -1,0 +1,47 @@
+package daphnis.core.format
+
+import java.nio.file.Path
+
+/** Steps and times of the frames of an H5MD file: listed, or in fixed intervals. Without times they are the steps. */
+internal class H5mdTimes(private val source: H5Source, private val all: String, private val path: Path) {
+    fun steps(): LongArray {
+        val name = "$all/position/step"
+        if (!source.isScalar(name)) return source.longs(name, one(name))
+        val interval = source.longs(name, emptyList())[0]
+        val offset = source.offset(name, "offset").toLong()
+        return LongArray(frames()) { offset + it * interval }
+    }
+
+    /** @param steps of the same frames */
+    fun times(steps: LongArray): DoubleArray {
+        val name = "$all/position/time"
+        if (!source.has(name) &&
+            source.has("$all/position/value")
+        ) {
+            return DoubleArray(steps.size) { steps[it].toDouble() }
+        }
+        if (!source.isScalar(name)) return source.doubles(name, listOf(steps.size.toLong()))
+        val interval = source.doubles(name, emptyList())[0]
+        val offset = source.offset(name, "offset")
+        return DoubleArray(steps.size) { offset + it * interval }
+    }
+
+    /** The number of frames, of which each has at least a number in the file. */
+    private fun frames(): Int {
+        val name = "$all/position/value"
+        val shape = source.shape(name)
+        val frames = shape.firstOrNull() ?: fail("$name has no axis")
+        if (shape.any { it <= 0L }) fail("$name has the shape $shape; it must be [frames, particles, 3]")
+        source.requireSize(name)
+        return if (frames <= Int.MAX_VALUE) frames.toInt() else fail("$name has $frames frames")
+    }
+
+    /** The shape of [name], which must have one axis. */
+    private fun one(name: String): List<Long> {
+        val shape = source.shape(name)
+        if (shape.size != 1) fail("$name has ${shape.size} axes; it must have 1, one number per frame")
+        return shape
+    }
+
+    private fun fail(problem: String): Nothing = throw FormatException("$path: $problem")
+}

@@ -1,0 +1,120 @@
+package daphnis.core.run
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.scenario.FrameSetup
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.Surroundings
+import kotlin.math.abs
+
+/**
+ * Checks that [scenario] can go on from a state of another run: that both mean the same by space, time and bodies.
+ * Whether the spheres are inside the box and apart is checked with every initial state.
+ *
+ * @param source what to call the scenario in messages
+ */
+internal class OriginCheck(private val scenario: Scenario, private val source: String, private val from: RunOrigin) {
+    private val state = from.state
+    private val said = "the state of ${from.name} after step ${state.step}"
+
+    /**
+     * The scenario that starts from the state.
+     *
+     * @throws InputException when it does not fit the state
+     */
+    fun start(): Scenario {
+        val other = from.scenario
+        val bodies = other?.bodies.orEmpty()
+        must("bodies", scenario.bodies.size == bodies.size) {
+            "has ${count(scenario.bodies.size)}; $said has ${count(bodies.size)}"
+        }
+        val start = scenario.copy(
+            placement = from.placement(),
+            particles = null,
+            velocities = null,
+            firstBody = other?.firstBody(state.size)?.takeIf { bodies.isNotEmpty() },
+        )
+        checkCount(bodies.size)
+        if (other != null) checkUnits(other)
+        checkFrame()
+        checkBox(Surroundings.of(start, source).boundary)
+        return start
+    }
+
+    /** The run's own scenario says how many there were at its start, which may have been more. */
+    private fun checkCount(bodies: Int) {
+        val count = scenario.particles?.count ?: return
+        if (count == from.scenario?.particles?.count) return
+        val there = state.size - bodies
+        must("particles.count", count == there) { "is $count; $said has $there" }
+    }
+
+    private fun checkUnits(other: Scenario) {
+        val here = scenario.units
+        val there = other.units
+        if (here.lengthInMetres == null || there.lengthInMetres == null) return
+        fun same(key: String, here: Double, there: Double) {
+            must("units.$key", here == there) { "is $here; $said is in units of $there" }
+        }
+        same("lengthInMetres", here.lengthInMetres, there.lengthInMetres)
+        same("speedInCmPerSecond", here.speedInCmPerSecond, there.speedInCmPerSecond)
+        same("massInKg", here.massInKg, there.massInKg)
+    }
+
+    /** Velocities are those in the frame. */
+    private fun checkFrame() {
+        val there = from.around ?: return
+        val omega = FrameSetup.angularSpeed(scenario, source)
+        must("frame", (omega == null) == (there.angularSpeed == null)) {
+            if (omega == null) "is missing; $said is in Hill's frame" else "is given; $said is in none"
+        }
+        if (omega == null) return
+        must("frame", omega == there.angularSpeed) {
+            "turns with an angular speed of $omega; $said is in one with ${there.angularSpeed}"
+        }
+    }
+
+    private fun checkBox(boundary: BoundaryConditions) {
+        for (axis in 0..2) {
+            val length = state.lengths[axis]
+            if (length.isNaN() || !state.periodic[axis] || !boundary.repeats(axis)) continue
+            val here = boundary.box.length(axis)
+            must("box.lengths[$axis]", here == length) { "is $here; $said is of a periodic box of $length there" }
+        }
+        checkImages(boundary)
+    }
+
+    /** At a boundary whose images begin elsewhere the surroundings of every sphere near it would change at once. */
+    private fun checkImages(boundary: BoundaryConditions) {
+        val shear = boundary.shear
+        if (shear == null && (state.shearOffset == 0.0 || !boundary.repeats(state.normalAxis))) return
+        val isAcross = shear == null ||
+            state.shearOffset == 0.0 ||
+            (shear.normalAxis == state.normalAxis && shear.slideAxis == state.slideAxis)
+        val offset = shear?.offset(state.time) ?: 0.0
+        val length = boundary.box.length(shear?.slideAxis ?: state.slideAxis)
+        val off = abs(offset - state.shearOffset).let { minOf(it, length - it) }
+        must("boundary", isAcross && off <= SAME * length) {
+            "puts images off by $offset at time ${state.time}; in $said they are off by ${state.shearOffset}" +
+                shear?.let { mend(it.velocity) }.orEmpty()
+        }
+    }
+
+    /** The same state at a time at which the images are where they were. */
+    private fun mend(velocity: Double): String {
+        if (velocity == 0.0) return ""
+        val time = state.shearOffset / velocity
+        return "; placement.path with placement.time $time takes a snapshot of it at a time with the same images"
+    }
+
+    private fun count(bodies: Int) = if (bodies == 1) "1 entry" else "$bodies entries"
+
+    private inline fun must(key: String, ok: Boolean, problem: () -> String) {
+        if (!ok) throw InputException(source, key, problem())
+    }
+
+    private companion object {
+        /** Round-off of the time in places of images, relative to the box. */
+        const val SAME = 1e-9
+    }
+}

@@ -1,0 +1,46 @@
+package daphnis.core.run
+
+import daphnis.core.format.Snapshot
+import daphnis.core.scenario.ClockSpec
+import daphnis.core.scenario.GuardSpec
+import daphnis.core.scenario.PlacementSpec
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.Surroundings
+import daphnis.core.scenario.TimeStepSpec
+
+/**
+ * A state of another run from which a run starts, see [Run.start].
+ *
+ * Ids, radii, masses, positions and velocities go over, and so do the time, the clock by which it is counted, and which
+ * spheres are bodies. Steps, collisions, boxes crossed, sums of outputs, and the times since the last collisions begin
+ * anew.
+ *
+ * @property run which has the state
+ * @property state one of its states, of which nothing may be changed
+ */
+public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) {
+    /** The run directory, as the caller named it. */
+    public val name: String get() = "${run.directory.path}"
+
+    /** The scenario of the other run; null when that is of a [Program]. */
+    internal val scenario: Scenario? by lazy { run.scenario() }
+
+    /** Space and time of the other run; null when it is of a [Program]. */
+    internal val around: Surroundings? by lazy { scenario?.let { Surroundings.of(it, "${run.directory.scenario}") } }
+
+    /** The placement of a scenario that starts from the state. */
+    internal fun placement() = PlacementSpec.File(name, state.time, state.step, run = name, clock = clock())
+
+    /** The clock of the other run after its steps to the state; null when its steps have no fixed length. */
+    private fun clock(): ClockSpec? {
+        val step = around?.timeStep as? TimeStepSpec.Fixed ?: return null
+        val clock = scenario!!.clock(step)
+        return ClockSpec(clock.start, clock.steps + state.step)
+    }
+
+    /** What a user should know about a start of [scenario] from the state, one line each. */
+    internal fun notices(scenario: Scenario): List<String> = listOfNotNull(
+        "$name: the times since the last collisions are not part of a state; guard.duration counts from the start"
+            .takeIf { scenario.guard is GuardSpec.ContactDuration },
+    )
+}

@@ -1,0 +1,77 @@
+package daphnis.app
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** `run --from`. */
+class RunFromTest {
+    @TempDir
+    lateinit var home: Path
+
+    private fun at(name: String) = home.resolve(name).toString()
+
+    private fun field(run: String, key: String) =
+        Regex("\"$key\": (.*?),?\n").find(Files.readString(home.resolve(run).resolve("summary.json")))!!.groupValues[1]
+
+    @BeforeEach
+    fun `a sheared run of ten steps`() {
+        val first = """{ "box": { "lengths": [8, 8, 8] }, "boundary": { "type": "lees-edwards", "shearRate": 0.7 },
+            "particles": { "count": 150, "sizes": { "type": "equal", "radius": 0.5 } },
+            "placement": { "type": "lattice" },
+            "velocities": { "type": "gaussian", "sigma": 1, "shearProfile": true },
+            "restitution": { "type": "constant", "coefficient": 0.9 },
+            "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1, "output": { "snapshotEvery": 3 } }"""
+        Files.writeString(home.resolve("first.json"), first)
+        assertDone(daphnis("run", at("first.json"), "--out", at("a"), "--quiet"))
+    }
+
+    @Test
+    fun `without a scenario that of the run goes on, to the same digest, and the output says from where`() {
+        val out = assertDone(daphnis("run", "--from", at("a") + "@6", "--out", at("b")))
+        assertTrue(out.startsWith("150 spheres, from step 6 of ${at("a")}, time 0.6")) { out }
+        assertEquals(field("a", "stateDigest"), field("b", "stateDigest"))
+        assertEquals("\"step 6 of ${at("a")}, time 0.6000000000000001\"", field("b", "from"))
+        assertDone(daphnis("run", "--from", at("a") + "@time=0.6", "--out", at("c"), "--quiet"))
+        assertEquals(field("a", "stateDigest"), field("c", "stateDigest"))
+        assertDone(daphnis("analyze", at("b"), "--quiet"))
+    }
+
+    @Test
+    fun `the last state is the default, with a scenario and settings, and steps count from it`() {
+        val set = arrayOf("--set", "restitution.coefficient=0.5", "--steps", "3")
+        assertDone(daphnis("run", at("first.json"), "--from", at("a"), *set, "--out", at("b"), "--quiet"))
+        assertEquals("3", field("b", "steps"))
+        assertEquals("\"step 10 of ${at("a")}, time 1.0\"", field("b", "from"))
+        assertDone(daphnis("run", at("b/scenario.json"), "--out", at("c"), "--quiet"))
+        assertDone(daphnis("compare", at("b"), at("c")))
+        Files.move(home.resolve("a"), home.resolve("a@1"))
+        assertDone(daphnis("run", "--from", at("a@1"), "--steps", "1", "--out", at("d"), "--quiet"))
+        assertEquals("\"step 10 of ${at("a@1")}, time 1.0\"", field("d", "from"))
+    }
+
+    @Test
+    fun `what is wrong is said in one line`() {
+        fun refused(vararg words: String, parts: List<String>) =
+            assertRefused(daphnis("run", *words, "--out", at("x")), *parts.toTypedArray())
+        refused("--from", at("nothing"), parts = listOf("nothing", "no such file"))
+        refused("--from", home.toString(), parts = listOf("no run directory"))
+        refused("--from", at("first.json"), parts = listOf("--from", "is a file", "placement.path"))
+        refused("--from", at("a@5"), parts = listOf("no state after step 5", "0, 3, 6, 9, 10"))
+        refused("--from", at("a@2.5"), parts = listOf("--from", "@2.5", "@20", "@time="))
+        refused("--from", at("a@"), parts = listOf("--from", "'@'"))
+        refused("--from", at("a@time=0.5"), parts = listOf("no state at time 0.5", "step 3", "step 6"))
+        refused("--from", at("a@time=soon"), parts = listOf("--from", "time=soon"))
+        refused("--from", at("a@orbits=1"), parts = listOf("--from", "frame of type hill"))
+        refused("--from", at("a"), parts = listOf("until", "later"))
+        refused("--from", at("a@6"), "--seed", "3", parts = listOf("--seed", "--from"))
+        refused("--from", at("a@6"), "--set", "particles.count=3", parts = listOf("--set", "particles.count=3"))
+        refused("--from", at("a@6"), "--set", "box.lengths[0]=9", parts = listOf("box.lengths[0]", "9.0", "8.0"))
+        refused("paper-figure-1", "--from", at("a@6"), parts = listOf("paper-figure-1", "particles.count"))
+        assertTrue(!Files.exists(home.resolve("x")))
+    }
+}
