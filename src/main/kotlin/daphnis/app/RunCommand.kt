@@ -16,7 +16,6 @@ import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
-import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /** `daphnis run`. */
@@ -49,8 +48,11 @@ class RunCommand : CliktCommand(name = "run") {
         if (engine != null && fleet.isGiven) {
             throw InputException("--engine", null, "is for one process; nodes compute in a way of their own")
         }
-        val resolved = resolve(described(scenarioNamed(scenario, settings + shorthands())))
-        val directory = out?.let { pathOf(it, "--out") } ?: directoryNamed(resolved.name)
+        val changes =
+            settings + listOfNotNull(until?.let { "until=$it" }, steps?.let { "steps=$it" }, seed?.let { "seed=$it" })
+        val resolved = resolve(scenarioNamed(scenario, settings + shorthands()).changedBy(changes))
+        val directory =
+            out?.let { pathOf(it, "--out") } ?: freeDirectory(Path.of("runs").resolve(directoryName(resolved.name)))
         fleet.withEngines(resolved.name, threads) { engines ->
             carryOut(quiet) { Run.start(resolved, scenario, directory, force, engines) }
         }
@@ -63,15 +65,6 @@ class RunCommand : CliktCommand(name = "run") {
         seed?.let { "seed=$it" },
     )
 
-    /** What the command line changes of the physics is said behind the description, which may no longer hold. */
-    private fun described(scenario: Scenario): Scenario {
-        val changes = settings.filterNot { it.startsWith("output.") || it.startsWith("engine.") } +
-            listOfNotNull(until?.let { "until=$it" }, steps?.let { "steps=$it" }, seed?.let { "seed=$it" })
-        val isOwn = settings.any { it.startsWith("description=") }
-        if (scenario.description.isEmpty() || changes.isEmpty() || isOwn) return scenario
-        return scenario.copy(description = "${scenario.description}; changed: ${changes.joinToString(", ")}")
-    }
-
     private fun resolve(scenario: Scenario): Scenario {
         val steps = steps ?: return scenario
         if (until != null) {
@@ -81,23 +74,5 @@ class RunCommand : CliktCommand(name = "run") {
         val step = FrameSetup.times(scenario.copy(until = 1.0), this.scenario).timeStep as? TimeStepSpec.Fixed
             ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
         return scenario.copy(until = scenario.startTime + steps * step.dt)
-    }
-
-    /** runs/NAME, or runs/NAME-2, -3, … */
-    private fun directoryNamed(name: String): Path {
-        val letters = name.map { if (isNameable(it)) it else '-' }.joinToString("")
-        val safe = letters.trim('.').take(LONGEST_NAME).ifEmpty { "run" }
-        return freeDirectory(Path.of("runs").resolve(safe))
-    }
-
-    /** Letters beyond ASCII only where the file system takes them, which depends on the locale. */
-    private fun isNameable(c: Char): Boolean = try {
-        c in "-_." || (c.isLetterOrDigit() && Path.of("$c").toString() == "$c")
-    } catch (e: InvalidPathException) {
-        false
-    }
-
-    private companion object {
-        const val LONGEST_NAME = 80
     }
 }

@@ -11,8 +11,11 @@ internal class NumbersSection(private val study: Study, private val others: List
     override fun numbers(): List<NumberRow> =
         study.input.omega?.let { RingNumbers(study, it).rows() } ?: BoxNumbers(study).rows()
 
+    /** All rows of the table. */
+    fun rows(): List<NumberRow> = numbers() + others.flatMap { it.numbers() }
+
     override fun write(page: ReportPage) {
-        val rows = numbers() + others.flatMap { it.numbers() }
+        val rows = rows()
         val notes = ArrayList<String>()
         if (rows.any { !it.error.isNaN() }) {
             notes += "± is one standard error; numbers without it follow from the particles themselves."
