@@ -96,7 +96,7 @@ internal class SweepWork(
         Analysis(input, AnalysisOptions(from)).numbers() + atEnd(place.path, input.units) to null
     } catch (e: InputException) {
         val units = UnitNames(ScenarioJson.read(place.scenario).units)
-        atEnd(place.path, units) to "has no numbers of the report: ${words(e)}"
+        atEnd(place.path, units) to "no numbers of the report: ${words(e).removePrefix("${place.path}: ")}"
     }
 
     private fun atEnd(path: Path, units: UnitNames): List<ReportNumber> {

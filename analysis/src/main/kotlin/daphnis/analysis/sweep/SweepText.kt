@@ -18,7 +18,7 @@ public class SweepText(private val sweep: Sweep) {
             val shown = sweep.points.map { listOf(label(it)) + sweep.quantities.map { q -> cell(it, q) } }
             for (block in blocks(shown, columns)) parts += table(listOf(listOf(corner()) + names) + block)
         }
-        val notes = listOfNotNull(meaning(), incomplete()) + failures()
+        val notes = listOfNotNull(meaning()) + incomplete() + failures()
         if (notes.isNotEmpty()) parts += notes.joinToString("\n")
         return parts.joinToString("\n\n")
     }
@@ -81,10 +81,11 @@ public class SweepText(private val sweep: Sweep) {
             "which covers the true mean in $percent % of cases."
     }
 
-    private fun incomplete(): String? {
-        val remarks = sweep.runs.filter { it.failure == null }.mapNotNull { it.remark }.distinct()
-        return if (remarks.isEmpty()) null else remarks.joinToString("\n")
-    }
+    /** Remarks on runs that are finished, each once. */
+    private fun incomplete(): List<String> =
+        sweep.runs.filter { it.failure == null && it.remark != null }.groupBy { it.remark }.map { (remark, runs) ->
+            "${ReportText.count(runs.size, "run")}: $remark"
+        }
 
     private fun failures(): List<String> = sweep.failed.map { "failed: ${it.name}: ${it.failure}" }
 
