@@ -9,6 +9,7 @@ import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.scale.scaleXContinuous
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.math.abs
 
 /**
  * Plots of the numbers of a [sweep] against the swept keys, with bars of one standard error. Needs no display.
@@ -26,14 +27,14 @@ public class SweepPlots(private val sweep: Sweep) {
 
     /**
      * Draws `QUANTITY.svg` and `.png` into [directory], which is made, with `-against-KEY` in the name where there is
-     * more than one axis. A quantity that no two points have is left out.
+     * more than one axis. A quantity that no two points have, or that is the same for all runs, is left out.
      *
      * @return how many plots there are
      */
     public fun write(directory: Path): Int {
         var drawn = 0
         for (axis in axes) {
-            for (quantity in sweep.quantities) {
+            for (quantity in sweep.quantities.filter { varies(it) }) {
                 val curves = curves(axis, quantity).filter { c -> c.y.count { it.isFinite() } > 1 }
                 if (curves.isEmpty()) continue
                 Files.createDirectories(directory)
@@ -42,6 +43,13 @@ public class SweepPlots(private val sweep: Sweep) {
             }
         }
         return drawn
+    }
+
+    /** Whether the numbers of runs differ by more than round-off. */
+    private fun varies(quantity: ReportNumber): Boolean {
+        val all = sweep.runs.mapNotNull { run -> run.numbers.find { it.key == quantity.key }?.value }
+        val finite = all.filter { it.isFinite() }
+        return finite.max() - finite.min() > ROUNDING * maxOf(abs(finite.max()), abs(finite.min()))
     }
 
     private fun name(axis: Int, quantity: ReportNumber): String {
@@ -89,5 +97,8 @@ public class SweepPlots(private val sweep: Sweep) {
         /** Ratio of the largest to the smallest value from which an axis is logarithmic. */
         const val WIDE = 20.0
         const val LONGEST = 24
+
+        /** Relative difference that is no difference. */
+        const val ROUNDING = 1e-12
     }
 }

@@ -122,6 +122,13 @@ class SweepTest {
     }
 
     @Test
+    fun `a number that is the same for all runs but for round-off has no plot`() {
+        val runs = listOf("1", "2").map { run(listOf(it), 1, 0.1 + it.toDouble() * 1e-16) }
+        assertEquals(0, SweepPlots(Sweep(listOf("a"), runs)).write(folder))
+        assertEquals(1, SweepPlots(Sweep(listOf("a"), runs + run(listOf("2"), 2, 0.1001))).write(folder))
+    }
+
+    @Test
     fun `values that are no numbers stand at the axis in their order`() {
         val runs = listOf("[2,1]", "[1,3]").flatMap { a -> (1L..2).map { run(listOf(a), it, it * 1.0) } }
         assertEquals(1, SweepPlots(Sweep(listOf("box"), runs)).write(folder))
