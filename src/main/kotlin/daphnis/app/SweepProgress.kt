@@ -69,7 +69,6 @@ internal class SweepProgress(private val quiet: Boolean, private val all: Int) :
         if (result == null) return
         parts[run.name] = 1.0
         if (result.failure == null) finished++ else failed++
-        result.remark?.let { notice(run.name, it) }
         if (quiet) return
         if (live) return show()
         val how = if (result.failure == null) "done" else "failed"

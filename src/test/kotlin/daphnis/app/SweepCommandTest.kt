@@ -107,9 +107,16 @@ class SweepCommandTest {
         val said = assertDone(result)
         assertTrue("temperature at the end" in said && "filling factor" !in said) { said }
         assertTrue("2 runs: no numbers of the report: has no snapshots" in said) { said }
-        assertEquals(1, result.err.trim().lines().size) { result.err }
-        assertTrue("no numbers of the report: has no snapshots" in result.err) { result.err }
+        assertEquals("", result.err)
         assertFalse(Files.exists(folder.resolve("a/plots")))
+    }
+
+    @Test
+    fun `runs that are not steady are counted below the table`() {
+        val words = arrayOf("cooling-gas", "--set", "until=20", "--set", "particles.count=300", "--seeds", "1,2")
+        val said = assertDone(sweep(*words, "--out", out("a"), "--quiet"))
+        assertTrue("2 runs: not steady over the time averaged" in said) { said }
+        assertTrue(lines("a/runs.csv").drop(1).all { it.endsWith(",not steady over the time averaged") })
     }
 
     @Test

@@ -93,7 +93,9 @@ internal class SweepWork(
     /** The numbers of a finished run, and what is to be said of those that are missing. */
     private fun numbers(place: RunDirectory): Pair<List<ReportNumber>, String?> = try {
         val input = AnalysisInput.ofRun(place.path)
-        Analysis(input, AnalysisOptions(from)).numbers() + atEnd(place.path, input.units) to null
+        val ofReport = Analysis(input, AnalysisOptions(from)).numbers()
+        val remark = if (ofReport.all { it.isSteady }) null else "not steady over the time averaged"
+        ofReport + atEnd(place.path, input.units) to remark
     } catch (e: InputException) {
         val units = UnitNames(ScenarioJson.read(place.scenario).units)
         atEnd(place.path, units) to "no numbers of the report: ${words(e).removePrefix("${place.path}: ")}"

@@ -62,11 +62,15 @@ public class Analysis @JvmOverloads constructor(
     public fun numbers(): List<ReportNumber> {
         val sections = Sections(study(Path.of("")), Sections.WITH_NUMBERS)
         for (k in sections.states) sections.add(k)
-        return sections.numbers().map { ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value) }
+        return sections.numbers().map {
+            val isSteady = !(sections.isDrifting && it.isAverage)
+            ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value, isSteady)
+        }
     }
 
     private fun study(directory: Path): Study {
-        val from = options.from ?: steady()
+        val start = if (options.from == null) SteadyStart.of(input, steady()) else null
+        val from = options.from ?: start!!.from
         if (input.snapshot(input.size - 1).size == 0) {
             throw InputException(
                 input.name,
@@ -74,7 +78,7 @@ public class Analysis @JvmOverloads constructor(
                 "has no particle left in its last state; there is nothing to measure",
             )
         }
-        return Study(input, from, averaged(from), options, directory)
+        return Study(input, from, averaged(from), options, directory, start?.isFound == true)
     }
 
     /** When a run is hoped to be steady. */

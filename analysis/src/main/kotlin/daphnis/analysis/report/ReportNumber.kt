@@ -11,12 +11,14 @@ import daphnis.core.run.SeriesColumns
  * @property name what the report calls it
  * @property unit of [value], with powers as in `r^2`; empty for a pure number
  * @property value NaN when it has no meaning for this run
+ * @property isSteady false for an average over a time in which the run drifts
  */
-public class ReportNumber(
+public class ReportNumber @JvmOverloads constructor(
     public val key: String,
     public val name: String,
     public val unit: String,
     public val value: Double,
+    public val isSteady: Boolean = true,
 ) {
     public companion object {
         private const val AT_END = "end_"

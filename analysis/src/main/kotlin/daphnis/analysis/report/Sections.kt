@@ -25,6 +25,9 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
         for (section in all) section.add(state)
     }
 
+    /** Whether averages are over a time in which the run drifts. */
+    val isDrifting: Boolean get() = numbers.isDrifting
+
     /** The rows of the table of numbers. */
     fun numbers(): List<NumberRow> = numbers.rows()
 

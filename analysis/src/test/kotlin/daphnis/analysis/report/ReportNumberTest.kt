@@ -55,6 +55,7 @@ class ReportNumberTest {
         assertEquals(summary.collisions.toDouble(), end.getValue("end_collisions").value)
         assertEquals("", end.getValue("end_collisions").unit)
         assertEquals("units of length^2/time^2", end.getValue("end_granular_temperature").unit)
+        assertTrue(end.values.all { it.isSteady })
         assertTrue("end_step" !in end && "end_time" !in end)
     }
 }
