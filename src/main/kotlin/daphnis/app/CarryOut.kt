@@ -9,8 +9,6 @@ import daphnis.core.run.Run
 import daphnis.core.run.Summary
 import daphnis.core.scenario.PlacementSpec
 import java.util.Locale
-import java.util.concurrent.CountDownLatch
-import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /** Carries out what [start] makes, with progress, a plot and the closing lines; Ctrl-C ends it with a checkpoint. */
@@ -52,7 +50,7 @@ private fun originOf(run: Run): String {
 }
 
 /** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */
-private fun drawPlot(run: Run, summary: Summary) {
+internal fun drawPlot(run: Run, summary: Summary) {
     fun none(e: Throwable) = warn("no plot: ${e.message ?: e.javaClass.simpleName}; the run is complete")
     try {
         val scenario = run.scenario ?: return
@@ -75,7 +73,7 @@ private fun quoted(word: String) =
  * Loads what the plot needs beside the start of the run. What fails here fails again when the plot is drawn, and is
  * said then.
  */
-private fun preparePlot() {
+internal fun preparePlot() {
     thread(isDaemon = true, name = "daphnis-plot", priority = Thread.MIN_PRIORITY) {
         try {
             RunPlot.prepare()
@@ -97,43 +95,4 @@ private fun report(summary: Summary) {
     say("temperature %.6g, energy %.6g, deepest overlap %.2g", summary.temperature, summary.energy, summary.maxOverlap)
     if (summary.guardActivations > 0) say("the collapse guard made %d collisions elastic", summary.guardActivations)
     println("state digest ${summary.stateDigest}")
-}
-
-/**
- * Turns Ctrl-C and a polite kill into a request that the run sees between two steps. The JVM ends as soon as its hooks
- * have, so the hook waits until the run has written its checkpoint, but not for ever: a step that does not end is given
- * up, and the last checkpoint stands.
- */
-private class Interruption {
-    @Volatile
-    var requested = false
-
-    /** Whether there is a run that can end with a checkpoint. */
-    @Volatile
-    var armed = false
-
-    private val finished = CountDownLatch(1)
-    private val hook = Thread {
-        requested = true
-        if (armed && finished.await(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS)) Runtime.getRuntime().halt(EXIT_INTERRUPTED)
-    }
-
-    init {
-        Runtime.getRuntime().addShutdownHook(hook)
-    }
-
-    fun done() {
-        System.out.flush()
-        finished.countDown()
-        try {
-            Runtime.getRuntime().removeShutdownHook(hook)
-        } catch (e: IllegalStateException) {
-            // The hook runs already: it will end the process; nothing may be returned to the shell before.
-            Thread.currentThread().join()
-        }
-    }
-
-    private companion object {
-        const val LONGEST_WAIT_SECONDS = 60L
-    }
 }

@@ -12,27 +12,27 @@ import java.nio.file.InvalidPathException
 
 /** Says in one line on the error stream what went wrong. @return the exit code for it */
 internal fun complain(e: Throwable): Int = when (e) {
-    is InputException -> complain(inFlags(e), EXIT_INPUT)
-    is FormatException -> complain(e.message.orEmpty(), EXIT_INPUT)
-    is FleetException -> complain(e.message.orEmpty(), EXIT_FAILED)
-    is RunException -> complain(e.message.orEmpty(), EXIT_FAILED)
+    is InputException, is FormatException, is InvalidPathException -> complain(reasonInWords(e), EXIT_INPUT)
+    else -> complain(reasonInWords(e), EXIT_FAILED)
+}
+
+/** What went wrong, as a user of the command line is told. */
+internal fun reasonInWords(e: Throwable): String = when (e) {
+    is InputException -> inFlags(e)
+    is FormatException, is FleetException, is RunException -> e.message.orEmpty()
     is InvalidPathException -> {
-        val mend = "names beyond ASCII need a locale with UTF-8"
-        complain("${e.input}: cannot be a path here: ${e.reason}; $mend", EXIT_INPUT)
+        "${e.input}: cannot be a path here: ${e.reason}; names beyond ASCII need a locale with UTF-8"
     }
-    is IOException -> complain(reasonOf(e), EXIT_FAILED)
+    is IOException -> reasonOf(e)
     is OutOfMemoryError -> {
         val heap = Runtime.getRuntime().maxMemory() shr 20
-        complain("not enough memory (the JVM has $heap MiB); raise it with JAVA_OPTS=-Xmx…", EXIT_FAILED)
+        "not enough memory (the JVM has $heap MiB); raise it with JAVA_OPTS=-Xmx…"
     }
-    is StackOverflowError -> {
-        complain("not enough stack; raise it with JAVA_OPTS=-Xss…, or the input is nested too deeply", EXIT_FAILED)
-    }
+    is StackOverflowError -> "not enough stack; raise it with JAVA_OPTS=-Xss…, or the input is nested too deeply"
     is LinkageError -> {
-        val what = words(e.cause ?: e)
-        complain("a part of daphnis or of Java is missing: $what; build it again, or use a whole JDK", EXIT_FAILED)
+        "a part of daphnis or of Java is missing: ${words(e.cause ?: e)}; build it again, or use a whole JDK"
     }
-    else -> complain("unexpected ${words(e)}; this is a fault of daphnis, $DEBUG shows where", EXIT_FAILED)
+    else -> "unexpected ${words(e)}; this is a fault of daphnis, $DEBUG shows where"
 }
 
 /** The message of [e] in the words of the command line: arguments and ways out are flags. */

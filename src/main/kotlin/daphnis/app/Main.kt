@@ -59,6 +59,7 @@ internal fun runDaphnis(args: Array<String>): Int {
         DescribeCommand(),
         NodeCommand(),
         BenchCommand(),
+        SweepCommand(),
     )
     return try {
         requireReadable(words)

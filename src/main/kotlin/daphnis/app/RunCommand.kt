@@ -19,7 +19,6 @@ import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
 import java.nio.file.Files
-import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /** `daphnis run`. */
@@ -62,8 +61,16 @@ class RunCommand : CliktCommand(name = "run") {
             originNamed(it)
         }
         val source = scenario ?: origin?.let { ownScenario(it) } ?: "paper-figure-1"
-        val resolved = resolve(described(scenarioNamed(source, settings + shorthands())), source, origin)
-        val directory = out?.let { pathOf(it, "--out") } ?: directoryNamed(resolved.name)
+        val changes = settings + listOfNotNull(
+            from?.let { "from $it" },
+            until?.let { "until=$it" },
+            steps?.let { "steps=$it" },
+            seed?.let { "seed=$it" },
+        )
+        val changed = scenarioNamed(source, settings + shorthands()).changedBy(changes)
+        val resolved = resolve(changed, source, origin)
+        val directory =
+            out?.let { pathOf(it, "--out") } ?: freeDirectory(Path.of("runs").resolve(directoryName(resolved.name)))
         fleet.withEngines(resolved.name, threads) { engines ->
             carryOut(quiet) { Run.start(resolved, source, directory, force, engines, from = origin) }
         }
@@ -96,20 +103,6 @@ class RunCommand : CliktCommand(name = "run") {
         seed?.let { "seed=$it" },
     )
 
-    /** What the command line changes of the physics is said behind the description, which may no longer hold. */
-    private fun described(scenario: Scenario): Scenario {
-        val changes = settings.filterNot { it.startsWith("output.") || it.startsWith("engine.") } +
-            listOfNotNull(
-                from?.let { "from $it" },
-                until?.let { "until=$it" },
-                steps?.let { "steps=$it" },
-                seed?.let { "seed=$it" },
-            )
-        val isOwn = settings.any { it.startsWith("description=") }
-        if (scenario.description.isEmpty() || changes.isEmpty() || isOwn) return scenario
-        return scenario.copy(description = "${scenario.description}; changed: ${changes.joinToString(", ")}")
-    }
-
     private fun resolve(scenario: Scenario, source: String, origin: RunOrigin?): Scenario {
         val steps = steps ?: return scenario
         if (until != null) {
@@ -121,23 +114,7 @@ class RunCommand : CliktCommand(name = "run") {
         return scenario.copy(until = (origin?.state?.time ?: scenario.startTime) + steps * step.dt)
     }
 
-    /** runs/NAME, or runs/NAME-2, -3, … */
-    private fun directoryNamed(name: String): Path {
-        val letters = name.map { if (isNameable(it)) it else '-' }.joinToString("")
-        val safe = letters.trim('.').take(LONGEST_NAME).ifEmpty { "run" }
-        return freeDirectory(Path.of("runs").resolve(safe))
-    }
-
-    /** Letters beyond ASCII only where the file system takes them, which depends on the locale. */
-    private fun isNameable(c: Char): Boolean = try {
-        c in "-_." || (c.isLetterOrDigit() && Path.of("$c").toString() == "$c")
-    } catch (e: InvalidPathException) {
-        false
-    }
-
     private companion object {
-        const val LONGEST_NAME = 80
-
         /** Keys of a scenario that make its initial state. */
         val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities")
     }

@@ -25,3 +25,15 @@ internal fun scenarioNamed(word: String, settings: List<String>): Scenario {
     }
     return ScenarioJson.read(path, settings).atHome(path.toAbsolutePath().parent)
 }
+
+/**
+ * What the command line changes of the physics is said behind the description, which may no longer hold.
+ *
+ * @param changes as `path=value`
+ */
+internal fun Scenario.changedBy(changes: List<String>): Scenario {
+    val told = changes.filterNot { it.startsWith("output.") || it.startsWith("engine.") }
+    val isOwn = changes.any { it.startsWith("description=") }
+    if (description.isEmpty() || told.isEmpty() || isOwn) return this
+    return copy(description = "$description; changed: ${told.joinToString(", ")}")
+}

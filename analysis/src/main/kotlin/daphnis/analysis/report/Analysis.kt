@@ -39,15 +39,7 @@ public class Analysis @JvmOverloads constructor(
      */
     @JvmOverloads
     public fun write(directory: Path, progress: AnalysisProgress = AnalysisProgress { _, _, _ -> }) {
-        val from = options.from ?: steady()
-        if (input.snapshot(input.size - 1).size == 0) {
-            throw InputException(
-                input.name,
-                null,
-                "has no particle left in its last state; there is nothing to measure",
-            )
-        }
-        val study = Study(input, from, averaged(from), options, directory)
+        val study = study(directory)
         val sections = Sections(study)
         val all = sections.states.size + PARTS
         for ((done, k) in sections.states.withIndex()) {
@@ -60,6 +52,33 @@ public class Analysis @JvmOverloads constructor(
         progress.next(all - 1, all, "report")
         Files.writeString(directory.resolve("report.html"), page.html(subtitle(study)))
         progress.next(all, all, "done")
+    }
+
+    /**
+     * The rows of `tables/numbers.csv` in its order, without writing anything.
+     *
+     * @throws daphnis.core.format.FormatException when a state cannot be read
+     */
+    public fun numbers(): List<ReportNumber> {
+        val sections = Sections(study(Path.of("")), Sections.WITH_NUMBERS)
+        for (k in sections.states) sections.add(k)
+        return sections.numbers().map {
+            val isSteady = !(sections.isDrifting && it.isAverage)
+            ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value, isSteady)
+        }
+    }
+
+    private fun study(directory: Path): Study {
+        val start = if (options.from == null) SteadyStart.of(input, steady()) else null
+        val from = options.from ?: start!!.from
+        if (input.snapshot(input.size - 1).size == 0) {
+            throw InputException(
+                input.name,
+                null,
+                "has no particle left in its last state; there is nothing to measure",
+            )
+        }
+        return Study(input, from, averaged(from), options, directory, start?.isFound == true)
     }
 
     /** When a run is hoped to be steady. */

@@ -6,8 +6,8 @@ import daphnis.analysis.statistics.BlockAverage
  * A quantity with its value.
  *
  * @property name what it is called on the page
- * @property error one standard error; NaN for none, either because there is none or, [isUncertain], because too few
- *   independent states tell it
+ * @property error one standard error; NaN for none, either because there is none or because it is [unknown]
+ * @property unknown why an average has no error; null when it has one, or is no average
  * @property key what it is called in `tables/numbers.csv` and among the [References]: lower case, and the same in every
  *   version, whatever the [name]; null for a number that stands on the page only
  */
@@ -18,9 +18,32 @@ internal class NumberRow(
     val unit: String,
     val reference: Reference? = null,
     val note: String = "",
-    val isUncertain: Boolean = false,
+    val unknown: Unknown? = null,
     val key: String? = null,
-)
+) {
+    /** Whether it is an average, not a number that follows from the particles themselves. */
+    val isAverage: Boolean get() = !error.isNaN() || unknown != null
+
+    /** This average over a time in which the run was not steady: an error would say that more is known than is. */
+    fun unsteady(): NumberRow =
+        if (error.isNaN()) this else NumberRow(name, value, Double.NaN, unit, reference, note, Unknown.UNSTEADY, key)
+}
+
+/**
+ * Why an average has no error.
+ *
+ * @property remark in `numbers.csv`
+ * @property mark behind the value on the page
+ * @property sentence below the table
+ */
+internal enum class Unknown(val remark: String, val mark: String, val sentence: String) {
+    TOO_FEW(
+        "too few independent states",
+        "?",
+        "No error can be given: the states that are averaged are worth fewer than eight independent ones.",
+    ),
+    UNSTEADY("not steady", "!", "No error is given: the run is not steady over the time averaged."),
+}
 
 /** A list of quantities in the making; each gets the one of [references] that has its key. */
 internal class NumberRows(private val references: Map<String, Reference> = emptyMap()) {
@@ -28,8 +51,8 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
 
     /** The average [a] in [unit]. */
     fun average(key: String, name: String, a: BlockAverage, unit: String, note: String = "") {
-        val isUncertain = !a.isLevelled && !a.mean.isNaN()
-        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, isUncertain, key)
+        val unknown = if (!a.isLevelled && !a.mean.isNaN()) Unknown.TOO_FEW else null
+        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key)
     }
 
     /** A [value] without error, which follows from the particles themselves. */

@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.statistics.Steadiness.Verdict
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -11,8 +12,25 @@ internal class NumbersSection(private val study: Study, private val others: List
     override fun numbers(): List<NumberRow> =
         study.input.omega?.let { RingNumbers(study, it).rows() } ?: BoxNumbers(study).rows()
 
+    /** What tells whether the run is steady; asked for when all states have been seen. */
+    private val histories by lazy {
+        val (from, motion) = study.from to study.motion
+        RunHistory.of(study.input, from).ifEmpty {
+            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
+        }
+    }
+
+    /** Whether one of the main quantities drifts over the time averaged; asked for like [rows]. */
+    val isDrifting by lazy { histories.any { it.steadiness(study.from).verdict == Verdict.DRIFTING } }
+
+    /** All rows of the table; without errors where the run is not steady. */
+    fun rows(): List<NumberRow> {
+        val all = numbers() + others.flatMap { it.numbers() }
+        return if (isDrifting) all.map { it.unsteady() } else all
+    }
+
     override fun write(page: ReportPage) {
-        val rows = numbers() + others.flatMap { it.numbers() }
+        val rows = rows()
         val notes = ArrayList<String>()
         if (rows.any { !it.error.isNaN() }) {
             notes += "± is one standard error; numbers without it follow from the particles themselves."
@@ -25,7 +43,7 @@ internal class NumbersSection(private val study: Study, private val others: List
         Files.createDirectories(study.tables)
         val lines = rows.map {
             val error = if (it.error.isNaN()) "" else it.error
-            val remark = if (it.isUncertain) "too few independent states" else ""
+            val remark = it.unknown?.remark.orEmpty()
             "${checkNotNull(it.key) { it.name }},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
         }
         val header = "quantity,value,standard_error,unit,reference,remark"
@@ -34,11 +52,8 @@ internal class NumbersSection(private val study: Study, private val others: List
 
     /** Whether the averages are over a steady time, in sentences. */
     private fun steadiness(): List<String> {
-        val (from, motion) = study.from to study.motion
-        val histories = RunHistory.of(study.input, from).ifEmpty {
-            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
-        }
         val orbit = study.input.omega?.let { 2 * PI / it }
-        return SteadinessText(from, if (orbit != null) "orbit" else "unit of time", orbit ?: 1.0).of(histories)
+        val text = SteadinessText(study.from, if (orbit != null) "orbit" else "unit of time", orbit ?: 1.0)
+        return listOfNotNull(if (study.isStartFound) text.found() else null) + text.of(histories)
     }
 }

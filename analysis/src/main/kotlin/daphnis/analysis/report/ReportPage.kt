@@ -64,12 +64,15 @@ internal class ReportPage(private val title: String) {
         val lines = rows.joinToString("") { row -> "<tr>${cells(row)}${if (compared) comparison(row) else ""}</tr>\n" }
         val table = "<table class=\"numbers\"><thead><tr>$head</tr></thead><tbody>\n$lines</tbody></table>"
         body.append(scrolling("numbers", table)).append('\n')
-        if (rows.any { it.isUncertain }) body.append("<p><small><sup>?</sup> ${escape(UNCERTAIN)}</small></p>\n")
+        for (why in Unknown.entries) {
+            if (rows.none { it.unknown == why }) continue
+            body.append("<p><small><sup>${why.mark}</sup> ${escape(why.sentence)}</small></p>\n")
+        }
     }
 
     private fun cells(row: NumberRow): String {
         val note = if (row.note.isEmpty()) "" else " <small>${escape(row.note)}</small>"
-        val value = ReportText.withError(row.value, row.error) + if (row.isUncertain) "<sup>?</sup>" else ""
+        val value = ReportText.withError(row.value, row.error) + row.unknown?.let { "<sup>${it.mark}</sup>" }.orEmpty()
         val unit = escape(UnitNames.raised(row.unit))
         return "<td>${escape(row.name)}$note</td><td class=\"n\">$value</td><td class=\"u\">$unit</td>"
     }
@@ -100,9 +103,6 @@ $body</main></body></html>
     }
 
     companion object {
-        private const val UNCERTAIN =
-            "No error can be given: the states that are averaged are worth fewer than eight independent ones."
-
         fun escape(text: String): String =
             text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
     }

@@ -8,10 +8,29 @@ import daphnis.core.run.SeriesColumns
 import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.TransportColumns.moment
+import kotlin.math.abs
 import kotlin.math.sqrt
 
 /** A quantity over the whole of a run; [times] ascending. */
-internal class History(val name: String, val times: DoubleArray, val values: DoubleArray)
+internal class History(val name: String, val times: DoubleArray, val values: DoubleArray) {
+    /** Index of the first value at [from] or later; the number of values when there is none. */
+    fun first(from: Double): Int = times.indexOfFirst { it >= from }.let { if (it < 0) times.size else it }
+
+    /** Whether it has a trend over the time [from] on; a change too small for a word is none. */
+    fun steadiness(from: Double): Steadiness {
+        val averaged = values.copyOfRange(first(from), values.size)
+        val found = Steadiness.of(averaged)
+        return if (abs(found.change) <= NEGLIGIBLE * abs(averaged.average())) found.steady() else found
+    }
+
+    /** The time from which it is steady by MSER-5; null where it never is. */
+    fun steadyFrom(): Double? = Steadiness.steadyFrom(values).let { if (it < 0) null else times[it] }
+
+    private companion object {
+        /** Change, as a part of the average, that is not worth a word. */
+        const val NEGLIGIBLE = 1e-3
+    }
+}
 
 /** What a run wrote that tells whether it is steady: rows of transport.csv, else of series.csv. */
 internal object RunHistory {

@@ -1,9 +1,14 @@
 package daphnis.analysis.report
 
-/** The sections of a report in their order. Those that would mean nothing are left out, and the report says why. */
-internal class Sections(private val study: Study) {
-    private val further: List<Section> = LIST.map { it(study) }.filter { it.applies }
-    private val all: List<Section> = listOf<Section>(NumbersSection(study, further)) + further
+/**
+ * The sections of a report in their order. Those that would mean nothing are left out, and the report says why.
+ *
+ * @param list makers of the sections behind that of the numbers
+ */
+internal class Sections(private val study: Study, list: List<(Study) -> Section> = LIST) {
+    private val further: List<Section> = list.map { it(study) }.filter { it.applies }
+    private val numbers = NumbersSection(study, further)
+    private val all: List<Section> = listOf<Section>(numbers) + further
     private val averaged = study.averaged.toSet()
     private val followed = further.associateWith { it.followed.toSet() }
 
@@ -19,6 +24,12 @@ internal class Sections(private val study: Study) {
         study.motion.add(state)
         for (section in all) section.add(state)
     }
+
+    /** Whether averages are over a time in which the run drifts. */
+    val isDrifting: Boolean get() = numbers.isDrifting
+
+    /** The rows of the table of numbers. */
+    fun numbers(): List<NumberRow> = numbers.rows()
 
     fun write(page: ReportPage) {
         val missing = ArrayList<String>()
@@ -36,8 +47,11 @@ internal class Sections(private val study: Study) {
         page.list(missing)
     }
 
-    private companion object {
-        val LIST: List<(Study) -> Section> = listOf(
+    companion object {
+        /** Those that have numbers: all that it takes where nothing is written. */
+        val WITH_NUMBERS: List<(Study) -> Section> = listOf(::DiffusionSection)
+
+        private val LIST: List<(Study) -> Section> = listOf(
             ::PictureSection,
             ::EvolutionSection,
             ::StreamlineSection,

@@ -21,14 +21,11 @@ internal class SteadinessText(private val from: Double, private val unit: String
         val steady = ArrayList<String>()
         val short = ArrayList<String>()
         for (history in histories) {
-            val first = history.times.indexOfFirst { it >= from }.let { if (it < 0) history.times.size else it }
-            val values = history.values.copyOfRange(first, history.values.size)
-            val found = Steadiness.of(values)
-            val mean = values.average()
-            when {
-                found.verdict == Verdict.TOO_SHORT -> short += history.name
-                found.verdict == Verdict.STEADY || abs(found.change) <= NEGLIGIBLE * abs(mean) -> steady += history.name
-                else -> lines += drift(history, found.change / abs(mean), history.times.last() - history.times[first])
+            val found = history.steadiness(from)
+            when (found.verdict) {
+                Verdict.TOO_SHORT -> short += history.name
+                Verdict.STEADY -> steady += history.name
+                Verdict.DRIFTING -> lines += drift(history, found.change)
             }
         }
         if (steady.isNotEmpty()) lines += "No drift is seen over the time averaged: ${steady.joinToString()}."
@@ -39,25 +36,29 @@ internal class SteadinessText(private val from: Double, private val unit: String
         return lines
     }
 
-    private fun drift(history: History, part: Double, time: Double): String {
+    private fun drift(history: History, change: Double): String {
+        val first = history.first(from)
+        val part = change / abs(history.values.copyOfRange(first, history.values.size).average())
         val what = if (part < 0) "fell" else "rose"
-        val each = percent(abs(part) * duration / time)
-        val mser = Steadiness.steadyFrom(history.values).let { if (it < 0) null else history.times[it] }
+        val each = percent(abs(part) * duration / (history.times.last() - history.times[first]))
+        val mser = history.steadyFrom()
         val advice = if (mser != null && mser > from) {
-            val inOrbits = if (unit == "orbit") " (${ReportText.short(mser / duration)} orbits)" else ""
-            "by MSER-5 it is steady from time ${ReportText.short(mser)}$inOrbits on (--from)"
+            "by MSER-5 it is steady from time ${time(mser)} on (--from)"
         } else {
             "a longer run is needed"
         }
         return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged " +
-            "($each per $unit), more than its fluctuations explain; ± does not include this; $advice."
+            "($each per $unit), more than its fluctuations explain, so no ± is given; $advice."
+    }
+
+    /** That averages begin where the run was found to become steady. */
+    fun found(): String = "The run became steady at time ${time(from)}, by MSER-5; averages begin there."
+
+    private fun time(time: Double): String {
+        val inOrbits = if (unit == "orbit") " (${ReportText.short(time / duration)} orbits)" else ""
+        return ReportText.short(time) + inOrbits
     }
 
     private fun percent(part: Double) =
         String.format(Locale.ROOT, if (part < 0.1) "%.2g" else "%.0f", 100 * part) + " %"
-
-    private companion object {
-        /** Change, as a part of the average, that is not worth a word. */
-        const val NEGLIGIBLE = 1e-3
-    }
 }

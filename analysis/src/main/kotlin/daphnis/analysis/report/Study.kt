@@ -15,6 +15,7 @@ import kotlin.math.PI
  * What the sections of a report are made from.
  *
  * @property from averages begin at this time
+ * @property isStartFound whether that is because the run drifted before, see [SteadyStart]
  * @property averaged indices of the states that are averaged, ascending; never empty
  */
 internal class Study(
@@ -23,6 +24,7 @@ internal class Study(
     val averaged: List<Int>,
     val options: AnalysisOptions,
     directory: Path,
+    val isStartFound: Boolean = false,
 ) {
     val lastSnapshot: Snapshot = input.snapshot(input.size - 1)
     val last: State = input.state(input.size - 1, lastSnapshot)

@@ -24,6 +24,9 @@ public class Steadiness private constructor(
     public val significance: Double,
     public val verdict: Verdict,
 ) {
+    /** The same change, called steady. */
+    internal fun steady() = Steadiness(change, significance, Verdict.STEADY)
+
     /** What a series says of its steadiness. */
     public enum class Verdict {
         /** No trend is visible. */

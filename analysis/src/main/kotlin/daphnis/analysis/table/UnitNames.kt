@@ -37,8 +37,9 @@ public class UnitNames(units: UnitsSpec?) {
      * The unit of a quantity whose [dimension] is written with the words length, time and mass; metric only when all of
      * them are.
      */
-    private fun of(dimension: String): String {
+    internal fun of(dimension: String): String {
         val words = names.keys.filter { it in dimension }
+        if (words.isEmpty()) return dimension
         if (words.any { names[it] == null }) return "$UNITS_OF$dimension"
         return words.fold(dimension) { text, word -> text.replace(word, names.getValue(word)!!) }
     }

@@ -23,7 +23,10 @@ class SteadinessTextTest {
         val lines = SteadinessText(20.0, "orbit", 10.0).of(listOf(falls, history("dispersion") { 3.0 }))
         assertEquals(2, lines.size)
         assertTrue(
-            lines[0].startsWith("Not steady: scale height fell by ") && "per orbit" in lines[0] && "MSER-5" in lines[0],
+            lines[0].startsWith("Not steady: scale height fell by ") &&
+                "per orbit" in lines[0] &&
+                "MSER-5" in lines[0] &&
+                "no ± is given" in lines[0],
         ) {
             lines[0]
         }

@@ -17,7 +17,7 @@ import java.util.concurrent.ConcurrentHashMap
  * another on the next file of that name. The list is checked first, because on POSIX systems a process gives up its
  * lock on a file when it closes *any* channel to it.
  */
-internal class RunLock private constructor(private val directory: Path, private val channel: FileChannel) :
+public class RunLock private constructor(private val directory: Path, private val channel: FileChannel) :
     AutoCloseable {
     override fun close() {
         try {
@@ -27,12 +27,19 @@ internal class RunLock private constructor(private val directory: Path, private 
         }
     }
 
-    companion object {
-        const val FILE = ".lock"
+    public companion object {
+        /** Name of the file that is locked. */
+        public const val FILE: String = ".lock"
+
         private val HELD: MutableSet<Path> = ConcurrentHashMap.newKeySet()
 
-        /** @throws InputException when a run is in progress in [directory], or it cannot be written */
-        fun take(directory: Path): RunLock = try {
+        /**
+         * Locks [directory] until the lock is closed.
+         *
+         * @throws InputException when a run is in progress in [directory], or it cannot be written
+         */
+        @JvmStatic
+        public fun take(directory: Path): RunLock = try {
             val real = directory.toRealPath()
             if (!HELD.add(real)) throw busy(directory, ProcessHandle.current().pid().toString())
             try {

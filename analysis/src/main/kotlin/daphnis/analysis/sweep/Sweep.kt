@@ -1,0 +1,49 @@
+package daphnis.analysis.sweep
+
+import daphnis.analysis.report.ReportNumber
+import daphnis.analysis.statistics.SampleMean
+
+/**
+ * Runs that differ in the values of some keys of their scenario, and in their seed. Runs of the same values make a
+ * [Point]; numbers are averaged over its seeds.
+ *
+ * @property keys that were swept, as paths of the scenario; none when only seeds differ
+ * @property runs in the order in which tables have them
+ * @throws IllegalArgumentException when a run has another number of values than there are keys
+ */
+public class Sweep(public val keys: List<String>, public val runs: List<SweepRun>) {
+    init {
+        for (run in runs) {
+            require(run.values.size == keys.size) { "${run.name} has ${run.values.size} values of ${keys.size} keys" }
+        }
+    }
+
+    /** In the order in which their values come first. */
+    public val points: List<Point> = runs.groupBy { it.values }.map { (values, own) -> Point(values, own) }
+
+    /**
+     * A number for each key for which some run has a finite one, in the order in which they come first; the values mean
+     * nothing.
+     */
+    public val quantities: List<ReportNumber> =
+        runs.flatMap { it.numbers }.groupBy { it.key }.values
+            .filter { same -> same.any { it.value.isFinite() } }.map { it.first() }
+
+    /** Runs that failed. */
+    public val failed: List<SweepRun> get() = runs.filter { it.failure != null }
+
+    /** The runs of one combination of [values]. */
+    public class Point internal constructor(public val values: List<String>, public val runs: List<SweepRun>) {
+        /** The number of [key] over those of the runs that have it. */
+        public fun mean(key: String): SampleMean = SampleMean.of(
+            DoubleArray(runs.size) { k -> runs[k].numbers.find { it.key == key }?.value ?: Double.NaN },
+        )
+
+        /** What is to be said of single runs, as a line each. */
+        internal val remarks: List<String>
+            get() = runs.mapNotNull { run ->
+                val what = run.failure?.let { "failed: $it" } ?: run.remark
+                what?.let { "seed ${run.seed} $it" }
+            }
+    }
+}

@@ -1,0 +1,166 @@
+package daphnis.analysis.sweep
+
+import daphnis.analysis.report.ReportNumber
+import daphnis.core.initial.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.math.abs
+
+class SweepTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private fun number(value: Double, key: String = "depth") = ReportNumber(key, "depth τ", "m^2/s", value)
+
+    private fun run(values: List<String>, seed: Long, value: Double) =
+        SweepRun("${values.joinToString()},seed=$seed", values, seed, listOf(number(value)))
+
+    private fun failed(values: List<String>, seed: Long) =
+        SweepRun("${values.joinToString()},seed=$seed", values, seed, emptyList(), "no place, \"none\"")
+
+    private fun oneKey() = Sweep(
+        listOf("a.b"),
+        listOf(
+            run(listOf("1"), 1, 2.0),
+            run(listOf("1"), 2, 4.0),
+            run(listOf("10"), 1, 7.0),
+            failed(listOf("10"), 2),
+        ),
+    )
+
+    private fun written(write: (Path) -> Unit): List<String> {
+        val file = folder.resolve("table.csv")
+        write(file)
+        return Files.readAllLines(file)
+    }
+
+    @Test
+    fun `one standard error of made runs covers the truth in 60 to 75 percent, and of each point alone`() {
+        val random = SeededRandom(8)
+        val covered = IntArray(2)
+        repeat(REALISATIONS) {
+            val runs = listOf(3.0, 50.0).flatMapIndexed { k, truth ->
+                (1L..8).map { run(listOf("$k"), it, truth + (k + 1) * random.nextGaussian()) }
+            }
+            for ((k, point) in Sweep(listOf("x"), runs).points.withIndex()) {
+                val mean = point.mean("depth")
+                if (abs(mean.mean - listOf(3.0, 50.0)[k]) <= mean.error) covered[k]++
+            }
+        }
+        for (c in covered) assertTrue(c.toDouble() / REALISATIONS in 0.60..0.75) { "$c of $REALISATIONS" }
+    }
+
+    @Test
+    fun `the table of means has a row for each point and quantity, and says which runs failed`() {
+        val lines = written { SweepTables(oneKey()).writeMeans(it) }
+        assertEquals("a.b,quantity,unit,mean,standard_error,runs,remark", lines[0])
+        assertEquals("1,depth,m^2/s,3.0,1.0,2,", lines[1])
+        assertEquals("10,depth,m^2/s,7.0,,1,\"seed 2 failed: no place, \"\"none\"\"\"", lines[2])
+        assertEquals(3, lines.size)
+    }
+
+    @Test
+    fun `the table of runs has every number of every run`() {
+        val lines = written { SweepTables(oneKey()).writeRuns(it) }
+        assertEquals("run,a.b,seed,depth [m^2/s],remark", lines[0])
+        assertEquals("\"1,seed=2\",1,2,4.0,", lines[2])
+        assertEquals("\"10,seed=2\",10,2,,\"failed: no place, \"\"none\"\"\"", lines[4])
+    }
+
+    @Test
+    fun `a sweep in which all failed still has its points`() {
+        val sweep = Sweep(listOf("a"), listOf(failed(listOf("1"), 1)))
+        val lines = written { SweepTables(sweep).writeMeans(it) }
+        assertEquals("1,,,,,0,\"seed 1 failed: no place, \"\"none\"\"\"", lines[1])
+        assertEquals("failed: 1,seed=1: no place, \"none\"", SweepText(sweep).text(80))
+        assertEquals(0, SweepPlots(sweep).write(folder.resolve("plots")))
+    }
+
+    @Test
+    fun `the printed table has an error where there are two seeds, and says how often it covers`() {
+        val text = SweepText(oneKey()).text(80)
+        assertEquals("| a.b           |         1 |        10 |", text.lines()[0])
+        assertEquals("| depth τ, m²/s | 3.0 ± 1.0 | 7 (n = 1) |", text.lines()[2])
+        assertTrue("n = 2 runs" in text && "50 % of cases" in text) { text }
+        assertTrue("failed: 10,seed=2: no place" in text) { text }
+    }
+
+    @Test
+    fun `with one seed there is no error anywhere`() {
+        val sweep = Sweep(listOf("a"), listOf(run(listOf("1"), 1, 2.0), run(listOf("2"), 1, 3.5)))
+        assertFalse("±" in SweepText(sweep).text(80))
+        assertTrue("| 3.500 |" in SweepText(sweep).text(80)) { SweepText(sweep).text(80) }
+        assertEquals("1,depth,m^2/s,2.0,,1,", written { SweepTables(sweep).writeMeans(it) }[1])
+    }
+
+    @Test
+    fun `points that do not fit beside each other stand below each other`() {
+        val sweep = Sweep(listOf("a"), (1..9).map { run(listOf("$it"), 1, it * 1.0) })
+        val narrow = SweepText(sweep).text(40)
+        assertTrue(narrow.lines().all { it.length <= 40 } && "\n\n" in narrow) { narrow }
+        assertFalse("\n\n" in SweepText(sweep).text(200))
+        assertEquals(9, SweepText(sweep).text(1).split("\n\n").size)
+    }
+
+    @Test
+    fun `a plot has error bars, one for each quantity and axis, and curves for the other key`() {
+        assertEquals(0, SweepPlots(oneKey().let { Sweep(it.keys, it.runs.take(2)) }).write(folder))
+        assertEquals(1, SweepPlots(oneKey()).write(folder))
+        assertTrue(Files.size(folder.resolve("depth.png")) > 1000)
+        val runs = listOf("1", "2").flatMap { a ->
+            listOf("8", "9").flatMap { b -> (1L..3).map { run(listOf(a, b), it, it + a.toDouble() * b.toDouble()) } }
+        }
+        assertEquals(2, SweepPlots(Sweep(listOf("a", "f[0].b"), runs)).write(folder))
+        val svg = Files.readString(folder.resolve("depth-against-f-0-.b.svg")).replace(Regex("\\s"), "")
+        assertTrue("a1" in svg && "a2" in svg && "f[0].b" in svg)
+    }
+
+    @Test
+    fun `a number that is the same for all runs but for round-off has no plot`() {
+        val runs = listOf("1", "2").map { run(listOf(it), 1, 0.1 + it.toDouble() * 1e-16) }
+        assertEquals(0, SweepPlots(Sweep(listOf("a"), runs)).write(folder))
+        assertEquals(1, SweepPlots(Sweep(listOf("a"), runs + run(listOf("2"), 2, 0.1001))).write(folder))
+    }
+
+    @Test
+    fun `values that are no numbers stand at the axis in their order`() {
+        val runs = listOf("[2,1]", "[1,3]").flatMap { a -> (1L..2).map { run(listOf(a), it, it * 1.0) } }
+        assertEquals(1, SweepPlots(Sweep(listOf("box"), runs)).write(folder))
+        val svg = Files.readString(folder.resolve("depth.svg"))
+        assertTrue(svg.indexOf("[2,1]") in 1..<svg.indexOf("[1,3]"))
+    }
+
+    @Test
+    fun `a quantity that has no meaning in any run is left out, one that has it in some is averaged over those`() {
+        val runs = (1L..3).map {
+            val some = number(if (it == 2L) Double.NaN else it.toDouble(), "some")
+            SweepRun("$it", emptyList(), it, listOf(number(Double.NaN, "none"), some))
+        }
+        val sweep = Sweep(emptyList(), runs)
+        assertEquals(listOf("some"), sweep.quantities.map { it.key })
+        assertEquals("some,m^2/s,2.0,1.0,2,", written { SweepTables(sweep).writeMeans(it) }[1])
+        assertTrue("2.0 ± 1.0 (n = 2)" in SweepText(sweep).text(80))
+        assertEquals(0, SweepPlots(sweep).write(folder.resolve("plots")))
+    }
+
+    @Test
+    fun `more curves than colours are drawn`() {
+        val runs = (1..10).flatMap { a -> listOf("x", "y").map { run(listOf("v$a", it), 1, a * 1.0) } }
+        assertEquals(1, SweepPlots(Sweep(listOf("a", "b"), runs)).write(folder))
+    }
+
+    @Test
+    fun `runs without a value for each key are refused`() {
+        assertThrows(IllegalArgumentException::class.java) { Sweep(listOf("a", "b"), listOf(run(listOf("1"), 1, 1.0))) }
+    }
+
+    private companion object {
+        const val REALISATIONS = 200
+    }
+}

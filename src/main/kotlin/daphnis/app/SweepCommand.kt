@@ -1,0 +1,180 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.double
+import com.github.ajalt.clikt.parameters.types.int
+import com.github.ajalt.mordant.terminal.Terminal
+import daphnis.analysis.sweep.Sweep
+import daphnis.analysis.sweep.SweepPlots
+import daphnis.analysis.sweep.SweepRun
+import daphnis.analysis.sweep.SweepTables
+import daphnis.analysis.sweep.SweepText
+import daphnis.app.sweep.PlannedRun
+import daphnis.app.sweep.SharedCores
+import daphnis.app.sweep.SweepDirectory
+import daphnis.app.sweep.SweepPlan
+import daphnis.app.sweep.SweepRecord
+import daphnis.app.sweep.SweepWork
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Nearest
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import kotlinx.serialization.json.Json
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.Callable
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
+
+/** `daphnis sweep`. */
+class SweepCommand : CliktCommand(name = "sweep") {
+    private val scenario by argument(help = "scenario file or built-in name")
+    private val settings by option(
+        "--set",
+        metavar = "path=value,…",
+        help = "values of a key of the scenario; several lists give all combinations. A comma within brackets, " +
+            "braces or quotation marks belongs to the value: 'box.lengths=[9,9,9],[12,12,12]'",
+    ).multiple()
+    private val seeds by option(
+        "--seeds",
+        metavar = "from..to",
+        help = "seeds of each combination, such as 1..8 or 1,5,9 (default: the scenario's alone)",
+    )
+    private val jobs by option("--jobs", help = "runs at a time, which share the cores (default: one per core)").int()
+    private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
+    private val from by option(
+        "--from",
+        help = "averages begin at this time, in the scenario's unit of time (default: after 3/8 of each run)",
+    ).double()
+    private val out by option(
+        "--out",
+        metavar = "dir",
+        help = "directory of the sweep, new or with the same sweep, which goes on (default: runs/NAME-sweep)",
+    )
+    private val quiet by option("--quiet", help = "no progress").flag()
+
+    override fun help(context: Context) =
+        "Run a scenario for many values and seeds, and tabulate and plot the means with their errors."
+
+    override fun run() {
+        jobs?.let {
+            if (it !in
+                1..MOST_JOBS
+            ) {
+                throw InputException("--jobs", null, "is $it; it must be in 1..$MOST_JOBS")
+            }
+        }
+        from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
+        val plan = SweepPlan.of(settings, seeds)
+        val base = scenarioNamed(scenario, emptyList())
+        // All that can be wrong with a scenario itself is told before the first run.
+        for (run in plan.runs.distinctBy { it.settings }) scenarioOf(run)
+        requireEngine()
+        val place = SweepDirectory(
+            out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep"),
+        )
+        val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
+        writing(place.path.toAbsolutePath().parent) { place.claim(record) }.use { carryOut(plan, place) }
+    }
+
+    private fun scenarioOf(run: PlannedRun): Scenario {
+        val seed = listOfNotNull(run.seed?.let { "seed=$it" })
+        val shorthand = listOfNotNull(engine?.let { "engine.name=$it" })
+        // Threads are shared out, unless the command line says how many.
+        val words = listOf("engine.threads=0") + run.settings + shorthand + seed
+        return scenarioNamed(scenario, words).changedBy(run.settings + seed)
+    }
+
+    private fun requireEngine() {
+        val name = engine ?: return
+        if (name in allEngines.names) return
+        val known = "known are ${allEngines.names.joinToString()}"
+        val problem = "'$name' is no engine; ${Nearest.question(name, allEngines.names)}$known"
+        throw InputException("--engine", null, problem)
+    }
+
+    private fun carryOut(plan: SweepPlan, place: SweepDirectory) {
+        val runs = plan.runs
+        val cores = Runtime.getRuntime().availableProcessors()
+        val together = minOf(jobs ?: cores, runs.size)
+        val progress = SweepProgress(quiet, runs.size)
+        val interruption = Interruption()
+        preparePlot()
+        try {
+            val engines = SharedCores(allEngines, maxOf(1, cores / together))
+            val work = SweepWork(
+                place,
+                engines,
+                ::scenarioOf,
+                scenario,
+                from,
+                progress,
+                ::reasonInWords,
+                ::drawPlot,
+            ) { interruption.requested }
+            interruption.armed = true
+            val results = inParallel(runs, together) { run ->
+                progress.begun(run)
+                work.carryOut(run).also { progress.ended(run, it) }
+            }
+            progress.clear()
+            val done = results.filterNotNull()
+            if (done.size < runs.size) {
+                val finished = done.count { it.failure == null }
+                println("interrupted with $finished of ${runs.size} runs finished; the same command goes on with them")
+                throw ProgramResult(EXIT_INTERRUPTED)
+            }
+            conclude(Sweep(plan.varying.map { it.path }, done), place)
+            if (interruption.requested) {
+                println("interrupted at the end: the sweep is complete")
+                throw ProgramResult(EXIT_INTERRUPTED)
+            }
+        } finally {
+            interruption.done()
+        }
+    }
+
+    /** What [act] makes of each of [runs], in their order, [jobs] at a time. */
+    private fun inParallel(runs: List<PlannedRun>, jobs: Int, act: (PlannedRun) -> SweepRun?): List<SweepRun?> {
+        val pool = Executors.newFixedThreadPool(jobs) { Thread(it, "daphnis-sweep").apply { isDaemon = true } }
+        try {
+            return runs.map { pool.submit(Callable { act(it) }) }.map { it.get() }
+        } catch (e: ExecutionException) {
+            throw e.cause ?: e
+        } finally {
+            pool.shutdownNow()
+        }
+    }
+
+    private fun conclude(sweep: Sweep, place: SweepDirectory) {
+        val terminal = Terminal()
+        val columns = if (terminal.terminalInfo.outputInteractive) columnsFor(terminal) else WIDE
+        println(SweepText(sweep).text(columns))
+        var plots = 0
+        writing(place.path) {
+            val tables = SweepTables(sweep)
+            tables.writeMeans(place.means)
+            tables.writeRuns(place.runs)
+            Files.writeString(place.text, "# $scenario\n\n${SweepText(sweep).text(WIDE)}\n")
+            plots = SweepPlots(sweep).write(place.plots)
+        }
+        if (!quiet) println("\n${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
+        val failed = sweep.failed.size
+        if (failed > 0) {
+            throw ProgramResult(complain("$failed of ${sweep.runs.size} runs failed, see ${place.runs}", EXIT_FAILED))
+        }
+    }
+
+    private companion object {
+        const val MOST_JOBS = 1000
+
+        /** Columns of a table where there is no terminal. */
+        const val WIDE = 120
+    }
+}

@@ -1,0 +1,50 @@
+package daphnis.app.sweep
+
+/**
+ * Names for the directories of runs: `opticalDepth=0.1,seed=3`. A key goes by the last part of its path where that is
+ * clear. Characters that a shell or a file system may take amiss become `-`; values that so become alike are numbered.
+ */
+internal class RunNames(private val keys: List<SweptKey>) {
+    private val short: List<String> = run {
+        val last = keys.map { it.path.substringAfterLast('.') }
+        keys.indices.map { k ->
+            val isClear = last.count { it.equals(last[k], ignoreCase = true) } == 1 && '[' !in keys[k].path
+            safe(if (isClear) last[k] else keys[k].path)
+        }
+    }
+    private val values: List<Map<String, String>> = keys.map { key ->
+        val taken = HashSet<String>()
+        key.values.associateWith { value ->
+            val base = safe(value).ifEmpty { "empty" }
+            generateSequence(1) { it + 1 }.map {
+                if (it ==
+                    1
+                ) {
+                    base
+                } else {
+                    "$base-$it"
+                }
+            }.first { taken.add(it.lowercase()) }
+        }
+    }
+
+    /** The name of the run with [own] values of the keys. */
+    fun of(own: List<String>, seed: Long?): String {
+        val parts = keys.indices.map { "${short[it]}=${values[it].getValue(own[it])}" } + listOfNotNull(
+            seed?.let { "seed=$it" },
+        )
+        return parts.joinToString(",")
+    }
+
+    private fun safe(text: String): String =
+        text.map { if (it in PLAIN) it else '-' }.joinToString("").replace(Regex("-{2,}"), "-").let {
+            if (text.toDoubleOrNull() != null) it else it.trim('-')
+        }.take(LONGEST)
+
+    private companion object {
+        val PLAIN = ('a'..'z') + ('A'..'Z') + ('0'..'9') + listOf('.', '_', '-', '+')
+
+        /** Of a part: file systems allow 255 bytes for all. */
+        const val LONGEST = 32
+    }
+}

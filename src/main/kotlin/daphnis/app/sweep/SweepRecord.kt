@@ -1,0 +1,105 @@
+package daphnis.app.sweep
+
+import daphnis.core.format.FormatException
+import daphnis.core.run.Version
+import daphnis.core.run.reasonOf
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption
+
+/**
+ * `sweep.json`: what a sweep consists of, so that the same command goes on with it and another one is refused.
+ *
+ * @property scenario as it is before anything is set, as JSON
+ * @property keys of the settings, in their order
+ * @property seeds null for the scenario's
+ */
+internal class SweepRecord(
+    private val scenario: JsonElement,
+    private val keys: List<SweptKey>,
+    private val seeds: List<Long>?,
+) {
+    /** What this record has otherwise than the [earlier] one, as the end of a sentence; null when nothing. */
+    fun difference(earlier: SweepRecord): String? {
+        val before = earlier.keys.associate { it.path to it.values.joinToString(",") }
+        val now = keys.associate { it.path to it.values.joinToString(",") }
+        for (path in before.keys + now.keys) {
+            if (before[path] == now[path]) continue
+            return "--set $path was ${before[path] ?: "not given"} and is ${now[path] ?: "not given"}"
+        }
+        if (before.keys.toList() != now.keys.toList()) {
+            return "--set was in the order ${before.keys.joinToString()} and is ${now.keys.joinToString()}"
+        }
+        if (seeds != earlier.seeds) return "--seeds was ${text(earlier.seeds)} and is ${text(seeds)}"
+        return changed("", earlier.scenario, scenario)
+    }
+
+    private fun text(seeds: List<Long>?): String {
+        if (seeds == null) return "not given"
+        val isRange = seeds.size > 2 && seeds.last() - seeds.first() == seeds.size - 1L && seeds == seeds.sorted()
+        return if (isRange) "${seeds.first()}..${seeds.last()}" else seeds.joinToString(",")
+    }
+
+    /** The first key of the scenario that has another value. */
+    private fun changed(path: String, before: JsonElement?, now: JsonElement?): String? {
+        if (before == now) return null
+        if (before is JsonObject && now is JsonObject) {
+            return (before.keys + now.keys).firstNotNullOf {
+                Change(if (path.isEmpty()) it else "$path.$it", before[it], now[it]).takeIf { c -> c.before != c.now }
+            }.let { changed(it.path, it.before, it.now) }
+        }
+        return "$path of the scenario was ${short(before)} and is ${short(now)}"
+    }
+
+    private class Change(val path: String, val before: JsonElement?, val now: JsonElement?)
+
+    private fun short(element: JsonElement?) = "${element ?: "not given"}".let {
+        if (it.length > LONGEST) it.take(LONGEST) + "…" else it
+    }
+
+    /** Writes the file, whole or not at all. */
+    fun write(path: Path) {
+        val tree = buildJsonObject {
+            put("version", JsonPrimitive(Version.text))
+            put("settings", JsonObject(keys.associate { it.path to JsonArray(it.values.map(::JsonPrimitive)) }))
+            put("seeds", seeds?.let { JsonArray(it.map(::JsonPrimitive)) } ?: JsonPrimitive(null as String?))
+            put("scenario", scenario)
+        }
+        val beside = path.resolveSibling("${path.fileName}.tmp")
+        Files.writeString(beside, JSON.encodeToString(JsonElement.serializer(), tree) + "\n")
+        Files.move(beside, path, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE)
+    }
+
+    companion object {
+        private val JSON = Json { prettyPrint = true }
+        private const val LONGEST = 60
+
+        /** @throws FormatException when it cannot be read or is no such file */
+        fun read(path: Path): SweepRecord = try {
+            val tree = JSON.parseToJsonElement(Files.readString(path)).jsonObject
+            SweepRecord(
+                tree.getValue("scenario"),
+                tree.getValue("settings").jsonObject.map { (key, values) ->
+                    SweptKey(key, values.jsonArray.map { it.jsonPrimitive.content })
+                },
+                (tree["seeds"] as? JsonArray)?.map { it.jsonPrimitive.content.toLong() },
+            )
+        } catch (e: IOException) {
+            throw FormatException("$path: cannot be read: ${reasonOf(e)}")
+        } catch (e: IllegalArgumentException) {
+            throw FormatException("$path: is no record of a sweep: ${e.message.orEmpty().lineSequence().first()}")
+        } catch (e: NoSuchElementException) {
+            throw FormatException("$path: is no record of a sweep: ${e.message}")
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package daphnis.app.sweep
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.report.Analysis
+import daphnis.analysis.report.AnalysisOptions
+import daphnis.analysis.report.ReportNumber
+import daphnis.analysis.series.SeriesTable
+import daphnis.analysis.sweep.SweepRun
+import daphnis.analysis.table.UnitNames
+import daphnis.core.Output
+import daphnis.core.engine.EngineFactory
+import daphnis.core.format.FormatException
+import daphnis.core.run.Run
+import daphnis.core.run.RunDirectory
+import daphnis.core.run.RunRecord
+import daphnis.core.run.Summary
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** What a run of a sweep tells while it is carried out, on the thread that does so. */
+internal interface SweepTeller {
+    /** Run [name] has come so far, from 0 to 1. */
+    fun at(name: String, fraction: Double)
+
+    /** Something of run [name] that a user should know. */
+    fun notice(name: String, line: String)
+}
+
+/**
+ * Carries out one run of a sweep after the other, from wherever each is: not begun, begun, or finished.
+ *
+ * @param scenarioOf the scenario of a run; what is wrong with it was told before
+ * @param source what to call the scenario in messages
+ * @param from averages begin at this time; null for three eighths of the run
+ * @param words what went wrong, in a line
+ * @param plot draws what is at the end of a run
+ */
+internal class SweepWork(
+    private val directory: SweepDirectory,
+    private val engines: EngineFactory,
+    private val scenarioOf: (PlannedRun) -> Scenario,
+    private val source: String,
+    private val from: Double?,
+    private val teller: SweepTeller,
+    private val words: (Throwable) -> String,
+    private val plot: (Run, Summary) -> Unit,
+    private val cancelled: () -> Boolean,
+) {
+    /** The [run] with its numbers, or with why it failed; null when it is cancelled before its end. */
+    fun carryOut(run: PlannedRun): SweepRun? {
+        if (cancelled()) return null
+        val place = RunDirectory(directory.run(run.name))
+        val seed = run.seed ?: scenarioOf(run).seed
+        return try {
+            if (!isFinished(place) && !simulated(run, place)) return null
+            teller.at(run.name, 1.0)
+            val (numbers, remark) = numbers(place)
+            SweepRun(run.name, run.values, seed, numbers, null, remark)
+        } catch (e: Throwable) {
+            // Whatever it is, the other runs go on: a run that ran out of memory leaves them theirs.
+            SweepRun(run.name, run.values, seed, emptyList(), words(e))
+        }
+    }
+
+    private fun isFinished(place: RunDirectory): Boolean {
+        if (!Files.exists(place.scenario) || !Files.exists(place.summary)) return false
+        RunRecord.of(place).problems(place.summary).firstOrNull()?.let { throw FormatException(it) }
+        return Summary.read(place.summary).finished
+    }
+
+    /** Whether the run came to its end. */
+    private fun simulated(run: PlannedRun, place: RunDirectory): Boolean {
+        val begun = if (Files.exists(place.scenario)) {
+            Run.resume(place.path, engines = engines)
+        } else {
+            Run.start(scenarioOf(run), source, place.path, engines = engines)
+        }
+        begun.use {
+            for (notice in it.notices) teller.notice(run.name, notice)
+            val start = it.simulation.runStart
+            val watcher = Output { s -> teller.at(run.name, part(s.time - start, it.until - start)) }
+            val summary = it.execute(watcher) { cancelled() }
+            if (summary.finished && it.hasSeries) plot(it, summary)
+            return summary.finished
+        }
+    }
+
+    private fun part(done: Double, all: Double) = if (all > 0) (done / all).coerceIn(0.0, 1.0) else 1.0
+
+    /** The numbers of a finished run, and what is to be said of those that are missing. */
+    private fun numbers(place: RunDirectory): Pair<List<ReportNumber>, String?> = try {
+        val input = AnalysisInput.ofRun(place.path)
+        val ofReport = Analysis(input, AnalysisOptions(from)).numbers()
+        val remark = if (ofReport.all { it.isSteady }) null else "not steady over the time averaged"
+        ofReport + atEnd(place.path, input.units) to remark
+    } catch (e: InputException) {
+        val units = UnitNames(ScenarioJson.read(place.scenario).units)
+        atEnd(place.path, units) to "no numbers of the report: ${words(e).removePrefix("${place.path}: ")}"
+    }
+
+    private fun atEnd(path: Path, units: UnitNames): List<ReportNumber> {
+        val series = RunDirectory(path).series
+        return if (Files.exists(series)) ReportNumber.atEnd(SeriesTable.read(series), units) else emptyList()
+    }
+}

@@ -1,0 +1,159 @@
+package daphnis.app
+
+import daphnis.core.run.Summary
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+class SweepCommandTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val small = arrayOf("cooling-gas", "--set", "particles.count=60", "--set", "until=2")
+
+    private fun out(name: String) = "${folder.resolve(name)}"
+
+    private fun sweep(vararg words: String) = daphnis("sweep", *words)
+
+    private fun lines(file: String) = Files.readAllLines(folder.resolve(file))
+
+    @Test
+    fun `a sweep leaves runs like those of run, tables of their numbers and plots`() {
+        val words = arrayOf(*small, "--set", "restitution.coefficient=0.5,0.9", "--seeds", "3,4")
+        val said = assertDone(sweep(*words, "--out", out("a"), "--quiet"))
+        val names = listOf("0.5" to 3, "0.5" to 4, "0.9" to 3, "0.9" to 4).map { (e, s) -> "coefficient=$e,seed=$s" }
+        assertEquals(names.toSet(), folder.resolve("a/runs").toFile().list()!!.toSet())
+        val set = small.drop(1).toTypedArray()
+        assertDone(
+            daphnis(
+                "run", "cooling-gas", *set, "--set", "restitution.coefficient=0.9", "--seed", "4", "--out", out("one"),
+                "--quiet",
+            ),
+        )
+        val one = Summary.read(folder.resolve("one/summary.json"))
+        val same = Summary.read(folder.resolve("a/runs/coefficient=0.9,seed=4/summary.json"))
+        assertEquals(one.stateDigest, same.stateDigest)
+        assertEquals(lines("one/scenario.json"), lines("a/runs/${names[3]}/scenario.json"))
+        val runs = lines("a/runs.csv").map { it.substringAfter('"').substringAfter("\",").split(',') }
+        val column = lines("a/runs.csv")[0].split(',').indexOfFirst { it.startsWith("end_granular_temperature") }
+        // The name of a run has a comma, which is within quotation marks: one column less.
+        val ends = runs.drop(1).map { it[column - 1].toDouble() }
+        assertEquals(one.temperature, ends[3])
+        val mean = lines("a/sweep.csv").single { it.startsWith("0.9,end_granular_temperature,") }.split(',')
+        assertEquals((ends[2] + ends[3]) / 2, mean[3].toDouble(), 1e-15)
+        assertEquals(Math.abs(ends[2] - ends[3]) / 2, mean[4].toDouble(), 1e-15)
+        assertEquals("2", mean[5])
+        assertTrue("±" in said && "n = 2 runs" in said) { said }
+        assertTrue(said.trim() in Files.readString(folder.resolve("a/sweep.md")))
+        assertTrue(Files.size(folder.resolve("a/plots/end_granular_temperature.png")) > 1000)
+    }
+
+    @Test
+    fun `the tables do not depend on the number of runs at a time, and the same command does nothing again`() {
+        val words = arrayOf(*small, "--seeds", "1..3", "--set", "timeStep.dt=0.1,0.05")
+        assertDone(sweep(*words, "--jobs", "1", "--out", out("a")))
+        assertDone(sweep(*words, "--jobs", "3", "--out", out("b"), "--quiet"))
+        assertEquals(lines("a/sweep.csv"), lines("b/sweep.csv"))
+        val checkpoint = folder.resolve("a/runs/dt=0.1,seed=2/checkpoint")
+        val before = Files.getLastModifiedTime(checkpoint)
+        val again = sweep(*words, "--jobs", "2", "--out", out("a"))
+        assertDone(again)
+        assertEquals(before, Files.getLastModifiedTime(checkpoint))
+        assertTrue("6 of 6 runs" in again.err) { again.err }
+        assertEquals(lines("b/sweep.csv"), lines("a/sweep.csv"))
+    }
+
+    @Test
+    fun `one seed has no error, and a value may hold commas`() {
+        val boxes = "box.lengths=[20,20,20],[10,10,10]"
+        val said = assertDone(sweep(*small, "--set", boxes, "--out", out("a"), "--quiet"))
+        assertFalse("±" in said) { said }
+        assertTrue(Regex("\\| +\\[20,20,20] \\| +\\[10,10,10] \\|").containsMatchIn(said)) { said }
+        val cell = lines("a/sweep.csv").single { it.startsWith("\"[10,10,10]\",filling_factor,") }
+        assertTrue(cell.endsWith(",,1,")) { cell }
+        assertTrue(Files.exists(folder.resolve("a/runs/lengths=20-20-20/summary.json")))
+    }
+
+    @Test
+    fun `runs that fail are said, and the others go on`() {
+        val result = sweep(
+            *small.take(1).toTypedArray(),
+            "--set",
+            "until=1",
+            "--set",
+            "particles.count=2000000,50",
+            "--out",
+            out("a"),
+            "--quiet",
+        )
+        assertEquals(1, result.code) { result.err }
+        assertTrue("failed: count=2000000: cooling-gas: particles.count: is 2000000" in result.out) { result.out }
+        assertEquals("daphnis: 1 of 2 runs failed, see ${out("a")}/runs.csv", result.err.trim())
+        assertTrue(lines("a/sweep.csv").any { it.startsWith("50,granular_temperature,") && it.endsWith(",1,") })
+        val failed = lines("a/sweep.csv").first { it.startsWith("2000000,") }
+        assertTrue(",,0," in failed && "seed 1 failed: cooling-gas" in failed) { failed }
+    }
+
+    @Test
+    fun `runs whose snapshots were removed have the ends of the series, and that is said once`() {
+        val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
+        assertDone(sweep(*words))
+        for (seed in 1..2) folder.resolve("a/runs/seed=$seed/snapshots").toFile().deleteRecursively()
+        val result = sweep(*words)
+        val said = assertDone(result)
+        assertTrue("temperature at the end" in said && "filling factor" !in said) { said }
+        assertTrue("2 runs: no numbers of the report: has no snapshots" in said) { said }
+        assertEquals("", result.err)
+        assertFalse(Files.exists(folder.resolve("a/plots")))
+    }
+
+    @Test
+    fun `runs that are not steady are counted below the table`() {
+        val words = arrayOf("cooling-gas", "--set", "until=20", "--set", "particles.count=300", "--seeds", "1,2")
+        val said = assertDone(sweep(*words, "--out", out("a"), "--quiet"))
+        assertTrue("2 runs: not steady over the time averaged" in said) { said }
+        assertTrue(lines("a/runs.csv").drop(1).all { it.endsWith(",not steady over the time averaged") })
+    }
+
+    @Test
+    fun `another sweep in the directory, and something else in it, are refused`() {
+        val words = arrayOf(*small, "--out", out("a"), "--quiet")
+        assertDone(sweep(*words, "--seeds", "1,2"))
+        assertRefused(sweep(*words, "--seeds", "1,2,3"), out("a"), "--seeds was 1,2 and is 1..3")
+        assertRefused(
+            sweep(*words, "--seeds", "1,2", "--set", "timeStep.dt=0.2"),
+            "timeStep.dt was not given and is 0.2",
+        )
+        assertRefused(sweep("elastic-gas", *words.drop(1).toTypedArray(), "--seeds", "1,2"), "of the scenario was")
+        Files.writeString(folder.resolve("mine"), "")
+        assertRefused(sweep(*small, "--seeds", "1,2", "--out", "$folder"), "not empty and holds no sweep")
+        assertRefused(sweep(*small, "--seeds", "1,2", "--out", out("mine")), "no directory")
+    }
+
+    @Test
+    fun `what is wrong is told in one line, before anything is run`() {
+        val none = out("none")
+        fun refused(vararg words: String, parts: List<String>) =
+            assertRefused(sweep(*words, "--out", none), *parts.toTypedArray())
+        refused("cooling-gas", parts = listOf("--set", "nothing to sweep"))
+        refused("cooling-gas", "--set", "until=1", parts = listOf("--set", "nothing to sweep"))
+        refused("cooling-gas", "--set", "seed=1,2", parts = listOf("seed", "--seeds"))
+        refused("cooling-gas", "--set", "until=1,2", "--set", "until=3", parts = listOf("until", "twice"))
+        refused("cooling-gas", "--set", "until", parts = listOf("path=value"))
+        refused("cooling-gas", "--set", "until=1,,2", parts = listOf("until", "empty value"))
+        refused("cooling-gas", "--set", "untl=1,2", parts = listOf("untl", "until"))
+        refused("cooling-gas", "--set", "until=1,x", parts = listOf("until"))
+        refused("coolin-gas", "--seeds", "1,2", parts = listOf("did you mean 'cooling-gas'"))
+        refused("cooling-gas", "--seeds", "one", parts = listOf("--seeds", "'one'", "1..8"))
+        refused("cooling-gas", "--seeds", "1..9000", "--set", "until=1,2", parts = listOf("more than 10000"))
+        refused("cooling-gas", "--seeds", "1,2", "--jobs", "0", parts = listOf("--jobs", "is 0"))
+        refused("cooling-gas", "--seeds", "1,2", "--from", "NaN", parts = listOf("--from", "NaN"))
+        refused("cooling-gas", "--seeds", "1,2", "--engine", "seriel", parts = listOf("did you mean 'serial'"))
+        refused("cooling-gas", "--seed", "1,2", parts = listOf("--seeds"))
+        assertFalse(Files.exists(folder.resolve("none")))
+    }
+}
