@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.long
+import daphnis.app.live.LiveOption
 import daphnis.core.run.Run
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
@@ -41,6 +42,7 @@ class RunCommand : CliktCommand(name = "run") {
     )
     private val force by option("--force", help = "replace the run in the run directory").flag()
     private val quiet by option("--quiet", help = "no progress").flag()
+    private val live by LiveOption()
     private val fleet by FleetOptions()
 
     override fun help(context: Context) = "Simulate a scenario into a run directory."
@@ -51,8 +53,10 @@ class RunCommand : CliktCommand(name = "run") {
         }
         val resolved = resolve(described(scenarioNamed(scenario, settings + shorthands())))
         val directory = out?.let { pathOf(it, "--out") } ?: directoryNamed(resolved.name)
-        fleet.withEngines(resolved.name, threads) { engines ->
-            carryOut(quiet) { Run.start(resolved, scenario, directory, force, engines) }
+        live.withPage { page ->
+            fleet.withEngines(resolved.name, threads) { engines ->
+                carryOut(quiet, page) { Run.start(resolved, scenario, directory, force, engines) }
+            }
         }
     }
 
