@@ -13,6 +13,7 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.progress.ShownProgress
 import daphnis.core.format.SnapshotFormats
 import daphnis.core.scenario.InputException
 import java.nio.file.Files

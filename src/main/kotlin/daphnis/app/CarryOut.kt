@@ -6,6 +6,7 @@ import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
+import daphnis.app.progress.Progress
 import daphnis.core.run.Run
 import daphnis.core.run.RunException
 import daphnis.core.run.Summary

@@ -17,6 +17,7 @@ import daphnis.analysis.movie.MovieFrames
 import daphnis.analysis.movie.MovieOptions
 import daphnis.analysis.movie.MovieView
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.progress.ShownProgress
 import daphnis.core.run.RunException
 import daphnis.core.scenario.InputException
 import java.nio.file.Files

@@ -6,8 +6,8 @@ import daphnis.analysis.movie.StatePicture
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.analysis.table.UnitNames
-import daphnis.app.Pace
-import daphnis.app.clock
+import daphnis.app.progress.Pace
+import daphnis.app.progress.clock
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.run.Run

@@ -118,6 +118,6 @@ internal class Legend(private val scene: Scene) {
         private const val LINE_1 = 1.45f
         private const val LINE_2 = 2.95f
         private const val BAR = 0.8f
-        private const val TICKS = 4
+        private const val TICKS = 6
     }
 }

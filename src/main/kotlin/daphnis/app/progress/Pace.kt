@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.app.progress
 
 /** How fast a run to time [until] goes, since this was made, and what time is left. */
 internal class Pace(private val until: Double) {

@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.app.progress
 
 import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.report.AnalysisProgress
