@@ -80,11 +80,13 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
         val rate = (collisions - collisionsBefore) / (seconds - shownAt)
         shownAt = seconds
         collisionsBefore = collisions
+        val timeUnit = scale?.time ?: 1.0
+        val timeName = scale?.timeName ?: units.time
         fun say(format: String, vararg values: Any) = String.format(Locale.ROOT, format, *values)
         val part = (simulation.time - simulation.runStart) / (run.until - simulation.runStart)
         val words = listOf(
             say("step %d", simulation.step),
-            say("time %.4g of %.4g %s", simulation.time, run.until, UnitNames.raised(units.time)),
+            say("time %.4g of %.4g %s", simulation.time / timeUnit, run.until / timeUnit, UnitNames.raised(timeName)),
             "${clock(left)} left",
             say("%.3g collisions/s", rate),
         )
