@@ -7,5 +7,6 @@ dependencies {
     api(project(":core"))
     implementation(libs.lets.plot.kotlin)
     implementation(libs.lets.plot.batik)
+    implementation(libs.jcodec)
     testRuntimeOnly(libs.slf4j.nop)
 }

@@ -9,11 +9,11 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
-import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.progress.ShownProgress
 import daphnis.core.format.SnapshotFormats
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
@@ -96,29 +96,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         from?.let { if (!it.isFinite()) wrong("--from", it, "a finite number") }
     }
 
-    /** One line that is written over on a terminal, a line now and then without one. */
-    private class ShownProgress : AnalysisProgress {
-        private val terminal = Terminal()
-        private val onTerminal = System.console() != null
-        private var last = 0L
-
-        override fun next(done: Int, all: Int, what: String) {
-            val now = System.nanoTime()
-            if (onTerminal) {
-                val columns = columnsFor(terminal)
-                System.err.print(
-                    "\r" + "%3d %% %-60s".format(java.util.Locale.ROOT, 100 * done / all, what).take(columns),
-                )
-                if (done == all) System.err.println()
-            } else if (now - last > EVERY_NANOSECONDS && done < all) {
-                System.err.println("%d of %d: %s".format(java.util.Locale.ROOT, done, all, what))
-                last = now
-            }
-        }
-    }
-
     private companion object {
         const val MOST = 100_000
-        const val EVERY_NANOSECONDS = 5_000_000_000L
     }
 }

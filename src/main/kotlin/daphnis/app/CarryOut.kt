@@ -5,14 +5,21 @@ import com.github.ajalt.clikt.core.ProgramResult
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.app.describe.spheres
+import daphnis.app.live.LivePage
+import daphnis.app.progress.Progress
 import daphnis.core.run.Run
+import daphnis.core.run.RunException
 import daphnis.core.run.Summary
 import daphnis.core.scenario.PlacementSpec
 import java.util.Locale
 import kotlin.concurrent.thread
 
-/** Carries out what [start] makes, with progress, a plot and the closing lines; Ctrl-C ends it with a checkpoint. */
-internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
+/**
+ * Carries out what [start] makes, with progress, a plot and the closing lines; Ctrl-C ends it with a checkpoint.
+ *
+ * @param live where it can be looked at meanwhile
+ */
+internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start: () -> Run) {
     val interruption = Interruption()
     preparePlot()
     try {
@@ -25,12 +32,16 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
                 println("$count, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
             }
             interruption.armed = true
-            val summary = run.execute(Progress(quiet, run.until)) { interruption.requested }
+            val progress = Progress(quiet, run.until)
+            val summary = run.execute(live?.watching(run, progress) ?: progress) { interruption.requested }
             if (!summary.finished) {
                 val command = "daphnis resume ${quoted("$directory")}"
-                println("interrupted after step ${summary.steps}; continue with: $command")
+                val words = "interrupted after step ${summary.steps}; continue with: $command"
+                live?.endsWith(words)
+                println(words)
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
+            live?.endsWith("complete after step ${summary.steps}, state digest ${summary.stateDigest}")
             if (run.hasSeries) drawPlot(run, summary)
             report(summary)
             if (interruption.requested) {
@@ -38,7 +49,12 @@ internal fun CliktCommand.carryOut(quiet: Boolean, start: () -> Run) {
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
         }
+    } catch (e: RunException) {
+        live?.endsWith("failed: ${e.message}")
+        throw e
     } finally {
+        // A page that is looked at hears how it ended before the program does.
+        live?.close()
         interruption.done()
     }
 }

@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
+import daphnis.app.live.joinedLive
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
@@ -48,13 +49,14 @@ fun main(args: Array<String>) {
  * wrong is one line on the error stream, and a stack trace only with [DEBUG].
  */
 internal fun runDaphnis(args: Array<String>): Int {
-    val words = args.filter { it != DEBUG }.toTypedArray()
+    val words = joinedLive(args.filter { it != DEBUG }.toTypedArray())
     val command = Daphnis().subcommands(
         RunCommand(),
         ResumeCommand(),
         CompareCommand(),
         ExportCommand(),
         AnalyzeCommand(),
+        MovieCommand(),
         ScenariosCommand(),
         DescribeCommand(),
         NodeCommand(),
@@ -73,7 +75,7 @@ internal fun runDaphnis(args: Array<String>): Int {
         command.echoFormattedHelp(e)
         if (e.statusCode == 0) EXIT_DONE else EXIT_INPUT
     } catch (e: Throwable) {
-        if (words.size < args.size) e.printStackTrace()
+        if (DEBUG in args) e.printStackTrace()
         complain(e)
     }
 }

@@ -8,6 +8,7 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
+import daphnis.app.live.LiveOption
 import daphnis.core.run.Run
 import daphnis.core.scenario.InputException
 
@@ -21,6 +22,7 @@ class ResumeCommand : CliktCommand(name = "resume") {
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
     private val threads by option("--threads", help = "threads of each node on this machine, with --nodes").int()
+    private val live by LiveOption()
     private val fleet by FleetOptions()
 
     override fun help(context: Context) =
@@ -29,8 +31,10 @@ class ResumeCommand : CliktCommand(name = "resume") {
     override fun run() {
         if (threads != null && !fleet.isGiven) throw InputException("--threads", null, "needs --nodes")
         val path = pathOf(directory, "dir")
-        fleet.withEngines(path.fileName?.toString() ?: "run", threads) { engines ->
-            carryOut(quiet) { Run.resume(path, until, engines, acceptLoss) }
+        live.withPage { page ->
+            fleet.withEngines(path.fileName?.toString() ?: "run", threads) { engines ->
+                carryOut(quiet, page) { Run.resume(path, until, engines, acceptLoss) }
+            }
         }
     }
 }

@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.long
+import daphnis.app.live.LiveOption
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Run
 import daphnis.core.run.RunOrigin
@@ -48,6 +49,7 @@ class RunCommand : CliktCommand(name = "run") {
     )
     private val force by option("--force", help = "replace the run in the run directory").flag()
     private val quiet by option("--quiet", help = "no progress").flag()
+    private val live by LiveOption()
     private val fleet by FleetOptions()
 
     override fun help(context: Context) = "Simulate a scenario into a run directory."
@@ -71,8 +73,10 @@ class RunCommand : CliktCommand(name = "run") {
         val resolved = resolve(changed, source, origin)
         val directory =
             out?.let { pathOf(it, "--out") } ?: freeDirectory(Path.of("runs").resolve(directoryName(resolved.name)))
-        fleet.withEngines(resolved.name, threads) { engines ->
-            carryOut(quiet) { Run.start(resolved, source, directory, force, engines, from = origin) }
+        live.withPage { page ->
+            fleet.withEngines(resolved.name, threads) { engines ->
+                carryOut(quiet, page) { Run.start(resolved, source, directory, force, engines, from = origin) }
+            }
         }
     }
 

@@ -56,6 +56,13 @@ class ProgramRunTest {
     }
 
     @Test
+    fun `a movie of it is drawn, and what is not known is said`() {
+        val result = daphnis("movie", run("gas"), "--width", "240", "--quiet")
+        assertTrue("5 frames of 240 × " in assertDone(result)) { result.out }
+        assertTrue("without a scenario" in result.err) { result.err }
+    }
+
+    @Test
     fun `it is compared and exported, but not in units that nobody has said`() {
         val first = run("first")
         assertTrue("identical: 5 common snapshots" in assertDone(daphnis("compare", first, run("again"))))

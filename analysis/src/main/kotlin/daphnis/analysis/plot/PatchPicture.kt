@@ -2,7 +2,6 @@ package daphnis.analysis.plot
 
 import daphnis.analysis.insitu.PlaneImages
 import daphnis.analysis.insitu.State
-import daphnis.analysis.table.UnitNames
 import java.awt.Color
 import java.awt.Graphics2D
 import java.awt.RenderingHints
@@ -29,7 +28,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
     private class Disc(val x: Double, val y: Double, val r: Double, val depth: Double)
 
     /** What the bar in the pictures is long: both views are equally wide. */
-    val bar: String get() = barText(barLength(minOf(box.length(1), box.length(0) * LONGEST)))
+    val bar: String get() = barText(ScaleBar.length(minOf(box.length(1), box.length(0) * LONGEST)))
 
     /** Writes `NAME.png` and `NAME.svg` into [directory]; the PNG. */
     fun writeAbove(directory: Path, name: String): ByteArray {
@@ -126,22 +125,9 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         return Color(0.93f * f, 0.89f * f, 0.80f * f)
     }
 
-    /** A round length of about a fifth of the width. */
-    private fun barLength(width: Double): Double {
-        val wanted = width / 5
-        val power = Math.pow(10.0, Math.floor(Math.log10(wanted)))
-        return power * if (wanted / power >= 5) {
-            5.0
-        } else if (wanted / power >= 2) {
-            2.0
-        } else {
-            1.0
-        }
-    }
-
     private fun scaleBar(g: Graphics2D, window: Window, scale: Double, height: Int) {
         if (height < LEAST_HEIGHT_OF_BAR) return
-        val length = barLength(window.right - window.left)
+        val length = ScaleBar.length(window.right - window.left)
         val pixels = (length * scale).toInt()
         g.font = g.font.deriveFont(BAR_TEXT)
         val text = barText(length)
@@ -153,10 +139,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         g.drawString(text, 28, height - 32)
     }
 
-    private fun barText(length: Double) = UnitNames.amount(
-        if (length == Math.rint(length) && length < 1e6) length.toLong().toString() else length.toString(),
-        lengthName,
-    )
+    private fun barText(length: Double) = ScaleBar.text(length, lengthName)
 
     /** Circles while they are few enough to be read and edited, else the picture in an SVG. */
     private fun svg(discs: List<Disc>, window: Window, png: ByteArray): String {
@@ -183,7 +166,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
 
     private fun svgBar(window: Window, scale: Double, height: Double): String {
         if (height < LEAST_HEIGHT_OF_BAR) return ""
-        val length = barLength(window.right - window.left)
+        val length = ScaleBar.length(window.right - window.left)
         fun f(v: Double) = String.format(Locale.ROOT, "%.2f", v)
         val place = "x=\"28\" y=\"${f(height - 32)}\""
         val text = "<text $place font-family=\"sans-serif\" font-size=\"$BAR_TEXT\">${barText(length)}</text>"

@@ -28,8 +28,20 @@ public object RunPlot {
             "the time series has no granular temperature and no two rows at different times"
         }
         Files.createDirectories(directory)
-        Files.writeString(directory.resolve("run.svg"), SvgSheet(WIDTH, HEIGHT).also { draw(charts, it) }.toString())
+        Files.writeString(directory.resolve("run.svg"), svg(charts))
         Files.write(directory.resolve("run.png"), png(charts))
+    }
+
+    /**
+     * The plot of the file [series] as an SVG; null while there is not enough to draw.
+     *
+     * @throws daphnis.core.format.FormatException when the file is no time series
+     */
+    @JvmStatic
+    public fun svg(series: Path, title: String, scale: PlotScale): String? {
+        val table = SeriesTable.read(series)
+        if (table.size < 2) return null
+        return charts(table, title, scale).takeIf { it.isNotEmpty() }?.let(::svg)
     }
 
     /**
@@ -69,13 +81,10 @@ public object RunPlot {
         return LineChart(title, x.label, label, curve.x.asList(), curve.y.asList(), colour, log, x.from, x.to)
     }
 
-    private fun png(charts: List<LineChart>): ByteArray = try {
-        if (System.getProperty(HEADLESS) == null) System.setProperty(HEADLESS, "true")
+    private fun svg(charts: List<LineChart>): String = SvgSheet(WIDTH, HEIGHT).also { draw(charts, it) }.toString()
+
+    private fun png(charts: List<LineChart>): ByteArray = drawing {
         Png.encode(ImageSheet(WIDTH, HEIGHT, PNG_SCALE).also { draw(charts, it) }.image)
-    } catch (e: LinkageError) {
-        throw IllegalStateException("this Java has no library to draw with: ${e.message}", e)
-    } catch (e: InternalError) {
-        throw IllegalStateException("this Java has no fonts to draw with: ${e.message}", e)
     }
 
     private fun draw(charts: List<LineChart>, sheet: Sheet) {
@@ -86,5 +95,4 @@ public object RunPlot {
     private const val WIDTH = 800
     private const val HEIGHT = 640
     private const val PNG_SCALE = 2
-    private const val HEADLESS = "java.awt.headless"
 }

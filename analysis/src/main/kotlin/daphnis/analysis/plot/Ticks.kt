@@ -17,10 +17,10 @@ internal class Ticks private constructor(val places: List<Double>, val labels: L
         private const val NEARLY = 1e-9
         private val LOG_STEPS = listOf(listOf(1), listOf(1, 3), listOf(1, 2, 5), (1..9).toList())
 
-        /** About eight round places from [low] to [high]. */
-        fun linear(low: Double, high: Double): Ticks {
+        /** About [wanted] round places from [low] to [high]. */
+        fun linear(low: Double, high: Double, wanted: Int = WANTED): Ticks {
             if (!(low < high)) return Ticks(listOf(low), listOf(label(low, 0, 3)))
-            val step = roundStep((high - low) / WANTED)
+            val step = roundStep((high - low) / wanted)
             val places = (ceil(low / step - NEARLY).toLong()..floor(high / step + NEARLY).toLong()).map { it * step }
             val largest = maxOf(abs(low), abs(high))
             val stepPower = floor(log10(step) + NEARLY).toInt()

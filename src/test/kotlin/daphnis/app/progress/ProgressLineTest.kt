@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.app.progress
 
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.app.progress
 
 import com.github.ajalt.mordant.terminal.Terminal
 import java.util.Locale
@@ -43,11 +43,13 @@ internal class ProgressLine(
     }
 
     private fun say(format: String, vararg values: Any) = String.format(Locale.ROOT, format, *values)
+}
 
-    private fun clock(seconds: Double): String {
-        val s = if (seconds.isFinite()) Math.round(maxOf(0.0, seconds)) else 0
-        return if (s >= 3600) say("%d:%02d:%02d", s / 3600, s / 60 % 60, s % 60) else say("%d:%02d", s / 60, s % 60)
-    }
+/** [seconds] as hours, minutes and seconds; 0 when they are not finite. */
+internal fun clock(seconds: Double): String {
+    val s = if (seconds.isFinite()) Math.round(maxOf(0.0, seconds)) else 0
+    fun say(format: String, vararg values: Any) = String.format(Locale.ROOT, format, *values)
+    return if (s >= 3600) say("%d:%02d:%02d", s / 3600, s / 60 % 60, s % 60) else say("%d:%02d", s / 60, s % 60)
 }
 
 /**

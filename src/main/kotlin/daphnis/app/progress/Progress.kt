@@ -1,4 +1,4 @@
-package daphnis.app
+package daphnis.app.progress
 
 import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.core.Opening
@@ -12,28 +12,28 @@ internal class Progress(private val quiet: Boolean, private val until: Double) :
     private val terminal = Terminal()
     private val live = !quiet && terminal.terminalInfo.outputInteractive
     private val interval = if (live) LIVE_SECONDS else PLAIN_SECONDS
-    private var begin = 0L
+    private var pace = Pace(until)
     private var shownAt = 0.0
-    private var firstTime = Double.NaN
+    private var isFirst = true
     private var collisionsBefore = 0L
     private var width = 0
 
     override fun open(simulation: Simulation, opening: Opening) {
-        begin = System.nanoTime()
+        pace = Pace(until)
     }
 
     override fun write(simulation: Simulation) {
         if (quiet || simulation.step == 0L) return
-        val wallSeconds = (System.nanoTime() - begin) * 1e-9
+        val wallSeconds = pace.seconds()
         val collisions = simulation.collisions?.counters?.collisions ?: 0
-        if (firstTime.isNaN()) {
-            firstTime = simulation.time
+        val left = pace.left(simulation.time)
+        if (isFirst) {
+            isFirst = false
             shownAt = wallSeconds
             collisionsBefore = collisions
             return
         }
         if (wallSeconds - shownAt < interval) return
-        val left = wallSeconds * (until - simulation.time) / (simulation.time - firstTime)
         val rate = (collisions - collisionsBefore) / (wallSeconds - shownAt)
         val energy = simulation.conserved().kineticEnergy
         show(ProgressLine(simulation.runStart, simulation.time, until, simulation.step, left, rate, energy))

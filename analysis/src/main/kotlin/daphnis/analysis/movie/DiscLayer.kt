@@ -1,0 +1,111 @@
+package daphnis.analysis.movie
+
+import daphnis.analysis.insitu.State
+import daphnis.core.boundary.Images
+import kotlin.math.floor
+
+/**
+ * The discs of a frame, from the farthest to the nearest. A sphere that sticks out of a periodic face is cut there and
+ * goes on at the other, where its image is at the time: one beyond a face along which images slide has slid.
+ */
+internal class DiscLayer(private val scene: Scene, private val raster: DiscRaster) {
+    private val view = scene.view
+    private val window = view.window
+    private val up = scene.options.view.up
+    private val towards = scene.options.view.towards
+    private var count = 0
+    private var x = DoubleArray(FIRST)
+    private var y = DoubleArray(FIRST)
+    private var index = IntArray(FIRST)
+    private var order = LongArray(FIRST)
+
+    /** Draws the spheres of [state] that [isShown], each in the colour that [rgb] gives for its index and pixel. */
+    fun draw(state: State, isShown: (Int) -> Boolean, rgb: (Int, Double, Double) -> Int) {
+        count = 0
+        gather(state, isShown)
+        order.sort(0, count)
+        val p = state.population
+        for (n in 0 until count) {
+            val entry = order[n].toInt()
+            val k = index[entry]
+            val least = if (state.isParticle(k)) 0.0 else LEAST_BODY
+            val across = maxOf(p.radius[k] * view.scaleX, least)
+            val above = maxOf(p.radius[k] * view.scaleY, least)
+            raster.draw(x[entry], y[entry], across, above, rgb(k, x[entry], y[entry]))
+        }
+    }
+
+    private fun gather(state: State, isShown: (Int) -> Boolean) {
+        val p = state.population
+        val box = state.boundary.box
+        val images = Images().apply { prepare(state.boundary, state.time) }
+        // Along x seen from the side images would only be nearer or farther.
+        val axes = if (up == 0) intArrayOf(0, 1) else intArrayOf(1, 2)
+        for (k in 0 until p.size) {
+            if (!isShown(k)) continue
+            val r = p.radius[k]
+            val isNear = axes.any { axis ->
+                val place = p.position(axis)[k]
+                images.period(axis) > 0 && (place - r < box.lower(axis) || place + r > box.upper(axis))
+            }
+            if (!isNear) add(k, r, p.y[k], p.position(up)[k], p.position(towards)[k]) else addImages(state, images, k)
+        }
+    }
+
+    private fun addImages(state: State, images: Images, k: Int) {
+        val p = state.population
+        val box = state.boundary.box
+        fun reach(axis: Int, isSeen: Boolean) = if (isSeen && images.period(axis) > 0) REACH else 0
+        val alongX = reach(0, up == 0)
+        val alongY = reach(1, true)
+        val alongZ = reach(2, up == 2)
+        for (iz in -alongZ..alongZ) {
+            for (iy in -alongY..alongY) {
+                for (ix in -alongX..alongX) {
+                    val code = Images.code(ix, iy, iz)
+                    var depth = p.position(towards)[k] + images.shift(code, towards)
+                    // An image beyond a face may have slid out of the box along the line of sight.
+                    val period = images.period(towards)
+                    if (period > 0) depth -= floor((depth - box.lower(towards)) / period) * period
+                    add(
+                        k,
+                        p.radius[k],
+                        p.y[k] + images.shift(code, 1),
+                        p.position(up)[k] + images.shift(code, up),
+                        depth,
+                    )
+                }
+            }
+        }
+    }
+
+    private fun add(k: Int, r: Double, across: Double, above: Double, depth: Double) {
+        if (across + r < window.left || across - r > window.right) return
+        if (above + r < window.bottom || above - r > window.top) return
+        if (count == x.size) grow()
+        x[count] = view.x(across)
+        y[count] = view.y(above)
+        index[count] = k
+        // Sorts as the depths do: the bits of a float ascend with it, once those of negative ones are turned around.
+        val bits = depth.toFloat().toRawBits()
+        order[count] = (bits xor (bits shr 31 and Int.MAX_VALUE)).toLong() shl 32 or count.toLong()
+        count++
+    }
+
+    private fun grow() {
+        x = x.copyOf(2 * count)
+        y = y.copyOf(2 * count)
+        index = index.copyOf(2 * count)
+        order = order.copyOf(2 * count)
+    }
+
+    private companion object {
+        const val FIRST = 1024
+
+        /** Two boxes away along the slide, since images are displaced by up to one. */
+        const val REACH = 2
+
+        /** Radius in pixels: a body is not overlooked. */
+        const val LEAST_BODY = 1.5
+    }
+}

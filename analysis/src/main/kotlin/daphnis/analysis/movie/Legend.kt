@@ -1,0 +1,123 @@
+package daphnis.analysis.movie
+
+import daphnis.analysis.plot.ScaleBar
+import daphnis.analysis.plot.Ticks
+import daphnis.analysis.table.UnitNames
+import java.awt.Color
+import java.awt.Font
+import java.awt.Graphics2D
+import java.awt.RenderingHints
+import java.awt.image.BufferedImage
+import kotlin.math.roundToInt
+
+/**
+ * The strip below each frame: the time, a bar that tells lengths, and what the colours stand for; one below the other
+ * where the frame is narrow. The whole frame has an even height.
+ */
+internal class Legend(private val scene: Scene) {
+    private val view = scene.view
+    private val size = (view.width / 60f).coerceIn(11f, 24f)
+    private val font = Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size)
+    private val row = (3.6f * size).roundToInt()
+    private val isNarrow = view.width < 40 * size
+    private val margin = size.roundToInt()
+
+    /** In pixels. */
+    val height: Int = (if (isNarrow) 2 * row else row).let { it + (it + view.height) % 2 }
+
+    /** What was done to the shape of the box, if anything. */
+    val remark: String? = when {
+        view.enlargedUp > 1 -> "vertical × ${view.enlargedUp}"
+        view.enlargedAcross > 1 -> "horizontal × ${view.enlargedAcross}"
+        else -> null
+    }
+
+    fun paint(image: BufferedImage, clock: String, map: ColourMap) {
+        val g = image.createGraphics()
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON)
+        g.font = font
+        g.color = Color(GROUND)
+        g.fillRect(0, view.height, view.width, height)
+        g.color = Color.WHITE
+        val half = if (isNarrow) view.width / 2 else view.width / 4
+        clock(g, clock, margin, view.height)
+        scaleBar(g, half, view.height)
+        if (isNarrow) {
+            colourBar(g, map, margin, view.width - margin, view.height + row)
+        } else {
+            colourBar(g, map, view.width / 2 + margin, view.width - margin, view.height)
+        }
+        g.dispose()
+    }
+
+    private fun clock(g: Graphics2D, clock: String, x: Int, top: Int) {
+        g.drawString(clock, x.toFloat(), top + LINE_1 * size)
+        g.color = Color(QUIET)
+        val view = if (scene.options.view == MovieView.TOP) "from above" else "from the side"
+        g.drawString(listOfNotNull(view, remark).joinToString(", "), x.toFloat(), top + LINE_2 * size)
+        g.color = Color.WHITE
+    }
+
+    private fun scaleBar(g: Graphics2D, x: Int, top: Int) {
+        val room = view.width / 5.0 / view.scaleX
+        val length = ScaleBar.length(minOf(view.window.across, room * 5))
+        val y = top + (LINE_2 * size).roundToInt()
+        g.drawString(ScaleBar.text(length, scene.scale.units.length), x.toFloat(), top + LINE_1 * size)
+        g.fillRect(x, y - margin / 2, maxOf(1, (length * view.scaleX).roundToInt()), maxOf(2, margin / 5))
+    }
+
+    private fun colourBar(g: Graphics2D, map: ColourMap, left: Int, right: Int, top: Int) {
+        val (name, factor) = meaning()
+        g.drawString(name, left.toFloat(), top + LINE_1 * size)
+        val start = left + g.fontMetrics.stringWidth(name) + margin
+        val range = scene.colours
+        val bottom = top + (LINE_1 * size).roundToInt()
+        if (!(range.low < range.high)) {
+            g.color = Color(map.rgb(range.place(range.low)))
+        }
+        for (x in start until right) {
+            if (range.low < range.high) g.color = Color(map.rgb((x - start) / (right - start - 1.0)))
+            g.fillRect(x, bottom - (BAR * size).roundToInt(), 1, (BAR * size).roundToInt())
+        }
+        g.color = Color.WHITE
+        val shown = ColourRange(range.low * factor, range.high * factor, range.isLogarithmic)
+        val ticks = if (shown.isLogarithmic) {
+            Ticks.logarithmic(shown.low, shown.high)
+        } else {
+            Ticks.linear(shown.low, shown.high, TICKS)
+        }
+        var free = Int.MIN_VALUE
+        for ((value, label) in ticks.places.zip(ticks.labels)) {
+            val x = start + (shown.place(value) * (right - start - 1)).roundToInt()
+            val width = g.fontMetrics.stringWidth(label)
+            val from = (x - width / 2).coerceIn(left, right - width)
+            g.fillRect(x, bottom, 1, margin / 3)
+            if (from < free) continue
+            g.drawString(label, from.toFloat(), top + LINE_2 * size)
+            free = from + width + margin / 2
+        }
+    }
+
+    /** What the colours stand for, and by what its numbers are multiplied to be in that unit. */
+    private fun meaning(): Pair<String, Double> {
+        val scale = scene.scale
+        return when (scene.options.colour) {
+            MovieColour.SPEED -> UnitNames.axis("speed", scale.speedName) to 1 / scale.speed
+            MovieColour.SIZE -> UnitNames.axis("radius", scale.units.length) to 1.0
+            MovieColour.HEIGHT -> UnitNames.axis("z", scale.units.length) to 1.0
+            MovieColour.DENSITY -> UnitNames.axis("surface density", scale.units.surfaceDensity) to 1.0
+        }
+    }
+
+    companion object {
+        /** Behind the strip. */
+        const val GROUND = 0x20242c
+        private const val QUIET = 0xb8bcc4
+
+        /** Base lines and the height of the colour bar, in sizes of the font. */
+        private const val LINE_1 = 1.45f
+        private const val LINE_2 = 2.95f
+        private const val BAR = 0.8f
+        private const val TICKS = 6
+    }
+}

@@ -1,0 +1,121 @@
+package daphnis.analysis.movie
+
+import daphnis.analysis.insitu.State
+import daphnis.analysis.table.UnitNames
+import daphnis.analysis.uniform
+import daphnis.core.Sphere
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Open
+import daphnis.core.boundary.Periodic
+import daphnis.core.populationOf
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import java.awt.image.BufferedImage
+import kotlin.math.abs
+
+/** Frames of 400 pixels of a box 10 long each way: 40 pixels per length. */
+class FramePainterTest {
+    private val box = Box.centred(10.0, 10.0, 10.0)
+
+    private fun paint(
+        state: State,
+        view: MovieView = MovieView.TOP,
+        colour: MovieColour = MovieColour.SIZE,
+        look: (Scene) -> Unit = {},
+    ): BufferedImage {
+        val survey = Survey(MovieOptions(view, colour, width = 400))
+        survey.look(state)
+        survey.weigh(state)
+        val scene = survey.scene(UnitNames(null), null).also(look)
+        return FramePainter(scene, Legend(scene)).paint(state, "t = 0")
+    }
+
+    private fun state(boundary: BoundaryConditions, vararg spheres: Sphere, time: Double = 0.0) =
+        State(populationOf(*spheres), boundary, time)
+
+    /** Whether something stands at ([across], [up]). */
+    private fun BufferedImage.shows(across: Double, up: Double): Boolean =
+        getRGB(((across + 5) * 40).toInt(), ((5 - up) * 40).toInt()) and 0xffffff != ColourMap.SPACE
+
+    @Test
+    fun `a sphere is a disc at its place and to scale, from above and from the side`() {
+        val state = state(Periodic(box), Sphere(2.0, -3.0, 1.0, r = 0.5))
+        for ((view, up) in listOf(MovieView.TOP to 2.0, MovieView.SIDE to 1.0)) {
+            val image = paint(state, view)
+            assertEquals(400, image.width)
+            for ((dx, dy) in listOf(0.0 to 0.0, 0.45 to 0.0, -0.45 to 0.0, 0.0 to 0.45, 0.3 to -0.3)) {
+                assertTrue(image.shows(-3 + dx, up + dy)) { "$view $dx $dy" }
+            }
+            for ((dx, dy) in listOf(0.6 to 0.0, -0.6 to 0.0, 0.0 to 0.6, 0.0 to -0.6, 0.42 to 0.42)) {
+                assertTrue(!image.shows(-3 + dx, up + dy)) { "$view $dx $dy" }
+            }
+        }
+    }
+
+    @Test
+    fun `beyond a face the image goes on, where the shear has brought it`() {
+        val sphere = Sphere(1.0, 4.9, 0.0, r = 0.4)
+        assertTrue(paint(state(Periodic(box), sphere)).shows(-4.9, 1.0))
+        // Rate 0.7 over the edge of 10 for a time of 0.3: the image below has slid by −2.1 along x.
+        val sheared = paint(state(LeesEdwards(box, 0.7), sphere, time = 0.3))
+        assertTrue(sheared.shows(4.9, 1.0))
+        assertTrue(!sheared.shows(-4.9, 1.0))
+        assertTrue(sheared.shows(-4.9, -1.1))
+    }
+
+    @Test
+    fun `the nearer sphere hides the other, whatever their order`() {
+        val large = Sphere(0.0, 0.0, 2.0, r = 1.0)
+        val small = Sphere(0.0, 0.0, -1.0, r = 0.5)
+        val near = paint(state(Periodic(box), small, large)).getRGB(200, 200)
+        assertEquals(near, paint(state(Periodic(box), large, small)).getRGB(200, 200))
+        val below = Sphere(0.0, 0.0, -2.0, r = 1.0)
+        val other = paint(state(Periodic(box), below, small)).getRGB(200, 200)
+        assertTrue(near != other)
+    }
+
+    @Test
+    fun `spheres below two pixels make an image as bright as their surface density`() {
+        // 40,000 of 0.1 pixels, three times as many on the right: 400 particles a cell of 20 by 20 pixels on the right.
+        val all = uniform(40_000, Periodic(box), radius = 0.0025)
+        val p = all.population
+        for (k in 0 until p.size) p.y[k] = if (k % 4 == 0) -abs(p.y[k]) else abs(p.y[k])
+        fun mean(image: BufferedImage, columns: IntRange): Double {
+            var sum = 0.0
+            for (x in columns) for (y in 20 until 380) sum += image.getRGB(x, y) shr 8 and 0xff
+            return sum / (columns.count() * 360)
+        }
+        for (colour in listOf(MovieColour.SIZE, MovieColour.DENSITY)) {
+            val image = paint(all, colour = colour) { assertTrue(it.isImage) }
+            val left = mean(image, 20..180)
+            val right = mean(image, 220..380)
+            assertTrue(right > 1.25 * left) { "$colour: $left $right" }
+        }
+    }
+
+    @Test
+    fun `the grid keeps mass, also at the border and smoothed`() {
+        val view = Viewport(Window(0.0, 10.0, 0.0, 5.0), 400)
+        for (cell in listOf(1, 3)) {
+            val grid = SurfaceGrid(view, cell)
+            for ((x, y) in listOf(0.0 to 0.0, 400.0 to 200.0, 123.4 to 56.7)) grid.add(x, y, 2.0, 3.0)
+            grid.smooth(2)
+            var sum = 0.0
+            for (k in 0 until grid.columns * grid.rows) sum += grid.density(k)
+            assertEquals(6.0, sum * cell * cell * view.pixelArea, 1e-12)
+            assertEquals(3.0, grid.mean(grid.cellAt(123, 56)), 1e-12)
+        }
+    }
+
+    @Test
+    fun `in open space all but the outermost are in view`() {
+        val cloud = Array(4000) { k -> Sphere(k % 20 * 0.1, k / 20 % 20 * 0.1, k / 400 * 0.1, r = 0.05) }
+        val lost = Sphere(1e6, -1e6, 0.0, r = 0.05)
+        paint(state(Open, *cloud, lost)) { scene ->
+            assertTrue(scene.view.window.across in 1.9..2.2 && scene.view.window.up in 1.9..2.2)
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.CliktCommand
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.choice
+import com.github.ajalt.clikt.parameters.types.double
+import com.github.ajalt.clikt.parameters.types.int
+import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.movie.Movie
+import daphnis.analysis.movie.MovieColour
+import daphnis.analysis.movie.MovieFormat
+import daphnis.analysis.movie.MovieFrames
+import daphnis.analysis.movie.MovieOptions
+import daphnis.analysis.movie.MovieView
+import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.progress.ShownProgress
+import daphnis.core.run.RunException
+import daphnis.core.scenario.InputException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Locale
+
+/** `daphnis movie`: the snapshots of a run, one after the other. */
+class MovieCommand : CliktCommand(name = "movie") {
+    private val directory by argument("dir", help = "run directory")
+    private val view by option("--view", help = "from above (top, default) or along x (side)")
+        .choice(MovieView.entries.associateBy { it.word }).default(MovieView.TOP)
+    private val colour by option(
+        "--colour",
+        "--color",
+        help = "what the colour means: speed against the mean flow (default), size, height or surface density",
+    ).choice(MovieColour.entries.associateBy { it.word }).default(MovieColour.SPEED)
+    private val fps by option("--fps", help = "frames per second (default 25)").double().default(25.0)
+    private val width by option("--width", help = "width of the frames in pixels (default 1200)").int().default(1200)
+    private val out by option(
+        "--out",
+        metavar = "file",
+        help = "where to write, a name that ends in .gif or .mp4 (default: DIR/plots/movie.gif)",
+    )
+    private val quiet by option("--quiet", help = "no progress").flag()
+
+    override fun help(context: Context) = "Write the snapshots of a run as an animated GIF or as MP4."
+
+    override fun run() {
+        val target = out?.let { pathOf(it, "--out") }
+        checkOptions(target)
+        val path = pathOf(directory, "dir")
+        // What was changed beside the states does not show, but for the units; a notice says it.
+        val input = AnalysisInput.ofRun(path, acceptLoss = true)
+        for (notice in input.notices) warn(notice)
+        val file = target ?: path.resolve("plots").resolve("movie.gif")
+        val movie = Movie(input, MovieOptions(view, colour, fps, width))
+        val frames = writing(file.toAbsolutePath().parent) {
+            try {
+                movie.write(file, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+            } catch (e: IllegalStateException) {
+                throw RunException(e.message.orEmpty(), e)
+            }
+        }
+        report(frames, file)
+    }
+
+    private fun checkOptions(target: Path?) {
+        fun wrong(option: String, value: Any, right: String): Nothing =
+            throw InputException(option, null, "is $value; it must be $right")
+        if (width !in MovieOptions.LEAST_WIDTH..MovieOptions.MOST_WIDTH) {
+            wrong("--width", width, "in ${MovieOptions.LEAST_WIDTH}..${MovieOptions.MOST_WIDTH} pixels")
+        }
+        val format = if (target == null) MovieFormat.GIF else MovieFormat.of(target)
+        if (format == null) wrong("--out", "$out", "a name that ends in .gif or .mp4")
+        if (target != null && Files.isDirectory(target)) throw InputException("--out", null, "$out is a directory")
+        if (fps !in MovieOptions.LEAST_RATE..format.mostFramesPerSecond) {
+            wrong("--fps", fps, "in ${MovieOptions.LEAST_RATE}..${format.mostFramesPerSecond} for .${format.extension}")
+        }
+    }
+
+    private fun report(frames: MovieFrames, file: Path) {
+        frames.enlarged?.let { println("the box is drawn with its $it, and every frame says so") }
+        if (frames.number ==
+            1
+        ) {
+            println("the run has one snapshot only: for more, set output.snapshotEvery before a run")
+        }
+        val count = if (frames.number == 1) "1 frame" else "${frames.number} frames"
+        val seconds = String.format(Locale.ROOT, "%.3g s", frames.number / fps)
+        println("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
+    }
+
+    private fun size(bytes: Long): String = String.format(Locale.ROOT, "%.1f MB", bytes / 1e6)
+}

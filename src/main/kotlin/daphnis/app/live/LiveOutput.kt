@@ -1,0 +1,135 @@
+package daphnis.app.live
+
+import daphnis.analysis.insitu.State
+import daphnis.analysis.movie.MovieOptions
+import daphnis.analysis.movie.StatePicture
+import daphnis.analysis.plot.PlotScale
+import daphnis.analysis.plot.RunPlot
+import daphnis.analysis.table.UnitNames
+import daphnis.app.progress.Pace
+import daphnis.app.progress.clock
+import daphnis.core.Output
+import daphnis.core.Simulation
+import daphnis.core.run.Run
+import daphnis.core.scenario.FrameSetup
+import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Files
+import java.util.Base64
+import java.util.Locale
+import java.util.concurrent.ExecutorService
+import java.util.concurrent.Executors
+import java.util.concurrent.TimeUnit
+
+/**
+ * Shows [run] in [feed] while somebody looks: at most once a second, and so seldom that drawing takes a tenth of the
+ * time at most. The thread of the run copies the state, another one draws. Whatever fails here is no failure of the
+ * run: the page says it.
+ */
+internal class LiveOutput(private val run: Run, private val feed: Feed) : Output {
+    private val pace = Pace(run.until)
+    private val painter: ExecutorService = Executors.newSingleThreadExecutor {
+        Thread(it, "daphnis-live-painter").apply {
+            isDaemon = true
+            priority = Thread.MIN_PRIORITY
+        }
+    }
+    private val omega = run.scenario?.let { FrameSetup.angularSpeed(it, it.name) }
+    private val units = UnitNames(run.scenario?.units)
+    private val picture = StatePicture(MovieOptions(width = WIDTH), units)
+    private val scale = run.scenario?.let { PlotScale.of(it, run.simulation.population) }
+
+    /** When the next picture may be begun; written by the painter when it has done one, Long.MAX_VALUE while it does. */
+    @Volatile
+    private var due = System.nanoTime()
+    private var shownAt = 0.0
+    private var collisionsBefore = 0L
+
+    override fun write(simulation: Simulation) {
+        val left = pace.left(simulation.time)
+        if (!feed.isWatched || due == BUSY || System.nanoTime() - due < 0) return
+        show(simulation, left)
+    }
+
+    /** The last state, for those who look. */
+    override fun finish(simulation: Simulation) {
+        if (feed.isWatched) show(simulation, 0.0)
+    }
+
+    private fun show(simulation: Simulation, left: Double) {
+        due = BUSY
+        try {
+            val progress = progress(simulation, left)
+            val state = State(
+                simulation.population.copy(),
+                simulation.boundary,
+                simulation.time,
+                omega,
+                run.scenario?.firstBody ?: Int.MAX_VALUE,
+            )
+            painter.execute { draw(progress, state) }
+        } catch (e: Exception) {
+            problem(e)
+        } catch (e: OutOfMemoryError) {
+            problem(e)
+        }
+    }
+
+    private fun progress(simulation: Simulation, left: Double): String {
+        val seconds = pace.seconds()
+        val collisions = simulation.collisions?.counters?.collisions ?: 0
+        val rate = (collisions - collisionsBefore) / (seconds - shownAt)
+        shownAt = seconds
+        collisionsBefore = collisions
+        val timeUnit = scale?.time ?: 1.0
+        val timeName = scale?.timeName ?: units.time
+        fun say(format: String, vararg values: Any) = String.format(Locale.ROOT, format, *values)
+        val part = (simulation.time - simulation.runStart) / (run.until - simulation.runStart)
+        val words = listOf(
+            say("step %d", simulation.step),
+            say("time %.4g of %.4g %s", simulation.time / timeUnit, run.until / timeUnit, UnitNames.raised(timeName)),
+            "${clock(left)} left",
+            say("%.3g collisions/s", rate),
+        )
+        return "{\"part\": $part, \"text\": ${JsonPrimitive(words.joinToString(" · "))}}"
+    }
+
+    /** On the painter's thread. */
+    private fun draw(progress: String, state: State) {
+        val begin = System.nanoTime()
+        try {
+            feed.put("progress", progress)
+            feed.put("picture", "data:image/png;base64," + base64(picture.png(state)))
+            val series = run.directory.series
+            if (run.hasSeries && scale != null && Files.exists(series)) {
+                val plot = RunPlot.svg(series, run.scenario?.name.orEmpty(), scale)
+                if (plot != null) feed.put("series", "data:image/svg+xml;base64," + base64(plot.toByteArray()))
+            }
+            val end = System.nanoTime()
+            due = maxOf(begin + LEAST_NANOSECONDS, end + SHARE * (end - begin))
+        } catch (e: Exception) {
+            problem(e)
+        } catch (e: OutOfMemoryError) {
+            problem(e)
+        }
+    }
+
+    /** Pictures end, and the run goes on. */
+    private fun problem(e: Throwable) {
+        feed.put("problem", "no more pictures: ${e.message ?: e.javaClass.simpleName}; the run goes on")
+    }
+
+    override fun close() {
+        painter.shutdown()
+        painter.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS)
+    }
+
+    private fun base64(bytes: ByteArray) = Base64.getEncoder().encodeToString(bytes)
+
+    private companion object {
+        const val WIDTH = 900
+        const val BUSY = Long.MAX_VALUE
+        const val LEAST_NANOSECONDS = 1_000_000_000L
+        const val SHARE = 9
+        const val PATIENCE_SECONDS = 5L
+    }
+}

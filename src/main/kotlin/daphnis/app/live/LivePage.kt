@@ -1,0 +1,56 @@
+package daphnis.app.live
+
+import daphnis.core.Opening
+import daphnis.core.Output
+import daphnis.core.Simulation
+import daphnis.core.run.Run
+import kotlinx.serialization.json.JsonPrimitive
+
+/** The live page of a run: from before it starts, so that a port that cannot be had stops nothing, until it has ended. */
+internal class LivePage(port: Int) : AutoCloseable {
+    private val feed = Feed()
+    private val server = LiveServer(port, feed)
+    private var ending = "the run has ended"
+
+    val address: String get() = server.address
+
+    /** [usual], and what the page needs of [run]. */
+    fun watching(run: Run, usual: Output): Output {
+        val name = run.scenario?.name ?: "${run.directory.path.fileName}"
+        feed.put("run", "{\"name\": ${JsonPrimitive(name)}, \"directory\": ${JsonPrimitive("${run.directory.path}")}}")
+        return Both(usual, LiveOutput(run, feed))
+    }
+
+    /** What the page says at the end. */
+    fun endsWith(text: String) {
+        ending = text
+    }
+
+    override fun close() {
+        feed.end(ending)
+        server.close()
+    }
+
+    /** Calls [first] and then [second], each opened by itself. */
+    private class Both(private val first: Output, private val second: Output) : Output {
+        override fun open(simulation: Simulation, opening: Opening) {
+            first.open(simulation, opening)
+            second.open(simulation, opening)
+        }
+
+        override fun write(simulation: Simulation) {
+            first.write(simulation)
+            second.write(simulation)
+        }
+
+        override fun finish(simulation: Simulation) {
+            first.finish(simulation)
+            second.finish(simulation)
+        }
+
+        override fun close() {
+            first.close()
+            second.close()
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package daphnis.app.live
+
+import com.sun.net.httpserver.HttpExchange
+import com.sun.net.httpserver.HttpServer
+import daphnis.core.run.reasonOf
+import daphnis.core.scenario.InputException
+import java.io.IOException
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.util.concurrent.SynchronousQueue
+import java.util.concurrent.ThreadPoolExecutor
+import java.util.concurrent.TimeUnit
+
+/**
+ * Serves a page that shows what is in [feed] as it comes, by server-sent events, to programs of this machine.
+ *
+ * It listens on the loopback address only. A page of somebody else's in the same browser reaches that too, so requests
+ * must name this server as their `Host` (a name which is made to resolve to 127.0.0.1 does not), and events are not for
+ * other sites. What can be asked for is a fixed list, by GET; no file is looked up by the name that is asked for.
+ *
+ * @param port to listen on, or 0 for any free one
+ * @throws InputException when the port cannot be had
+ */
+internal class LiveServer(port: Int, private val feed: Feed) : AutoCloseable {
+    private val server = try {
+        HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0)
+    } catch (e: IOException) {
+        val mend = "without a number a free port is chosen"
+        throw InputException("--live", null, "port $port cannot be had: ${reasonOf(e)}; $mend")
+    }
+
+    /** Above the most watchers there is room for what is answered at once. */
+    private val threads = ThreadPoolExecutor(0, 2 * MOST_WATCHERS, 1, TimeUnit.SECONDS, SynchronousQueue()) { work ->
+        Thread(work, "daphnis-live").apply { isDaemon = true }
+    }
+
+    val port: Int get() = server.address.port
+
+    /** Where the page is. */
+    val address: String = "http://${InetAddress.getLoopbackAddress().hostAddress.bracketed()}:${server.address.port}/"
+    private val hosts = listOf("localhost", "127.0.0.1", "[::1]").map { "$it:${server.address.port}" }
+
+    init {
+        server.createContext("/") { exchange -> exchange.use(::answer) }
+        server.executor = threads
+        server.start()
+    }
+
+    private fun answer(exchange: HttpExchange) {
+        val path = exchange.requestURI.path
+        val page = PAGES[path]
+        when {
+            exchange.requestHeaders["Host"]?.singleOrNull()?.lowercase() !in hosts -> refuse(exchange, 403)
+            exchange.requestMethod != "GET" -> {
+                exchange.responseHeaders["Allow"] = "GET"
+                refuse(exchange, 405)
+            }
+            page != null -> send(exchange, page)
+            path != EVENTS -> refuse(exchange, 404)
+            exchange.requestHeaders.getFirst("Sec-Fetch-Site") !in OWN_SITE -> refuse(exchange, 403)
+            else -> feed.watch(MOST_WATCHERS)?.use { stream(exchange, it) } ?: refuse(exchange, 503)
+        }
+    }
+
+    private fun refuse(exchange: HttpExchange, code: Int): Unit = exchange.sendResponseHeaders(code, NO_BODY)
+
+    private fun send(exchange: HttpExchange, page: Page) {
+        head(exchange, page.type)
+        exchange.sendResponseHeaders(200, page.bytes.size.toLong())
+        exchange.responseBody.write(page.bytes)
+    }
+
+    private fun head(exchange: HttpExchange, type: String) {
+        exchange.responseHeaders["Content-Type"] = type
+        exchange.responseHeaders["Cache-Control"] = "no-store"
+        exchange.responseHeaders["X-Content-Type-Options"] = "nosniff"
+        exchange.responseHeaders["Cross-Origin-Resource-Policy"] = "same-origin"
+        exchange.responseHeaders["Content-Security-Policy"] =
+            "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; " +
+            "frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
+    }
+
+    /** Until the run ends, or nobody reads any more: then a write fails. */
+    private fun stream(exchange: HttpExchange, watcher: Feed.Watcher) {
+        head(exchange, "text/event-stream; charset=utf-8")
+        exchange.sendResponseHeaders(200, 0)
+        val out = exchange.responseBody
+        while (true) {
+            val entries = watcher.next(HEARTBEAT_MILLISECONDS)
+            // A comment, which shows whether somebody is still there.
+            if (entries.isEmpty()) out.write(":\n\n".toByteArray())
+            for (entry in entries) {
+                val data = entry.text.lines().joinToString("") { "data: $it\n" }
+                out.write("event: ${entry.kind}\n$data\n".toByteArray())
+            }
+            out.flush()
+            if (entries.any { it.kind == Feed.END }) return
+        }
+    }
+
+    /** Ends when those who look have been told how the run ended, or soon if they do not listen. */
+    override fun close() {
+        feed.awaitNobody(PATIENCE_MILLISECONDS)
+        server.stop(0)
+        threads.shutdownNow()
+    }
+
+    private class Page(val type: String, name: String) {
+        val bytes: ByteArray = LiveServer::class.java.getResourceAsStream(name)!!.use { it.readBytes() }
+    }
+
+    private companion object {
+        const val EVENTS = "/events"
+        const val NO_BODY = -1L
+        const val MOST_WATCHERS = 8
+        const val HEARTBEAT_MILLISECONDS = 3000L
+        const val PATIENCE_MILLISECONDS = 2000L
+
+        /** Programs that are no browsers do not say. */
+        val OWN_SITE = setOf(null, "same-origin")
+        val PAGES = mapOf(
+            "/" to Page("text/html; charset=utf-8", "page.html"),
+            "/page.js" to Page("text/javascript; charset=utf-8", "page.js"),
+            "/page.css" to Page("text/css; charset=utf-8", "page.css"),
+        )
+
+        fun String.bracketed() = if (':' in this) "[$this]" else this
+    }
+}
+
+/** Closes what is answered, whatever happens; who went away in between is nobody's fault. */
+private fun HttpExchange.use(answer: (HttpExchange) -> Unit) {
+    try {
+        answer(this)
+    } catch (e: IOException) {
+        return
+    } catch (e: InterruptedException) {
+        return
+    } finally {
+        close()
+    }
+}

@@ -1,0 +1,111 @@
+package daphnis.app.live
+
+import daphnis.app.CommandResult
+import daphnis.app.assertDone
+import daphnis.app.assertRefused
+import daphnis.app.daphnis
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.io.TempDir
+import java.io.ByteArrayInputStream
+import java.io.IOException
+import java.net.ServerSocket
+import java.net.URI
+import java.net.http.HttpClient
+import java.net.http.HttpRequest
+import java.net.http.HttpResponse.BodyHandlers
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+import java.util.concurrent.CompletableFuture
+import javax.imageio.ImageIO
+
+@Timeout(120)
+class LiveRunTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val words = arrayOf("run", "cooling-gas", "--set", "until=100", "--quiet")
+
+    private fun digest(result: CommandResult) = assertDone(result).lines().single { it.startsWith("state digest") }
+
+    /** Events by kind, each with its last text, of the page at [port]; waits until it is there. */
+    private fun watch(port: Int): Map<String, String> {
+        val request = HttpRequest.newBuilder(URI.create("http://127.0.0.1:$port/events")).build()
+        val client = HttpClient.newHttpClient()
+        repeat(200) {
+            try {
+                val seen = LinkedHashMap<String, String>()
+                var kind = ""
+                client.send(request, BodyHandlers.ofLines()).body().forEach { line ->
+                    if (line.startsWith("event: ")) kind = line.removePrefix("event: ")
+                    if (line.startsWith("data: ")) seen[kind] = line.removePrefix("data: ")
+                }
+                return seen
+            } catch (e: IOException) {
+                Thread.sleep(20)
+            }
+        }
+        throw AssertionError("nothing at port $port")
+    }
+
+    @Test
+    fun `a run that is looked at shows itself to its end, and comes to the digest of one that is not`() {
+        val port = ServerSocket(0).use { it.localPort }
+        val seen = CompletableFuture.supplyAsync { watch(port) }
+        val watched = daphnis(*words, "--live", "$port", "--out", "${folder.resolve("watched")}")
+        assertTrue("live: http://127.0.0.1:$port/" in watched.out) { watched.out }
+        val digest = digest(watched)
+        val alone = daphnis(*words, "--out", "${folder.resolve("alone")}")
+        assertEquals(digest(alone), digest)
+        assertArrayEquals(
+            Files.readAllBytes(folder.resolve("alone/series.csv")),
+            Files.readAllBytes(folder.resolve("watched/series.csv")),
+        )
+        val events = seen.get()
+        assertTrue("cooling-gas" in events.getValue("run"))
+        assertTrue("left" in events.getValue("progress") && "of 100" in events.getValue("progress")) { "$events" }
+        assertTrue(digest in events.getValue("end")) { events.getValue("end") }
+        val picture = events.getValue("picture").removePrefix("data:image/png;base64,")
+        val image = ImageIO.read(ByteArrayInputStream(Base64.getDecoder().decode(picture)))
+        assertEquals(900, image.width)
+        val series =
+            String(Base64.getDecoder().decode(events.getValue("series").removePrefix("data:image/svg+xml;base64,")))
+        assertTrue("<svg" in series)
+        assertTrue("problem" !in events) { "$events" }
+    }
+
+    @Test
+    fun `without anybody who looks a run with a page is as any other`() {
+        val watched = daphnis("run", "cooling-gas", "--steps", "5", "--live", "--out", "${folder.resolve("a")}")
+        assertTrue(Regex("live: http://127\\.0\\.0\\.1:\\d+/") in watched.out) { watched.out }
+        assertEquals(
+            digest(daphnis("run", "cooling-gas", "--steps", "5", "--out", "${folder.resolve("b")}")),
+            digest(watched),
+        )
+    }
+
+    @Test
+    fun `a number after the option is its port, and any other word the scenario`() {
+        val out = arrayOf("--steps", "2", "--out", "${folder.resolve("a")}")
+        assertTrue(
+            "cooling-gas" in Files.readString(
+                folder.resolve("a/scenario.json").also {
+                    assertDone(daphnis("run", "--live", "cooling-gas", *out))
+                },
+            ),
+        )
+        ServerSocket(0).use { taken ->
+            val there = folder.resolve("b")
+            val refused = daphnis("run", "--live", "${taken.localPort}", "cooling-gas", "--out", "$there")
+            // It is taken on all addresses, so the port cannot be had, and no run was begun.
+            assertRefused(refused, "--live", "${taken.localPort}")
+            assertTrue(!Files.exists(there))
+        }
+        assertRefused(daphnis("run", "cooling-gas", "--live", "70000", *out), "--live", "70000", "65535")
+        assertRefused(daphnis("run", "cooling-gas", "--live=x", *out), "--live", "x")
+    }
+}

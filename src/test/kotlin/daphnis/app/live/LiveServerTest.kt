@@ -1,0 +1,135 @@
+package daphnis.app.live
+
+import daphnis.core.scenario.InputException
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import java.net.InetAddress
+import java.net.Socket
+import java.net.URI
+import java.net.http.HttpClient
+import java.net.http.HttpRequest
+import java.net.http.HttpResponse
+import java.net.http.HttpResponse.BodyHandlers
+import java.util.stream.Stream
+
+@Timeout(30)
+class LiveServerTest {
+    private val feed = Feed()
+    private val server = LiveServer(0, feed)
+    private val client = HttpClient.newHttpClient()
+
+    @AfterEach
+    fun stop(): Unit = server.close()
+
+    private fun request(path: String) = HttpRequest.newBuilder(URI.create(server.address + path))
+
+    private fun get(path: String) = client.send(request(path).build(), BodyHandlers.ofString())
+
+    private fun events(): HttpResponse<Stream<String>> = client.send(request("events").build(), BodyHandlers.ofLines())
+
+    /** The status of an answer to [head], word by word as a client may send it. */
+    private fun statusOf(vararg head: String): Int = Socket(InetAddress.getLoopbackAddress(), server.port).use {
+        it.getOutputStream().write((head.joinToString("\r\n") + "\r\n\r\n").toByteArray())
+        it.getInputStream().bufferedReader().readLine().split(' ')[1].toInt()
+    }
+
+    private val host get() = "Host: 127.0.0.1:${server.port}"
+
+    @Test
+    fun `the page and its parts are served, and nothing from elsewhere is in them`() {
+        for ((path, type) in listOf("" to "text/html", "page.js" to "text/javascript", "page.css" to "text/css")) {
+            val answer = get(path)
+            assertEquals(200, answer.statusCode())
+            assertTrue(answer.headers().firstValue("Content-Type").get().startsWith(type))
+            assertTrue("default-src 'none'" in answer.headers().firstValue("Content-Security-Policy").get())
+            assertTrue("http" !in answer.body()) { path }
+        }
+    }
+
+    @Test
+    fun `events come as they are put, the latest of a kind, until the end`() {
+        feed.put("picture", "old")
+        feed.put("picture", "new\nin two lines")
+        val lines = events().body().iterator()
+        assertEquals(listOf("event: picture", "data: new", "data: in two lines", ""), List(4) { lines.next() })
+        assertTrue(feed.isWatched)
+        feed.put("progress", "half")
+        assertEquals(listOf("event: progress", "data: half", ""), List(3) { lines.next() })
+        feed.end("done")
+        feed.put("progress", "too late")
+        assertEquals(listOf("event: end", "data: done", ""), List(3) { lines.next() })
+        assertTrue(!lines.hasNext())
+        feed.awaitNobody(5000)
+        assertTrue(!feed.isWatched)
+    }
+
+    @Test
+    fun `who goes away is no longer counted`() {
+        Socket(InetAddress.getLoopbackAddress(), server.port).use {
+            it.getOutputStream().write("GET /events HTTP/1.1\r\n$host\r\n\r\n".toByteArray())
+            assertTrue("200" in it.getInputStream().bufferedReader().readLine())
+            assertTrue(feed.isWatched)
+        }
+        // Found out at a write: a heartbeat, or what is put.
+        repeat(1000) {
+            if (!feed.isWatched) return
+            feed.put("progress", "$it")
+            Thread.sleep(10)
+        }
+        throw AssertionError("still watched")
+    }
+
+    @Test
+    fun `other names for this machine, other methods and other paths are refused`() {
+        assertEquals(200, statusOf("GET / HTTP/1.1", host))
+        assertEquals(200, statusOf("GET / HTTP/1.1", "Host: localhost:${server.port}"))
+        assertEquals(403, statusOf("GET / HTTP/1.1", "Host: evil.example:${server.port}"))
+        assertEquals(403, statusOf("GET / HTTP/1.1", "Host: 127.0.0.1"))
+        assertEquals(403, statusOf("GET /events HTTP/1.0"))
+        assertEquals(403, statusOf("GET / HTTP/1.1", host, "Host: evil.example"))
+        for (method in listOf("POST", "PUT", "DELETE", "HEAD", "OPTIONS")) {
+            assertEquals(405, statusOf("$method / HTTP/1.1", host, "Content-Length: 0")) { method }
+        }
+        for (path in listOf(
+            "/../page.js",
+            "/%2e%2e/page.js",
+            "/page.html",
+            "/etc/passwd",
+            "/page.js/",
+            "/events/",
+        )) {
+            assertEquals(404, statusOf("GET $path HTTP/1.1", host)) { path }
+        }
+        assertEquals(400, statusOf("GET // HTTP/1.1", host))
+    }
+
+    @Test
+    fun `another site in the same browser gets no events`() {
+        assertEquals(403, statusOf("GET /events HTTP/1.1", host, "Sec-Fetch-Site: cross-site"))
+        assertTrue(!feed.isWatched)
+    }
+
+    @Test
+    fun `only so many may look`() {
+        val open = List(8) { events() }
+        assertEquals(503, get("events").statusCode())
+        assertEquals(200, get("").statusCode())
+        feed.end("done")
+        open.forEach { it.body().close() }
+    }
+
+    @Test
+    fun `it listens on this machine alone, and a port that is taken is told in words`() {
+        val elsewhere = java.net.NetworkInterface.networkInterfaces().flatMap { it.inetAddresses() }
+            .filter { !it.isLoopbackAddress && it is java.net.Inet4Address }.findFirst()
+        if (elsewhere.isPresent) {
+            assertThrows(java.io.IOException::class.java) { Socket(elsewhere.get(), server.port).close() }
+        }
+        val refusal = assertThrows(InputException::class.java) { LiveServer(server.port, Feed()) }
+        assertTrue("${server.port} cannot be had" in refusal.message!!) { refusal.message!! }
+    }
+}
