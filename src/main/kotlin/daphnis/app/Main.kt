@@ -22,7 +22,6 @@ class Daphnis : CliktCommand(name = "daphnis") {
         versionOption(Version.text)
         // Taken from among the words before they are parsed, since it may stand anywhere; here for the help.
         registerOption(option(DEBUG, help = "anywhere: show the stack trace of what goes wrong").flag())
-        context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
     }
 
     override fun help(context: Context) =
@@ -49,17 +48,7 @@ fun main(args: Array<String>) {
  */
 internal fun runDaphnis(args: Array<String>): Int {
     val words = args.filter { it != DEBUG }.toTypedArray()
-    val command = Daphnis().subcommands(
-        RunCommand(),
-        ResumeCommand(),
-        CompareCommand(),
-        ExportCommand(),
-        AnalyzeCommand(),
-        ScenariosCommand(),
-        DescribeCommand(),
-        NodeCommand(),
-        BenchCommand(),
-    )
+    val command = daphnisCommand()
     return try {
         requireReadable(words)
         command.parse(command.understood(words))
@@ -75,6 +64,27 @@ internal fun runDaphnis(args: Array<String>): Int {
         if (words.size < args.size) e.printStackTrace()
         complain(e)
     }
+}
+
+/** The whole command line; to a mistyped word each command answers with one that may be meant, or with none. */
+private fun daphnisCommand(): Daphnis {
+    val commands = listOf(
+        RunCommand(),
+        ResumeCommand(),
+        CompareCommand(),
+        ExportCommand(),
+        AnalyzeCommand(),
+        ScenariosCommand(),
+        DescribeCommand(),
+        NodeCommand(),
+        BenchCommand(),
+    )
+    val daphnis = Daphnis().subcommands(commands)
+    // The library hands this setting down to no command below.
+    for (command in commands + daphnis) {
+        command.context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
+    }
+    return daphnis
 }
 
 /**
