@@ -4,8 +4,8 @@ import java.util.Locale
 import kotlin.system.exitProcess
 
 /**
- * Where the project stands: one row for each ratio that it wants small or large, all measured in this process, in turns,
- * after a round that warms up.
+ * Where the project stands: one row for each ratio that it wants small or large, all measured in this process, in
+ * turns, after a round that warms up.
  *
  * `java -Xmx8g -cp bench/target/bench-0.1.0.jar daphnis.bench.GoalsKt [size] [step] [threads] [actors] [memory]`
  *
@@ -91,7 +91,7 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
     fun step(): List<Row> = listOf(DILUTE, VERY_DILUTE).flatMap { filling ->
         val start = StartState(gas(sizes.gasOfSteps, filling, "random"))
         val runners = STEPS.flatMap { dt ->
-            // As many steps as cover the same time, within bounds: short ones would take all day, of long ones one is enough.
+            // As many steps as cover the same time, within bounds: of short ones that would take all day.
             val steps = (sizes.secondsOfSteps / dt).toInt().coerceIn(1, MOST_STEPS)
             ENGINES.map { (engine, threads) -> Runner(start, engine, threads, dt, steps) }
         }

@@ -33,8 +33,8 @@ internal class Runner(val start: StartState, val engine: EngineName, val threads
 }
 
 /**
- * All [runners] in turn, round after round; the first round warms up. Those with the same start, steps and step must end
- * in the same state.
+ * All [runners] in turn, round after round; the first round warms up. Those with the same start, steps and step must
+ * end in the same state.
  */
 internal fun takeTurns(runners: List<Runner>, rounds: Int) {
     for (round in 0..rounds) {

@@ -11,8 +11,8 @@ internal enum class Verdict(val words: String) {
 }
 
 /**
- * Two files of timings side by side. The rounds of both say how far times spread by themselves ([RankInterval]), so that
- * one round, or rounds that overlap, cannot tell. What only one file has is left out, and named.
+ * Two files of timings side by side. The rounds of both say how far times spread by themselves ([RankInterval]), so
+ * that one round, or rounds that overlap, cannot tell. What only one file has is left out, and named.
  */
 internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
     /** One engine on one scenario in both files. */
