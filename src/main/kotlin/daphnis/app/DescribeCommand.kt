@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.app.describe.CostRows
 import daphnis.app.describe.GravityRows
 import daphnis.app.describe.PhysicsRows
@@ -36,6 +37,7 @@ class DescribeCommand : CliktCommand(name = "describe") {
         GravityRows(setup, say, rows).write()
         CostRows(setup, say, rows).write()
         for (notice in setup.notices + warnings(setup)) rows.add("note", notice)
-        println(rows)
+        val terminal = Terminal()
+        println(if (terminal.terminalInfo.outputInteractive) rows.text(columnsFor(terminal)) else rows.text())
     }
 }

@@ -3,8 +3,8 @@ package daphnis.app
 import daphnis.core.cluster.FleetException
 import daphnis.core.format.FormatException
 import daphnis.core.format.oneLine
+import daphnis.core.format.reasonOf
 import daphnis.core.run.RunException
-import daphnis.core.run.reasonOf
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.WayOut
 import java.io.IOException

@@ -11,7 +11,6 @@ import daphnis.core.cluster.FleetEngines
 import daphnis.core.cluster.FleetNode
 import daphnis.core.cluster.NodesAwaited
 import daphnis.core.engine.EngineFactory
-import daphnis.core.parallel.ThreadHandler
 import daphnis.core.scenario.InputException
 import java.time.Duration
 
@@ -49,9 +48,6 @@ internal class FleetOptions : ProcessOptions("Several nodes", "See docs/cluster.
 
     private fun requireConsistent(threads: Int?) {
         val count = nodes
-        if (isGiven && threads != null && threads !in 1..ThreadHandler.MOST) {
-            throw wrong("--threads", "is $threads; it must be in 1..${ThreadHandler.MOST}")
-        }
         if (threads != null && cluster != null) throw wrong("--threads", "is a matter of each node of the cluster")
         if (count != null && count !in 1..MOST) throw wrong("--nodes", "is $count; it must be in 1..$MOST")
         if (cluster != null) return

@@ -23,7 +23,6 @@ class Daphnis : CliktCommand(name = "daphnis") {
         versionOption(Version.text)
         // Taken from among the words before they are parsed, since it may stand anywhere; here for the help.
         registerOption(option(DEBUG, help = "anywhere: show the stack trace of what goes wrong").flag())
-        context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
     }
 
     override fun help(context: Context) =
@@ -50,19 +49,7 @@ fun main(args: Array<String>) {
  */
 internal fun runDaphnis(args: Array<String>): Int {
     val words = joinedLive(args.filter { it != DEBUG }.toTypedArray())
-    val command = Daphnis().subcommands(
-        RunCommand(),
-        ResumeCommand(),
-        CompareCommand(),
-        ExportCommand(),
-        AnalyzeCommand(),
-        MovieCommand(),
-        ScenariosCommand(),
-        DescribeCommand(),
-        NodeCommand(),
-        BenchCommand(),
-        SweepCommand(),
-    )
+    val command = daphnisCommand()
     return try {
         requireReadable(words)
         command.parse(command.understood(words))
@@ -78,6 +65,29 @@ internal fun runDaphnis(args: Array<String>): Int {
         if (DEBUG in args) e.printStackTrace()
         complain(e)
     }
+}
+
+/** The whole command line; to a mistyped word each command answers with one that may be meant, or with none. */
+private fun daphnisCommand(): Daphnis {
+    val commands = listOf(
+        RunCommand(),
+        ResumeCommand(),
+        CompareCommand(),
+        ExportCommand(),
+        AnalyzeCommand(),
+        MovieCommand(),
+        ScenariosCommand(),
+        DescribeCommand(),
+        NodeCommand(),
+        BenchCommand(),
+        SweepCommand(),
+    )
+    val daphnis = Daphnis().subcommands(commands)
+    // The library hands this setting down to no command below.
+    for (command in commands + daphnis) {
+        command.context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
+    }
+    return daphnis
 }
 
 /**

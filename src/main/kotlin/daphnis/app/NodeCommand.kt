@@ -31,7 +31,7 @@ class NodeCommand : CliktCommand(name = "node") {
         metavar = "host:port,…",
         help = "processes of the cluster, of which the first begins it (default: the job's nodes under Slurm, or none)",
     )
-    private val threads by option("--threads", help = "threads to work with (default: one per core)").int()
+    private val threads by threadsOption("threads to work with (default: one per core)")
     private val joinWithin by option(
         "--join-within",
         metavar = "seconds",

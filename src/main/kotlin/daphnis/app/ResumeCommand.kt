@@ -7,7 +7,6 @@ import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
-import com.github.ajalt.clikt.parameters.types.int
 import daphnis.app.live.LiveOption
 import daphnis.core.run.Run
 import daphnis.core.scenario.InputException
@@ -21,7 +20,7 @@ class ResumeCommand : CliktCommand(name = "resume") {
         help = "continue with damaged tables as they are, and report what is lost",
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
-    private val threads by option("--threads", help = "threads of each node on this machine, with --nodes").int()
+    private val threads by threadsOption("threads of each node on this machine, with --nodes")
     private val live by LiveOption()
     private val fleet by FleetOptions()
 

@@ -9,7 +9,6 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
-import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.long
 import daphnis.app.live.LiveOption
 import daphnis.core.run.ProgramRecord
@@ -33,7 +32,7 @@ class RunCommand : CliktCommand(name = "run") {
         help = "start from a state of another run: RUN (its last), RUN@STEP, RUN@time=T or RUN@orbits=T",
     )
     private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
-    private val threads by option("--threads", help = "threads of the engine (default: one per core)").int()
+    private val threads by threadsOption("threads of the engine (default: one per core)")
     private val steps by option("--steps", help = "end after this many steps").long()
     private val until by option("--until", help = "end at this time").double()
     private val seed by option("--seed", help = "seed of the initial state").long()

@@ -1,7 +1,7 @@
 package daphnis.app
 
+import daphnis.core.format.reasonOf
 import daphnis.core.run.RunException
-import daphnis.core.run.reasonOf
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -15,5 +15,5 @@ internal inline fun <T> writing(directory: Path, work: () -> T): T = try {
     Files.createDirectories(directory)
     work()
 } catch (e: IOException) {
-    throw RunException("cannot write to $directory: ${reasonOf(e)}")
+    throw RunException("cannot write to $directory: ${reasonOf(e, directory)}")
 }

@@ -2,6 +2,7 @@ package daphnis.app
 
 import daphnis.app.bench.TimingFile
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -58,15 +59,80 @@ class BenchCommandTest {
 
     @Test
     fun `two results are compared, and slower ones change the exit code`() {
-        val header = "scenario,spheres,engine,threads,steps,collisions,round,seconds\n"
-        val old = Files.writeString(folder.resolve("old.csv"), header + "gas,1,serial,1,10,5,1,1.0\n")
-        val new = Files.writeString(folder.resolve("new.csv"), header + "gas,1,serial,1,10,5,1,1.5\n")
-        assertTrue("nothing became slower" in assertDone(bench("--compare", "$old", "$old")))
+        fun file(name: String, scenario: String, vararg seconds: Double): Path {
+            val rows = seconds.withIndex().joinToString("") { (k, s) -> "$scenario,1,serial,1,10,5,${k + 1},$s\n" }
+            val header = "scenario,spheres,engine,threads,steps,collisions,round,seconds\n"
+            return Files.writeString(folder.resolve(name), header + rows)
+        }
+        val old = file("old.csv", "gas", 1.0, 1.01, 1.02)
+        val new = file("new.csv", "gas", 1.5, 1.52, 1.54)
+        assertEquals("nothing became slower", assertDone(bench("--compare", "$old", "$old")).trim().lines().last())
         val slower = bench("--compare", "$old", "$new")
         assertEquals(1, slower.code)
-        assertTrue("| gas | serial | 1 | 1.00 | 1.50 | 1.50 | slower |" in slower.out) { slower.out }
-        val other = Files.writeString(folder.resolve("other.csv"), header + "ring,1,serial,1,10,5,1,1.5\n")
+        val row = "| gas | serial | 1 | 3, 3 | 1.01 | 1.52 | 1.50 | 1.47 to 1.54 | slower |"
+        assertTrue(row in slower.out && "1 became slower" in slower.out) { slower.out }
+        val unknown = assertDone(bench("--compare", "$old", "${file("one.csv", "gas", 1.5)}"))
+        assertTrue("| 3, 1 | 1.01 | 1.50 | 1.49 |  | cannot tell |" in unknown) { unknown }
+        assertTrue("nothing is seen to have become slower; 1 cannot be told, more --rounds" in unknown) { unknown }
+        val other = file("other.csv", "ring", 1.5)
         assertRefused(bench("--compare", "$old", "$other"), "$other", "in common")
+    }
+
+    @Test
+    fun `a comparison times nothing, and refuses what is for timing`() {
+        for ((option, value) in listOf(
+            "--engines" to "serial",
+            "--threads" to "1",
+            "--steps" to "3",
+            "--rounds" to "3",
+            "--set" to "until=1",
+            "--out" to "x",
+        )) {
+            assertRefused(
+                bench("--compare", "a", "b", option, value),
+                "daphnis: $option: has no meaning with --compare",
+            )
+        }
+    }
+
+    @Test
+    fun `before anything is timed it is said what, and then how long it takes`() {
+        val words = arrayOf("cooling-gas", "--steps", "2", "--rounds", "2", "--out", out)
+        val said = bench(*words, "--engines", "serial,islands", "--threads", "2").err.lines()
+        assertEquals("daphnis: serial works on one thread, whatever --threads says", said[0])
+        assertEquals("daphnis: cooling-gas: 2000 spheres, 2 steps", said[1])
+        assertEquals("daphnis: engines: serial on 1 thread; islands on 2 threads", said[2])
+        assertTrue("1 x 2 x 3" in said[3]) { said[3] }
+        assertTrue(said[4].startsWith("daphnis: warming up: serial on 1: ")) { said[4] }
+        assertTrue(Regex("daphnis: about \\d+ s left").matches(said[6])) { said[6] }
+        assertEquals("", bench(*words, "--engines", "serial,islands", "--threads", "1", "--quiet").err)
+    }
+
+    @Test
+    fun `without one thread there is no ideal, and speed says what it is relative to`() {
+        fun speeds(threads: String): String {
+            val words = arrayOf("--steps", "2", "--rounds", "1", "--engines", "islands", "--out", out, "--quiet")
+            assertDone(bench("cooling-gas", *words, "--threads", threads))
+            return Files.readString(folder.resolve("out/cooling-gas-speed.svg")).replace(Regex("\\s+"), " ")
+        }
+        val without = speeds("2,3")
+        assertTrue("speed relative to" in without && "islands on 2 threads" in without) { without }
+        assertFalse("ideal" in without)
+        assertTrue("ideal" in speeds("3,1"))
+    }
+
+    @Test
+    fun `the paper's systems as they are stand beside its authors' program`() {
+        fun words(vararg more: String) = arrayOf(
+            "paper-figure-3", "--engines", "serial", "--rounds", "1", "--out", out, "--quiet", *more,
+        )
+        val table = folder.resolve("out/paper-table-1.md")
+        assertTrue("| paper-figure-3 | serial | " in assertDone(bench(*words())))
+        assertTrue("| 35.1 |" in Files.readString(table))
+        // Neither other steps nor other spheres are what the authors timed.
+        assertFalse("authors" in assertDone(bench(*words("--steps", "1"))))
+        assertFalse(Files.exists(table))
+        assertFalse("authors" in assertDone(bench(*words("--set", "until=0.3"))))
     }
 
     @Test
@@ -74,7 +140,7 @@ class BenchCommandTest {
         assertRefused(bench("cooling-gas", "--rounds", "0"), "--rounds", "is 0")
         assertRefused(bench("cooling-gas", "--steps", "0"), "--steps", "is 0")
         assertRefused(bench("cooling-gas", "--threads", "1,x"), "--threads", "'x'")
-        assertRefused(bench("cooling-gas", "--threads", "0"), "--threads", "'0'")
+        assertRefused(bench("cooling-gas", "--threads", "0"), "--threads", "is 0")
         assertRefused(bench("cooling-gas", "--engines", "seriel"), "--engines", "'seriel'", "serial")
         assertRefused(bench("no-such"), "no-such")
         assertRefused(bench("--compare", "a"), "--compare", "two results")

@@ -69,7 +69,7 @@ class CommandLineTest {
         assertTrue(logs.first().lines().size > 10)
         assertRefused(small("x", "--engine", "isles"), "engine.name", "islands", "pekko")
         assertRefused(small("y", "--engine", "serial", "--threads", "2"), "engine.threads")
-        assertRefused(small("z", "--threads", "-1"), "engine.threads")
+        assertRefused(small("z", "--threads", "-1"), "--threads")
     }
 
     @Test

@@ -158,6 +158,38 @@ class RefusalsTest {
     }
 
     @Test
+    fun `a path is named once`() {
+        val none = at("none.csv")
+        assertRefused(daphnis("bench", "--compare", none, none), "daphnis: $none: cannot be read: no such file")
+        Files.writeString(home.resolve("file"), "mine")
+        val bench = daphnis("bench", "cooling-gas", "--steps", "1", "--out", at("file"), "--quiet")
+        assertEquals("daphnis: cannot write to ${at("file")}: a file is in the way", bench.err.trim())
+        val inFile = daphnis("run", "cooling-gas", "--steps", "1", "--out", at("file/run"))
+        assertRefused(inFile, "daphnis: ${at("file/run")}: cannot be made: ${at("file")}: a file is in the way")
+        Files.createDirectories(home.resolve("folder.xyz"))
+        assertRefused(daphnis("analyze", at("folder.xyz/x.xyz")), "${at("folder.xyz/x.xyz")}: ")
+    }
+
+    @Test
+    fun `no threads are no number of threads, in the same words everywhere`() {
+        val words = "daphnis: --threads: is 0; it must be in 1..256; leave it out for one per core"
+        val commands = listOf(
+            listOf("run", "cooling-gas"),
+            listOf("run", "cooling-gas", "--nodes", "2"),
+            listOf("node"),
+            listOf("resume", "nowhere"),
+            listOf("bench", "cooling-gas"),
+        )
+        for (command in commands) assertRefused(daphnis(*command.toTypedArray(), "--threads", "0"), words)
+        for (command in commands) {
+            val many = daphnis(*command.toTypedArray(), "--threads", "257")
+            assertEquals("daphnis: --threads: is 257; it must be in 1..256", many.err.trim())
+        }
+        // A scenario says with 0 what it means without a number.
+        assertDone(daphnis("describe", "cooling-gas", "--set", "engine.threads=0"))
+    }
+
+    @Test
     fun `help is help however one asks for it`() {
         val help = assertDone(daphnis("--help"))
         assertTrue("analyze" in help && "daphnis help COMMAND" in help) { help }
@@ -171,7 +203,10 @@ class RefusalsTest {
         assertRefused(daphnis("rnu"), "rnu", "Did you mean run?")
         assertRefused(daphnis("help", "rnu"), "rnu", "Did you mean run?")
         assertRefused(daphnis("desribe", "moonlet"), "Did you mean describe?")
-        assertRefused(daphnis("run", "--enigne", "serial"), "--enigne", "--engine")
+        assertRefused(daphnis("run", "--enigne", "serial"), "--enigne", "Did you mean --engine?")
+        assertRefused(daphnis("run", "--sed", "2"), "Did you mean --seed?")
+        assertRefused(daphnis("bench", "--step", "2"), "Did you mean --steps?")
+        assertFalse("mean" in daphnis("run", "--zzzzzzzz").err)
         assertRefused(daphnis("run", "coolign-gas"), "did you mean 'cooling-gas'?")
         assertRefused(daphnis("scenarios", "moonlit"), "did you mean 'moonlet'?")
         assertRefused(daphnis("run", "cooling-gas", "--engine", "isles"), "engine.name", "did you mean 'islands'?")

@@ -2,12 +2,9 @@ package daphnis.bench
 
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
-import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
@@ -45,26 +42,32 @@ enum class Workload(val dt: Double, val steps: Int, private val make: () -> Scen
 
     /** A state to start from, which [simulation] copies. */
     inner class Start {
-        private val setup = make()
-        private val boundary: BoundaryConditions = setup.boundary
-        private val restitution: Restitution = setup.restitution
-        private val guard: CollapseGuard = setup.guard
-        private val population: Population = setup.population.also { if (this@Workload == DENSE) melt(it, boundary) }
+        private val start = StartState(if (this@Workload == DENSE) molten(make()) else make())
 
-        fun simulation(engine: CollisionEngine): Simulation = Simulation(
-            population.copy(),
-            boundary,
-            CollisionForcing(restitution, guard, engine),
-            FixedTimeStep(dt),
-            setup.forces,
-        )
+        fun simulation(engine: CollisionEngine): Simulation = start.simulation(engine, dt)
     }
+}
 
-    private fun melt(population: Population, boundary: BoundaryConditions) {
-        val simulation =
-            Simulation(population, boundary, CollisionForcing(ConstantRestitution(1.0), NoGuard), FixedTimeStep(0.02))
-        while (simulation.time < MELTING) simulation.advance()
-    }
+/** A state to start from. */
+internal class StartState(private val setup: ScenarioSetup) {
+    val size: Int get() = setup.population.size
+
+    /** One that begins with a copy of the state, in steps of [dt]. */
+    fun simulation(engine: CollisionEngine, dt: Double): Simulation = Simulation(
+        setup.population.copy(),
+        setup.boundary,
+        CollisionForcing(setup.restitution, setup.guard, engine),
+        FixedTimeStep(dt),
+        setup.forces,
+    )
+}
+
+/** [setup] of an elastic gas, whose lattice it melts. */
+internal fun molten(setup: ScenarioSetup): ScenarioSetup {
+    val forcing = CollisionForcing(ConstantRestitution(1.0), NoGuard)
+    val simulation = Simulation(setup.population, setup.boundary, forcing, FixedTimeStep(0.02))
+    while (simulation.time < MELTING) simulation.advance()
+    return setup
 }
 
 private const val MELTING = 1.5
@@ -73,10 +76,10 @@ private const val RING_OMEGA = 1.313952e-4
 private const val WAKES_OMEGA = 0.00013143527
 
 /** After 21 of these the images of a square patch have slid by one box, and are where they were at the start. */
-private const val RING_STEP = 1 / (1.5 * 21 * RING_OMEGA)
+internal const val RING_STEP = 1 / (1.5 * 21 * RING_OMEGA)
 
 /** [edges] × [edges] steady ring patches, images of one another. */
-private fun ring(edges: Int): ScenarioSetup {
+internal fun ring(edges: Int): ScenarioSetup {
     fun scenario(length: Double) = BuiltIn.scenario(
         "ring-patch",
         listOf(
@@ -120,7 +123,7 @@ private const val RING_EDGE = 200.0
 /** Six orbits, a whole number of times 21. */
 private const val RING_SETTLING = 21 * 57
 
-private fun builtIn(name: String) = ScenarioSetup.of(BuiltIn.scenario(name), name)
+internal fun builtIn(name: String) = ScenarioSetup.of(BuiltIn.scenario(name), name)
 
 /** The gas at [filling], walled into a corner of a box with eight times its edge. */
 private fun clump(count: Int, filling: Double): ScenarioSetup {
@@ -134,7 +137,7 @@ private fun clump(count: Int, filling: Double): ScenarioSetup {
 
 private const val CLUMPED_EDGES = 8.0
 
-private fun gas(count: Int, filling: Double, placement: String): ScenarioSetup {
+internal fun gas(count: Int, filling: Double, placement: String): ScenarioSetup {
     val edge = StrictMath.cbrt(count * Math.PI / 6 / filling)
     return ScenarioSetup.of(ScenarioJson.parse(gasText(count, edge, placement), "gas"), "gas").also {
         check(it.boundary is Periodic)

@@ -8,6 +8,7 @@ import daphnis.core.population.stateDigest
 import daphnis.core.run.RunException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioSetup
+import kotlin.math.ceil
 
 /** An engine and the number of its threads. */
 internal data class Contestant(val engine: String, val threads: Int)
@@ -23,7 +24,7 @@ internal class Contest(
     private val engines: EngineFactory,
     private val contestants: List<Contestant>,
     private val scenario: Scenario,
-    private val name: String,
+    val name: String,
     private val steps: Long?,
 ) {
     private val setup = ScenarioSetup.of(scenario, name)
@@ -35,6 +36,21 @@ internal class Contest(
 
     /** Spheres at the start. */
     val spheres: Int get() = setup.population.size
+
+    /** Steps of a round as far as they are known before; null where the scenario adapts its step. */
+    private val plannedSteps: Long? = steps ?: (setup.timeStep as? FixedTimeStep)?.let {
+        ceil((setup.scenario.end - setup.scenario.startTime) / it.duration - END_SLACK).toLong()
+    }
+
+    /** How far a round goes, in words. */
+    val span: String get() = when (plannedSteps) {
+        null -> "to time ${setup.scenario.end}"
+        1L -> "1 step"
+        else -> "$plannedSteps steps"
+    }
+
+    /** Spheres times steps; null when the steps are not known. */
+    val work: Double? get() = plannedSteps?.let { it.toDouble() * spheres }
 
     /**
      * One round of all.

@@ -40,8 +40,9 @@ internal class Timing(
 
 /** The timings of one scenario, of which one is what the others are compared with. */
 internal class Ranking(val timings: List<Timing>) {
-    /** The serial engine where it took part, else the first. */
-    val yardstick: Timing = timings.find { it.engine == "serial" } ?: timings.first()
+    /** The serial engine where it took part, else the first on one thread, else the first. */
+    val yardstick: Timing =
+        timings.find { it.engine == "serial" } ?: timings.find { it.threads == 1 } ?: timings.first()
 
     /** How many times as fast as the [yardstick]. */
     fun speed(timing: Timing): Double = yardstick.fastest / timing.fastest

@@ -2,18 +2,36 @@ package daphnis.app.bench
 
 import java.util.Locale
 
+/** What became of a time. */
+internal enum class Verdict(val words: String) {
+    SLOWER("slower"),
+    FASTER("faster"),
+    SAME("same"),
+    UNKNOWN("cannot tell"),
+}
+
 /**
- * Two files of timings side by side. What became slower is told apart from noise: its fastest round is slower than the
- * median of the other file's rounds, and by more than [NOISE] than its fastest. Faster is the mirror image. What only
- * one file has is left out, and named.
+ * Two files of timings side by side. The rounds of both say how far times spread by themselves ([RankInterval]), so
+ * that one round, or rounds that overlap, cannot tell. What only one file has is left out, and named.
  */
 internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
     /** One engine on one scenario in both files. */
     class Pair(val old: Timing, val new: Timing) {
-        /** How many times as long the new one takes, by the fastest rounds. */
-        val ratio: Double get() = new.fastest / old.fastest
-        val isSlower: Boolean get() = new.fastest > old.median && ratio > 1 + NOISE
-        val isFaster: Boolean get() = old.fastest > new.median && ratio < 1 / (1 + NOISE)
+        /** How many times as long the new one takes: the median over all pairs of rounds. */
+        val ratio: Double
+            get() = RankInterval.ratios(new.seconds, old.seconds).let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }
+
+        /** Where the ratio lies; null when there are too few rounds to say. */
+        val interval: RankInterval? = RankInterval.of(new.seconds, old.seconds)
+
+        val verdict: Verdict
+            get() = when {
+                interval == null -> Verdict.UNKNOWN
+                interval.low > 1 && ratio > 1 + NOISE -> Verdict.SLOWER
+                interval.high < 1 && ratio < 1 / (1 + NOISE) -> Verdict.FASTER
+                interval.low >= 1 / (1 + NOISE) && interval.high <= 1 + NOISE -> Verdict.SAME
+                else -> Verdict.UNKNOWN
+            }
     }
 
     private val newByKey = new.associateBy(::key)
@@ -28,26 +46,29 @@ internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
             old.filter { key(it) !in newByKey }.map { "only the first has ${words(it)}" }
 
     /** As a table in Markdown. */
-    fun table(): String {
-        val lines =
-            arrayListOf(
-                "| scenario | engine | threads | before, s | after, s | ratio | |",
-                "|---|---|--:|--:|--:|--:|---|",
-            )
-        for (pair in pairs) {
-            val verdict = if (pair.isSlower) {
-                "slower"
-            } else if (pair.isFaster) {
-                "faster"
-            } else {
-                ""
-            }
-            val ratio = "%.2f".format(Locale.ROOT, pair.ratio)
-            val t = pair.new
-            val seconds = "${significant(pair.old.fastest)} | ${significant(t.fastest)}"
-            lines += "| ${t.scenario} | ${t.engine} | ${t.threads} | $seconds | $ratio | $verdict |"
+    fun table(): String = HEADER + pairs.joinToString("") { "\n${row(it)}" }
+
+    private fun row(pair: Pair): String {
+        val (old, new) = pair.old to pair.new
+        val interval = pair.interval?.let { "%.2f to %.2f".format(Locale.ROOT, it.low, it.high) }.orEmpty()
+        return listOf(
+            new.scenario, new.engine, "${new.threads}", "${old.seconds.size}, ${new.seconds.size}",
+            significant(old.median), significant(new.median), "%.2f".format(Locale.ROOT, pair.ratio), interval,
+            pair.verdict.words,
+        ).joinToString(" | ", "| ", " |")
+    }
+
+    /** All verdicts in one line. */
+    fun closing(): String {
+        fun count(verdict: Verdict) = pairs.count { it.verdict == verdict }
+        val slower = count(Verdict.SLOWER)
+        val unknown = count(Verdict.UNKNOWN)
+        val seen = when {
+            slower > 0 -> "$slower became slower"
+            unknown > 0 -> "nothing is seen to have become slower"
+            else -> "nothing became slower"
         }
-        return lines.joinToString("\n")
+        return if (unknown == 0) seen else "$seen; $unknown cannot be told, more --rounds may tell"
     }
 
     /** The same steps of the same spheres; other numbers of collisions are another computation. */
@@ -58,5 +79,8 @@ internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
 
     private companion object {
         const val NOISE = 0.03
+        const val HEADER =
+            "| scenario | engine | threads | rounds | before, s | after, s | ratio | 90 % interval | |\n" +
+                "|---|---|--:|--:|--:|--:|--:|--:|---|"
     }
 }

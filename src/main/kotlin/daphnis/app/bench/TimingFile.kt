@@ -1,7 +1,7 @@
 package daphnis.app.bench
 
 import daphnis.core.format.FormatException
-import daphnis.core.run.reasonOf
+import daphnis.core.format.reasonOf
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -30,7 +30,7 @@ internal object TimingFile {
         val lines = try {
             Files.readAllLines(path)
         } catch (e: IOException) {
-            throw FormatException("$path: cannot be read: ${reasonOf(e)}")
+            throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         }
         if (lines.firstOrNull() !=
             HEADER

@@ -1,5 +1,6 @@
 package daphnis.app.bench
 
+import daphnis.analysis.plot.Yardstick
 import java.util.Locale
 
 /** Timings of one scenario as a table in Markdown. */
@@ -28,7 +29,9 @@ internal fun timingTable(timings: List<Timing>): String {
 internal fun timingTitle(timings: List<Timing>): String {
     val t = timings.first()
     val rounds = if (t.seconds.size == 1) "1 round" else "${t.seconds.size} rounds"
-    return "${t.scenario}: ${t.spheres} spheres, ${t.steps} steps, ${t.collisions} collisions; $rounds"
+    val work = "${t.scenario}: ${t.spheres} spheres, ${t.steps} steps, ${t.collisions} collisions"
+    val yardstick = Ranking(timings).yardstick.let { Yardstick(it.engine, it.threads, it.fastest) }
+    return "$work; $rounds; speed relative to $yardstick"
 }
 
 private fun row(vararg cells: String) = cells.joinToString(" | ", "| ", " |")

@@ -2,7 +2,6 @@ package daphnis.app.bench
 
 import daphnis.core.format.FormatException
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -35,6 +34,10 @@ class TimingTest {
         assertEquals(0.625, ranking.efficiency(timings[1]))
         assertEquals("islands", Ranking(timings.take(2)).yardstick.engine)
         assertTrue(Ranking(listOf(timings[1])).efficiency(timings[1]).isNaN())
+        // One thread goes before the order of the command line.
+        assertEquals(1, Ranking(listOf(timings[1], timings[0])).yardstick.threads)
+        assertTrue(timingTitle(listOf(timings[1])).endsWith("; speed relative to islands on 4 threads"))
+        assertTrue(timingTitle(timings).endsWith("; speed relative to serial"))
         val rows = timingTable(timings).lines()
         assertEquals("| islands | 4 | 0.800 | 0.800 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
     }
@@ -78,27 +81,5 @@ class TimingTest {
         refused("$header\ngas,99999999999,serial,1,10,5,1,0.5\n", "'99999999999'")
         Files.delete(path)
         refused("$header\n\"gas,1,serial,1,10,5,1,0.5", "line 2")
-    }
-
-    @Test
-    fun `slower is what noise does not explain`() {
-        fun pair(old: Timing, new: Timing) = TimingComparison(listOf(old), listOf(new)).pairs.single()
-        val old = timing("serial", 1, 1.0, 1.1, 1.2)
-        assertTrue(pair(old, timing("serial", 1, 1.2, 1.3)).isSlower)
-        assertFalse(pair(old, timing("serial", 1, 1.09, 1.3)).isSlower)
-        assertFalse(pair(timing("serial", 1, 1.0), timing("serial", 1, 1.02)).isSlower)
-        assertTrue(pair(old, timing("serial", 1, 0.8, 0.9, 1.1)).isFaster)
-        assertFalse(pair(old, timing("serial", 1, 0.8, 1.05, 1.1)).isFaster)
-        assertFalse(pair(old, timing("serial", 1, 0.8, 0.9, 1.1)).isSlower)
-    }
-
-    @Test
-    fun `other steps are not compared, and named`() {
-        val old = timing("serial", 1, 1.0)
-        val new = Timing("gas", 1000, "serial", 1, 20, 500, listOf(1.0))
-        val comparison = TimingComparison(listOf(old), listOf(new))
-        assertTrue(comparison.pairs.isEmpty())
-        assertEquals(2, comparison.unmatched.size)
-        assertTrue("20 steps" in comparison.unmatched[0]) { comparison.unmatched[0] }
     }
 }

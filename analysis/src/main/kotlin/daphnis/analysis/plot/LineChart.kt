@@ -8,6 +8,8 @@ package daphnis.analysis.plot
  * @param y by point; points that are not finite are left out, and one alone is a dash
  * @param from where the x axis begins, [to] where it ends
  * @param logarithmic whether the y axis is; all [y] are positive then
+ * @param counted whether [y] count something: an axis that is not logarithmic begins at 0 then, unless all values are
+ *   in the upper half of it
  */
 internal class LineChart(
     private val title: String,
@@ -19,6 +21,7 @@ internal class LineChart(
     private val logarithmic: Boolean,
     private val from: Double,
     private val to: Double,
+    private val counted: Boolean = false,
 ) {
     /** Draws on [sheet], [top] points from its upper edge, as wide and high as given. */
     fun draw(sheet: Sheet, top: Double, width: Double, height: Double) {
@@ -80,6 +83,9 @@ internal class LineChart(
         val low = points.minOfOrNull { y[it] } ?: 0.0
         val high = points.maxOfOrNull { y[it] } ?: 1.0
         if (logarithmic) return Math.pow(high / low, ROOM).let { Axis(low / it, high * it, true) }
+        if (counted && low in 0.0..high / 2) {
+            return Axis(0.0, if (high > 0) high * (1 + ROOM) else 1.0, false)
+        }
         return ((high - low) * ROOM).let { Axis(low - it, high + it, false) }
     }
 

@@ -61,7 +61,9 @@ public object RunPlot {
         val time = Time(UnitNames.axis("time", scale.timeName), times.first() / scale.time, times.last() / scale.time)
         return listOfNotNull(
             curves.temperature()?.let { chart(it, title, time, SeriesPlots.TEMPERATURE, scale.temperatureName) },
-            curves.collisionRate()?.let { chart(it, "", time, SeriesPlots.RATE, scale.rateName, Figures.ACCENT) },
+            curves.collisionRate()?.let {
+                chart(it, "", time, SeriesPlots.RATE, scale.rateName, Figures.ACCENT, counted = true)
+            },
         )
     }
 
@@ -75,10 +77,11 @@ public object RunPlot {
         y: String,
         unit: String,
         colour: String = Figures.INK,
+        counted: Boolean = false,
     ): LineChart {
         val log = Chart.isWide(curve.y.asList())
         val label = UnitNames.axis(y, unit) + if (log) " (log scale)" else ""
-        return LineChart(title, x.label, label, curve.x.asList(), curve.y.asList(), colour, log, x.from, x.to)
+        return LineChart(title, x.label, label, curve.x.asList(), curve.y.asList(), colour, log, x.from, x.to, counted)
     }
 
     private fun svg(charts: List<LineChart>): String = SvgSheet(WIDTH, HEIGHT).also { draw(charts, it) }.toString()

@@ -10,14 +10,16 @@ public object ScalingPlot {
      *
      * @param times for each engine, seconds against threads; an engine that was timed once is a point, and has no
      *   efficiency
-     * @param alone seconds of what all are compared with, on one thread; a dashed line
+     * @param yardstick what all are compared with; a dashed line. On one thread, n threads are n times as fast at best,
+     *   which is drawn too
      * @param title what stands above
      * @throws IllegalArgumentException when there is no curve, or a time is not positive
      */
     @JvmStatic
-    public fun write(times: List<Curve>, alone: Double, directory: Path, name: String, title: String) {
+    public fun write(times: List<Curve>, yardstick: Yardstick, directory: Path, name: String, title: String) {
         require(times.isNotEmpty()) { "there is nothing to draw" }
-        require(times.all { c -> c.y.all { it > 0 } } && alone > 0) { "a time is not positive" }
+        val unit = yardstick.seconds
+        require(times.all { c -> c.y.all { it > 0 } } && unit > 0) { "a time is not positive" }
         // Those of one point come last, so that each engine looks the same in all three.
         val curves = times.sortedBy { it.x.size == 1 }
         val threads = times.flatMap { it.x.asList() }.map { it.toInt() }.distinct().sorted()
@@ -25,8 +27,13 @@ public object ScalingPlot {
             val plot = Chart.lines(drawn, "threads", label, title, horizontal = horizontal, ticks = threads)
             Figures.write(plot, directory, "$name-$kind", Chart.WIDTH, Chart.HEIGHT)
         }
-        draw("time", curves, "time [s]", alone)
-        draw("speed", curves.map { c -> mapped(c) { _, t -> alone / t } } + ideal(times), "speed", 1.0)
+        draw("time", curves, "time [s]", unit)
+        val speeds = curves.map { c -> mapped(c) { _, t -> unit / t } }
+        // Two threads may be more than twice as fast as two others; only one thread sets a bound.
+        val bound = if (yardstick.threads == 1) listOf(ideal(times)) else emptyList()
+        val label = "speed relative to $yardstick"
+        val lines = if (label.length > LONGEST_LABEL) label.replace(" to ", " to\n") else label
+        draw("speed", speeds + bound, lines, 1.0)
         val measured = curves.filter { it.x.size > 1 && 1.0 in it.x.asList() }
         if (measured.isEmpty()) return
         val efficiencies = measured.map { c ->
@@ -51,4 +58,6 @@ public object ScalingPlot {
         val x = times.flatMap { it.x.asList() }.distinct().sorted().toDoubleArray()
         return Curve("ideal", x, x)
     }
+
+    private const val LONGEST_LABEL = 32
 }

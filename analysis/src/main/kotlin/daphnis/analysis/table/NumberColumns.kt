@@ -1,6 +1,7 @@
 package daphnis.analysis.table
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.reasonOf
 import daphnis.core.table.TableColumns
 import daphnis.core.table.needed
 import java.io.IOException
@@ -23,7 +24,7 @@ internal object NumberColumns {
         val text = try {
             Files.readString(path)
         } catch (e: IOException) {
-            throw FormatException("$path: cannot be read: ${e.message}")
+            throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         }
         // Half a number looks like a whole one: only the line end tells.
         val lines = text.substring(0, text.lastIndexOf('\n') + 1).lines().dropLast(1)

@@ -1,6 +1,7 @@
 package daphnis.analysis.transport
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.reasonOf
 import daphnis.core.run.ImpactColumns
 import daphnis.core.table.Column
 import java.io.IOException
@@ -29,7 +30,7 @@ public class ImpactTable private constructor(
             val lines = try {
                 Files.readString(path).lines().drop(1).dropLastWhile { it.isEmpty() }
             } catch (e: IOException) {
-                throw FormatException("$path: cannot be read: ${e.message}")
+                throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
             }
             val rows = lines.mapIndexed { k, line -> row(line) ?: throw damaged(path, k + 2, line) }
             fun column(column: Column) = place(column).let { c -> DoubleArray(rows.size) { rows[it][c] } }

@@ -167,6 +167,26 @@ class RunPlotTest {
     }
 
     @Test
+    fun `rates that are small numbers of collisions stand on an axis from 0, steady ones do not`() {
+        fun heights(vararg collisions: Int): List<Double> {
+            val rows = collisions.withIndex().joinToString("") { (k, c) -> "$k,$k.0,100,$c,1.0\n" }
+            val text = "step,time,particles,collisions,granular_temperature\n$rows"
+            RunPlot.write(Files.writeString(home.resolve("few.csv"), text), home, "few", gas)
+            val line = Regex("stroke=\"#b3541e\"[^>]* d=\"M([^\"]*)\"")
+            val path = line.find(Files.readString(home.resolve("run.svg")))!!.groupValues[1]
+            // The panel of rates ends 44 points above the lower edge of the picture.
+            return path.split('L').map { 596 - it.substringAfter(' ').toDouble() }
+        }
+        val few = heights(0, 0, 2, 3, 3)
+        assertEquals(0.0, few[0])
+        assertEquals(2.0, few[1] / few[2], 1e-3)
+        assertEquals(listOf(0.0, 0.0), heights(0, 0, 0))
+        val steady = heights(0, 101, 200, 300)
+        assertEquals(244 * 0.05 / 1.1, steady.min(), 0.01)
+        assertEquals(244 * 1.05 / 1.1, steady.max(), 0.01)
+    }
+
+    @Test
     fun `the one rate of a run of one step is a dash in the middle`() {
         RunPlot.write(series(2) { 1.0 + it }, home, "step", gas)
         val dash = Regex(

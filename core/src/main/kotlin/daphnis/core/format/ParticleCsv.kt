@@ -36,7 +36,7 @@ public object ParticleCsv : ReadableFormat {
         val table = try {
             TextLines(path).use { table(it, path) }
         } catch (e: IOException) {
-            throw FormatException("$path: cannot be read: ${e.message}")
+            throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         }
         return table.snapshot(density).also { SnapshotCheck.check(it, "$path") }
     }

@@ -55,6 +55,6 @@ public object SnapshotFormats {
     public fun read(path: Path): List<Snapshot> = try {
         of(path).read(path)
     } catch (e: IOException) {
-        throw FormatException("$path: cannot be read: ${e.message}")
+        throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
     }
 }

@@ -45,7 +45,7 @@ internal class TextLines(private val path: Path, private val longest: Int = LONG
         } catch (e: CharacterCodingException) {
             throw FormatException("$path: is not UTF-8 text")
         } catch (e: IOException) {
-            throw FormatException("$path: cannot be read: ${e.message}")
+            throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         }
     }
 

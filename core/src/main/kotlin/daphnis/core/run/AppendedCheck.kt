@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.io.RandomAccessFile
@@ -34,7 +35,7 @@ internal class AppendedCheck(private val directory: RunDirectory, private val me
         try {
             accept(name, path, mark)
         } catch (e: IOException) {
-            throw InputException(path.toString(), null, "cannot be read: ${reasonOf(e)}")
+            throw InputException(path.toString(), null, "cannot be read: ${reasonOf(e, path)}")
         }
     }
 

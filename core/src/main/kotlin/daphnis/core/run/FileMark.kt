@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.format.reasonOf
 import kotlinx.serialization.Serializable
 import java.io.IOException
 import java.nio.file.Files
@@ -34,7 +35,7 @@ internal class FileMark(val length: Long, val checksum: Long? = null) {
             }
         }
     } catch (e: IOException) {
-        "cannot be read: ${reasonOf(e)}"
+        "cannot be read: ${reasonOf(e, path)}"
     }
 
     companion object {

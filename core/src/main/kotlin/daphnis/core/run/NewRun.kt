@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
+import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.ResolvedScenario
@@ -40,7 +41,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         make()
         locked()
     } catch (e: IOException) {
-        throw InputException(path.toString(), null, "cannot be made: ${reasonOf(e)}")
+        throw InputException(path.toString(), null, "cannot be made: ${reasonOf(e, path)}")
     }
 
     private fun locked(): AutoCloseable {

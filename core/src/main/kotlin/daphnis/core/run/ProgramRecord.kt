@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
@@ -25,7 +26,7 @@ public class ProgramRecord internal constructor(public val program: String, publ
         public fun read(path: Path): ProgramRecord = try {
             parse(Files.readString(path), "$path")
         } catch (e: IOException) {
-            throw InputException("$path", null, "cannot be read: ${reasonOf(e)}")
+            throw InputException("$path", null, "cannot be read: ${reasonOf(e, path)}")
         }
 
         internal fun parse(text: String, source: String): ProgramRecord = try {

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.format.reasonOf
 import java.io.DataInputStream
 import java.io.DataOutputStream
 import java.io.EOFException
@@ -52,7 +53,7 @@ internal class Records private constructor(val version: Int, private val bytes: 
             } catch (e: EOFException) {
                 throw CheckpointException("$path: is cut short")
             } catch (e: IOException) {
-                throw CheckpointException("$path: cannot be read: ${reasonOf(e)}")
+                throw CheckpointException("$path: cannot be read: ${reasonOf(e, path)}")
             }
         }
 

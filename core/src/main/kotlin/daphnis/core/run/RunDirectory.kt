@@ -4,6 +4,7 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.nio.file.Path
@@ -67,7 +68,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         val files = if (snapshots.isDirectory()) snapshots.listDirectoryEntries("*.h5") else emptyList()
         files.mapNotNull { it.name.removeSuffix(".h5").toLongOrNull() }.filter { snapshot(it) in files }.sorted()
     } catch (e: IOException) {
-        throw InputException(snapshots.toString(), null, "cannot be read: ${reasonOf(e)}")
+        throw InputException(snapshots.toString(), null, "cannot be read: ${reasonOf(e, snapshots)}")
     }
 
     /**

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.nio.ByteBuffer
@@ -49,7 +50,7 @@ public class RunLock private constructor(private val directory: Path, private va
                 throw e
             }
         } catch (e: IOException) {
-            throw InputException(directory.toString(), null, "cannot be written: ${reasonOf(e)}")
+            throw InputException(directory.toString(), null, "cannot be written: ${reasonOf(e, directory)}")
         }
 
         private fun lockedChannel(directory: Path): FileChannel {

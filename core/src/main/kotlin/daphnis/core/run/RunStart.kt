@@ -4,6 +4,7 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Output
 import daphnis.core.TimeStep
 import daphnis.core.engine.EngineFactory
+import daphnis.core.format.reasonOf
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.RunTimes
@@ -191,7 +192,7 @@ internal fun endSlack(timeStep: TimeStepSpec): Double =
 internal fun endSlack(step: TimeStep): Double = if (step is FixedTimeStep) step.duration * END_SLACK else 0.0
 
 internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException =
-    RunException("cannot write to ${directory.path}: ${reasonOf(e)}", e)
+    RunException("cannot write to ${directory.path}: ${reasonOf(e, directory.path)}", e)
 
 private const val UNTIL = "until"
 private const val END_SLACK = 1e-6

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.format.FormatException
+import daphnis.core.format.reasonOf
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.search.Overlap
@@ -70,7 +71,7 @@ public class Summary(
         } catch (e: CharacterCodingException) {
             throw FormatException("$path: is not UTF-8 text")
         } catch (e: IOException) {
-            throw FormatException("$path: cannot be read: ${reasonOf(e)}")
+            throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         } catch (e: IllegalArgumentException) {
             throw FormatException("$path: is not a summary of daphnis: ${e.message.orEmpty().lineSequence().first()}")
         }

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.format.reasonOf
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
@@ -55,7 +56,7 @@ public object ScenarioJson {
         } catch (e: CharacterCodingException) {
             throw InputException(path.toString(), null, "is not UTF-8 text")
         } catch (e: IOException) {
-            throw InputException(path.toString(), null, "cannot be read: ${e.message}")
+            throw InputException(path.toString(), null, "cannot be read: ${reasonOf(e, path)}")
         }
         return parse(text, path.toString(), settings)
     }

@@ -1,4 +1,4 @@
-package daphnis.core.run
+package daphnis.core.format
 
 import java.io.IOException
 import java.nio.file.AccessDeniedException
@@ -8,12 +8,15 @@ import java.nio.file.FileSystemException
 import java.nio.file.FileSystemLoopException
 import java.nio.file.NoSuchFileException
 import java.nio.file.NotDirectoryException
+import java.nio.file.Path
 import java.nio.file.ReadOnlyFileSystemException
 
 /**
  * What went wrong with a file, in the system's words where it has some, since exceptions of Java often leave them out.
+ * The file is named first, unless it is [named], which the message before has said already.
  */
-public fun reasonOf(e: Exception): String {
+@JvmOverloads
+public fun reasonOf(e: Exception, named: Path? = null): String {
     val words = when (e) {
         is AccessDeniedException -> "permission denied"
         is NoSuchFileException -> "no such file or directory"
@@ -27,5 +30,8 @@ public fun reasonOf(e: Exception): String {
         else -> e.message
     } ?: e.javaClass.simpleName
     val file = (e as? FileSystemException)?.file
-    return if (file == null) words else "$file: $words"
+    return if (file == null || named != null && isSame(file, named)) words else "$file: $words"
 }
+
+private fun isSame(file: String, named: Path) =
+    named.fileSystem.getPath(file).toAbsolutePath().normalize() == named.toAbsolutePath().normalize()
