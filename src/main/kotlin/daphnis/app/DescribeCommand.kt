@@ -11,6 +11,7 @@ import daphnis.app.describe.GravityRows
 import daphnis.app.describe.PhysicsRows
 import daphnis.app.describe.Quantities
 import daphnis.app.describe.Rows
+import daphnis.app.progress.columnsFor
 import daphnis.core.run.engineOf
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings

@@ -15,6 +15,7 @@ import daphnis.analysis.sweep.SweepPlots
 import daphnis.analysis.sweep.SweepRun
 import daphnis.analysis.sweep.SweepTables
 import daphnis.analysis.sweep.SweepText
+import daphnis.app.progress.columnsFor
 import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SharedCores
 import daphnis.app.sweep.SweepDirectory

@@ -1,8 +1,8 @@
 package daphnis.app.sweep
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.reasonOf
 import daphnis.core.run.Version
-import daphnis.core.run.reasonOf
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -95,7 +95,7 @@ internal class SweepRecord(
                 (tree["seeds"] as? JsonArray)?.map { it.jsonPrimitive.content.toLong() },
             )
         } catch (e: IOException) {
-            throw FormatException("$path: cannot be read: ${reasonOf(e)}")
+            throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         } catch (e: IllegalArgumentException) {
             throw FormatException("$path: is no record of a sweep: ${e.message.orEmpty().lineSequence().first()}")
         } catch (e: NoSuchElementException) {
