@@ -40,7 +40,7 @@ public class Simulation internal constructor(
     startStep: Long,
     runStart: Double?,
     elsewhere: Steps?,
-    clock: Clock? = null,
+    clock: Clock?,
 ) : AutoCloseable {
     @JvmOverloads
     public constructor(
@@ -53,7 +53,7 @@ public class Simulation internal constructor(
         startTime: Double = 0.0,
         startStep: Long = 0,
         runStart: Double? = null,
-    ) : this(population, boundary, collisions, timeStep, forces, outputs, startTime, startStep, runStart, null)
+    ) : this(population, boundary, collisions, timeStep, forces, outputs, startTime, startStep, runStart, null, null)
 
     /** The spheres, at the end of the last step. Where nodes hold them, they are fetched at the first call. */
     public val population: Population = population

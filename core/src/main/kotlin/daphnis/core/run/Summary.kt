@@ -23,7 +23,7 @@ import java.nio.file.Path
  * @property from the state of another run from which it started; null when it did not
  */
 @Serializable
-public class Summary(
+public class Summary @JvmOverloads constructor(
     public val stateDigest: String,
     public val finished: Boolean,
     public val scenario: String,
