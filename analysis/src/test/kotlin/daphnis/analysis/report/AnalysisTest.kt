@@ -142,8 +142,8 @@ class AnalysisTest {
         val cooling = run("cooling-gas", "until=20", "particles.count=300", "output.transportEvery=1")
         Analysis(AnalysisInput.ofRun(cooling), AnalysisOptions(from = 10.0)).write(cooling)
         val rows = Files.readAllLines(cooling.resolve("tables/numbers.csv")).drop(1).map { it.split(',') }
-        val temperature = rows.single { it[0] == "granular_temperature" }
-        assertTrue(temperature[1].toDouble() > 0 && temperature[2].isEmpty() && temperature[5] == "not steady")
+        // The collisions of a row scatter so much that they would have an error; a temperature that falls has none anyway.
+        assertEquals("not steady", rows.single { it[0] == "compressibility" }[5]) { "$rows" }
         assertTrue(rows.all { it[2].isEmpty() } && rows.single { it[0] == "mean_radius" }[5].isEmpty()) { "$rows" }
         val html = Files.readString(cooling.resolve("report.html"))
         assertTrue("<sup>!</sup> No error is given: the run is not steady" in html)
