@@ -10,7 +10,7 @@ import daphnis.analysis.report.ReportNumber
  * @property seed of its initial state
  * @property numbers that it came to; empty when it failed
  * @property failure why it failed; null when it is finished
- * @property remark why numbers are missing though it is finished; null when none are
+ * @property remark what is to be said of the numbers of a finished run, such as why some are missing; null for nothing
  */
 public class SweepRun @JvmOverloads constructor(
     public val name: String,

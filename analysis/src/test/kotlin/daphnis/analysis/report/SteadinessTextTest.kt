@@ -54,6 +54,13 @@ class SteadinessTextTest {
     }
 
     @Test
+    fun `where averages begin late it says when, in orbits too`() {
+        val said = SteadinessText(25.0, "orbit", 10.0).found()
+        assertEquals("The run became steady at time 25 (2.50 orbits), by MSER-5; averages begin there.", said)
+        assertTrue("time 25, by" in SteadinessText(25.0, "unit of time", 1.0).found())
+    }
+
+    @Test
     fun `too few rows, none after the time, and drifts too small for a word`() {
         val lines = SteadinessText(195.0, "orbit", 1.0).of(listOf(history("a") { 1.0 * it }))
         assertTrue(lines.single().startsWith("Whether it is steady cannot be told from fewer than 24 rows")) {
