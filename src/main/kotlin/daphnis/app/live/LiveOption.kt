@@ -14,7 +14,11 @@ internal class LiveOption : OptionGroup() {
         help = "serve a page on this machine that shows the run as it goes on (default: any free port)",
     ).int().optionalValue(ANY_PORT, acceptsUnattachedValue = false)
 
-    /** Does [act] with the page, or with null when none is asked for. @throws InputException when it cannot be served */
+    /**
+     * Does [act] with the page, or with null when none is asked for.
+     *
+     * @throws InputException when it cannot be served
+     */
     fun <T> withPage(act: (LivePage?) -> T): T {
         val port = live ?: return act(null)
         if (port !in 0..MOST_PORT) throw InputException(LIVE, null, "is $port; a port is in 0..$MOST_PORT, 0 for any")

@@ -8,6 +8,7 @@ import daphnis.analysis.plot.RunPlot
 import daphnis.analysis.table.UnitNames
 import daphnis.app.progress.Pace
 import daphnis.app.progress.clock
+import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.run.Run
@@ -38,27 +39,43 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
     private val picture = StatePicture(MovieOptions(width = WIDTH), units)
     private val scale = run.scenario?.let { PlotScale.of(it, run.simulation.population) }
 
-    /** When the next picture may be begun; written by the painter when it has done one, Long.MAX_VALUE while it does. */
+    /** When the next picture may be begun; [BUSY] while one is made. Written by the painter when it has done one. */
     @Volatile
     private var due = System.nanoTime()
+    private var isFirst = true
+    private var isTold = false
+    private var toldAt = 0L
     private var shownAt = 0.0
     private var collisionsBefore = 0L
 
+    override fun open(simulation: Simulation, opening: Opening) {
+        collisionsBefore = collisionsOf(simulation)
+    }
+
     override fun write(simulation: Simulation) {
         val left = pace.left(simulation.time)
-        if (!feed.isWatched || due == BUSY || System.nanoTime() - due < 0) return
-        show(simulation, left)
+        if (!feed.isWatched) return
+        val now = System.nanoTime()
+        if (!isTold || now - toldAt >= LEAST_NANOSECONDS) tell(simulation, left, now)
+        if (due != BUSY && now - due >= 0) show(simulation)
     }
 
     /** The last state, for those who look. */
     override fun finish(simulation: Simulation) {
-        if (feed.isWatched) show(simulation, 0.0)
+        if (!feed.isWatched) return
+        tell(simulation, 0.0, System.nanoTime())
+        show(simulation)
     }
 
-    private fun show(simulation: Simulation, left: Double) {
+    private fun tell(simulation: Simulation, left: Double, now: Long) {
+        isTold = true
+        toldAt = now
+        feed.put("progress", progress(simulation, left))
+    }
+
+    private fun show(simulation: Simulation) {
         due = BUSY
         try {
-            val progress = progress(simulation, left)
             val state = State(
                 simulation.population.copy(),
                 simulation.boundary,
@@ -66,7 +83,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
                 omega,
                 run.scenario?.firstBody ?: Int.MAX_VALUE,
             )
-            painter.execute { draw(progress, state) }
+            painter.execute { draw(state) }
         } catch (e: Exception) {
             problem(e)
         } catch (e: OutOfMemoryError) {
@@ -76,7 +93,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
 
     private fun progress(simulation: Simulation, left: Double): String {
         val seconds = pace.seconds()
-        val collisions = simulation.collisions?.counters?.collisions ?: 0
+        val collisions = collisionsOf(simulation)
         val rate = (collisions - collisionsBefore) / (seconds - shownAt)
         shownAt = seconds
         collisionsBefore = collisions
@@ -84,20 +101,21 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
         val timeName = scale?.timeName ?: units.time
         fun say(format: String, vararg values: Any) = String.format(Locale.ROOT, format, *values)
         val part = (simulation.time - simulation.runStart) / (run.until - simulation.runStart)
-        val words = listOf(
+        val words = listOfNotNull(
             say("step %d", simulation.step),
             say("time %.4g of %.4g %s", simulation.time / timeUnit, run.until / timeUnit, UnitNames.raised(timeName)),
-            "${clock(left)} left",
+            "${clock(left)} left".takeIf { left.isFinite() },
             say("%.3g collisions/s", rate),
         )
         return "{\"part\": $part, \"text\": ${JsonPrimitive(words.joinToString(" · "))}}"
     }
 
+    private fun collisionsOf(simulation: Simulation): Long = simulation.collisions?.counters?.collisions ?: 0
+
     /** On the painter's thread. */
-    private fun draw(progress: String, state: State) {
+    private fun draw(state: State) {
         val begin = System.nanoTime()
         try {
-            feed.put("progress", progress)
             feed.put("picture", "data:image/png;base64," + base64(picture.png(state)))
             val series = run.directory.series
             if (run.hasSeries && scale != null && Files.exists(series)) {
@@ -105,7 +123,9 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
                 if (plot != null) feed.put("series", "data:image/svg+xml;base64," + base64(plot.toByteArray()))
             }
             val end = System.nanoTime()
-            due = maxOf(begin + LEAST_NANOSECONDS, end + SHARE * (end - begin))
+            // The first takes far longer than another, for all that Java loads.
+            due = maxOf(begin + LEAST_NANOSECONDS, if (isFirst) end else end + SHARE * (end - begin))
+            isFirst = false
         } catch (e: Exception) {
             problem(e)
         } catch (e: OutOfMemoryError) {

@@ -6,7 +6,7 @@ import daphnis.core.Simulation
 import daphnis.core.run.Run
 import kotlinx.serialization.json.JsonPrimitive
 
-/** The live page of a run: from before it starts, so that a port that cannot be had stops nothing, until it has ended. */
+/** The live page of a run: from before it starts, so that a port that is taken is told at once, until it has ended. */
 internal class LivePage(port: Int) : AutoCloseable {
     private val feed = Feed()
     private val server = LiveServer(port, feed)

@@ -3,7 +3,10 @@ package daphnis.analysis.movie
 import org.jcodec.common.model.ColorSpace
 import org.jcodec.common.model.Picture
 
-/** A frame as the encoder of H.264 takes it: brightness per pixel and colour for two by two, ITU-R BT.709, video range. */
+/**
+ * A frame as the encoder of H.264 takes it: brightness per pixel and colour for two by two pixels, by ITU-R BT.709 in the
+ * range of video.
+ */
 internal class YuvPicture(private val width: Int, private val height: Int) {
     // The encoder takes no other format; what it writes about the range is what is here.
     val picture: Picture = Picture.create(width, height, ColorSpace.YUV420J)
