@@ -114,7 +114,7 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
     /** Two threads are twice as fast as one. */
     fun threads(): List<Row> = shared().flatMap { system ->
         val start = system.make()
-        listOf(EngineName.ISLANDS, EngineName.BRICKS).map { engine ->
+        listOf(EngineName.HORIZON, EngineName.ISLANDS, EngineName.BRICKS).map { engine ->
             val (one, two) = timed(listOf(1, 2).map { system.runner(start, engine, it) })
             val what = "two threads, times as fast as one"
             Row("${word(engine)}, ${system.name}: $what", one.perStep / two.perStep, note(one, two))
@@ -124,10 +124,10 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
     /** Messages cost nothing. */
     fun actors(): List<Row> = shared().flatMap { system ->
         val start = system.make()
-        val engines = listOf(EngineName.ISLANDS, EngineName.ACTORS, EngineName.PEKKO)
+        val engines = listOf(EngineName.HORIZON, EngineName.ISLANDS, EngineName.ACTORS, EngineName.PEKKO)
         val all = timed(engines.map { system.runner(start, it, 2) })
         all.drop(1).map {
-            val what = "time over that of islands, two threads each"
+            val what = "time over that of horizon, two threads each"
             Row("${word(it.engine)}, ${system.name}: $what", it.perStep / all[0].perStep, note(all[0], it))
         }
     }

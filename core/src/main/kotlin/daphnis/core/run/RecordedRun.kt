@@ -29,13 +29,16 @@ public class RecordedRun internal constructor(public val directory: RunDirectory
     public fun summary(): Summary? = if (Files.exists(directory.summary)) Summary.read(directory.summary) else null
 
     /** Steps after which there is a state, ascending. */
-    public fun steps(): List<Long> =
-        (directory.snapshotSteps() + listOfNotNull(checkpoint.lastStep())).distinct().sorted()
+    public fun steps(): List<Long> {
+        // First: what was written before a checkpoint is there when the checkpoint is.
+        val last = checkpoint.lastStep()
+        return (directory.snapshotSteps() + listOfNotNull(last)).distinct().sorted()
+    }
 
     /**
      * Every state in the order of time, each read when the iterator comes to it. An iterator goes through the snapshots
-     * that are there when it is made, and then the last checkpoint if that is of a later step. In Kotlin `asSequence()`
-     * makes chains of calls lazy too.
+     * up to the last checkpoint that is there when it comes to its end, and then that checkpoint if it is of a later
+     * step. In Kotlin `asSequence()` makes chains of calls lazy too.
      */
     public fun states(): Iterable<Snapshot> = Iterable {
         iterator {
@@ -44,8 +47,14 @@ public class RecordedRun internal constructor(public val directory: RunDirectory
                 yield(directory.readSnapshot(step))
                 last = step
             }
-            val step = checkpoint.lastStep()
-            if (step != null && step > last) checkpoint.read(step)?.let { yield(it) }
+            val step = checkpoint.lastStep() ?: return@iterator
+            // Those that a run has written meanwhile.
+            for (later in directory.snapshotSteps()) {
+                if (later <= last || later > step) continue
+                yield(directory.readSnapshot(later))
+                last = later
+            }
+            if (step > last) checkpoint.read(step)?.let { yield(it) }
         }
     }
 

@@ -59,20 +59,39 @@ class RecordedRunTest {
 
     @Test
     fun `a run that goes on is read as far as it is, its last state from the checkpoint`() {
-        val seen = ArrayList<List<Long>>()
         startIn(directory).use { run ->
             val reader = Run.open(directory)
             assertEquals(emptyList<Long>(), reader.steps())
             refused({ reader.last() }, "no state yet")
             assertNull(reader.summary())
-            run.execute(Output { seen += reader.states().map { state -> state.step } })
+            // A snapshot every 4 steps and a checkpoint every 3, the latter after outputs have been called.
+            val expected = mapOf(
+                3L to listOf(0L),
+                4L to listOf(0L, 4L),
+                7L to listOf(0L, 4L, 6L),
+                11L to listOf(0L, 4L, 8L, 9L),
+                12L to listOf(0L, 4L, 8L, 12L),
+            )
+            var looked = 0
+            run.execute(
+                Output { simulation ->
+                    val steps = expected[simulation.step] ?: return@Output
+                    assertEquals(steps, written(reader, steps.last()))
+                    looked++
+                },
+            )
+            assertEquals(expected.size, looked)
         }
-        // A snapshot every 4 steps and a checkpoint every 3, the latter after outputs have been called.
-        assertEquals(listOf(0L), seen[3])
-        assertEquals(listOf(0L, 4L), seen[4])
-        assertEquals(listOf(0L, 4L, 6L), seen[7])
-        assertEquals(listOf(0L, 4L, 8L, 9L), seen[11])
-        assertEquals(listOf(0L, 4L, 8L, 12L), seen[12])
+    }
+
+    /** The steps of the states that [reader] finds, when that of step [last] is written: a run writes on its own thread. */
+    private fun written(reader: RecordedRun, last: Long): List<Long> {
+        val deadline = System.nanoTime() + 60_000_000_000
+        while (true) {
+            val steps = reader.states().map { it.step }
+            if (last in steps || System.nanoTime() > deadline) return steps
+            Thread.sleep(5)
+        }
     }
 
     @Test

@@ -45,6 +45,7 @@ class HorizonEngineTest {
                 assertSameStep(serial, horizon, story)
                 if (draw.isMeddled) draw.meddle(step, listOf(serial, horizon))
             }
+            engine.close()
             inEpochs += engine.epochSteps - engine.epochs
             strays += engine.strays
             collisions += serial.collisions!!.counters.collisions
