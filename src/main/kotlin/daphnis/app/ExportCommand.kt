@@ -85,7 +85,9 @@ class ExportCommand : CliktCommand(name = "export") {
                 "--format",
                 null,
                 "is ${format.word}, which needs the same particles in every state; those of steps ${before.step} and " +
-                    "${snapshot.step} differ; ${others.joinToString(" and ") { it.word }} do not",
+                    "${snapshot.step} differ; ${others.dropLast(1).joinToString {
+                        it.word
+                    }} and ${others.last().word} do not",
             )
         }
     }

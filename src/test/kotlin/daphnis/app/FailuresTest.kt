@@ -201,7 +201,7 @@ class FailuresTest {
         assertRefused(
             daphnis("export", at("a"), "--format", "h5md"),
             "--format: is h5md, which needs the same particles in every state; those of steps 0 and 8 differ; " +
-                "xyz and vtp do not",
+                "xyz, vtp and lammps do not",
         )
         assertDone(daphnis("export", at("a"), "--format", "xyz"))
     }

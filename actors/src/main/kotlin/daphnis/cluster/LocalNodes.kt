@@ -39,6 +39,7 @@ public class LocalNodes private constructor(public val fleet: Fleet, private val
         // JDK 24 and newer print four lines at the first use of sun.misc.Unsafe, which is Pekko's; older ones ignore
         // this.
         private const val UNSAFE_ALLOWED = "-Dsun.misc.unsafe.memory.access=allow"
+        private const val VECTOR_UNIT = "--add-modules=jdk.incubator.vector"
 
         /**
          * Starts [count] nodes and waits until all are there.
@@ -80,9 +81,13 @@ public class LocalNodes private constructor(public val fleet: Fleet, private val
         @JvmStatic
         public fun java(mainClass: String): List<String> {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-            // An agent or a port for a debugger serves one process.
+            // An agent or a port for a debugger serves one process. Nodes do not use the vector unit, and the JVM would
+            // write a line about it for each.
             val flags = ManagementFactory.getRuntimeMXBean().inputArguments.filter {
-                !it.startsWith("-javaagent") && !it.startsWith("-agentlib") && !it.startsWith("-Djava.class.path")
+                !it.startsWith("-javaagent") &&
+                    !it.startsWith("-agentlib") &&
+                    !it.startsWith("-Djava.class.path") &&
+                    it != VECTOR_UNIT
             }
             val path = System.getProperty("java.class.path").split(File.pathSeparator)
                 .joinToString(File.pathSeparator) { File(it).absolutePath }
