@@ -74,14 +74,17 @@ class SweepCommand : CliktCommand(name = "sweep") {
         from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
         val plan = SweepPlan.of(settings, seeds)
         val base = scenarioNamed(scenario, emptyList())
-        // All that can be wrong with a scenario itself is told before the first run.
-        for (run in plan.runs.distinctBy { it.settings }) scenarioOf(run)
+        // All that can be wrong with a scenario itself is told before the first run. A file that is changed later changes
+        // no run.
+        val scenarios = plan.runs.associateWith { scenarioOf(it) }
         requireEngine()
         val place = SweepDirectory(
             out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep"),
         )
         val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
-        writing(place.path.toAbsolutePath().parent) { place.claim(record) }.use { carryOut(plan, place) }
+        writing(place.path.toAbsolutePath().parent) {
+            place.claim(record)
+        }.use { carryOut(plan, place, scenarios::getValue) }
     }
 
     private fun scenarioOf(run: PlannedRun): Scenario {
@@ -100,7 +103,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         throw InputException("--engine", null, problem)
     }
 
-    private fun carryOut(plan: SweepPlan, place: SweepDirectory) {
+    private fun carryOut(plan: SweepPlan, place: SweepDirectory, scenarios: (PlannedRun) -> Scenario) {
         val runs = plan.runs
         val cores = Runtime.getRuntime().availableProcessors()
         val together = minOf(jobs ?: cores, runs.size)
@@ -112,7 +115,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
             val work = SweepWork(
                 place,
                 engines,
-                ::scenarioOf,
+                scenarios,
                 scenario,
                 from,
                 progress,

@@ -68,6 +68,22 @@ class SweepCommandTest {
     }
 
     @Test
+    fun `a file that is changed or removed while the sweep goes on changes none of its runs`() {
+        val file = folder.resolve("own.json")
+        Files.writeString(file, daphnis("scenarios", "cooling-gas").out)
+        val wanted = arrayOf("--set", "restitution.coefficient=0.5,0.7,0.9", "--jobs", "1", "--quiet")
+        assertDone(sweep("$file", *small.drop(1).toTypedArray(), *wanted, "--out", out("a")))
+        val remover = Thread {
+            while (!Files.exists(folder.resolve("b/runs"))) Thread.sleep(1)
+            Files.delete(file)
+        }
+        remover.start()
+        assertDone(sweep("$file", *small.drop(1).toTypedArray(), *wanted, "--out", out("b")))
+        remover.join()
+        assertEquals(lines("a/sweep.csv"), lines("b/sweep.csv"))
+    }
+
+    @Test
     fun `one seed has no error, and a value may hold commas`() {
         val boxes = "box.lengths=[20,20,20],[10,10,10]"
         val said = assertDone(sweep(*small, "--set", boxes, "--out", out("a"), "--quiet"))

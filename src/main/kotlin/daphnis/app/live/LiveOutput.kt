@@ -130,6 +130,9 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
             problem(e)
         } catch (e: OutOfMemoryError) {
             problem(e)
+        } catch (e: LinkageError) {
+            // Java without a part of its drawing.
+            problem(e)
         }
     }
 

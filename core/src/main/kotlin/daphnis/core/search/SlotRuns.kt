@@ -30,9 +30,10 @@ public abstract class SlotRuns internal constructor() {
     }
 
     private fun grow() {
-        from = from.copyOf(count * 2)
         to = to.copyOf(count * 2)
         image = image.copyOf(count * 2)
+        // Last, since its length says how many there is room for: an allocation before it may have failed.
+        from = from.copyOf(count * 2)
     }
 
     private companion object {

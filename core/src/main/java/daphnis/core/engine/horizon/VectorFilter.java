@@ -42,22 +42,23 @@ final class VectorFilter implements LineFilter {
         FloatVector closing = FloatVector.broadcast(SPECIES, query.closing);
         FloatVector radius = FloatVector.broadcast(SPECIES, query.radius);
         int found = 0;
+        // No fused multiply-add: without the instruction for it, Java computes it by decimal numbers of any length.
         // Lanes before the first slot and after the last hold other lines, or none: they are tested in vain.
         for (int slot = first & -LANES; slot < end; slot += LANES) {
             int p = Lines.place(slot);
             FloatVector pu = FloatVector.fromArray(SPECIES, state, p + Lines.U);
             FloatVector pv = FloatVector.fromArray(SPECIES, state, p + Lines.V);
             FloatVector pw = FloatVector.fromArray(SPECIES, state, p + Lines.W);
-            FloatVector dx = pu.fma(t, FloatVector.fromArray(SPECIES, state, p)).sub(x);
-            FloatVector dy = pv.fma(t, FloatVector.fromArray(SPECIES, state, p + Lines.Y)).sub(y);
-            FloatVector dz = pw.fma(t, FloatVector.fromArray(SPECIES, state, p + Lines.Z)).sub(z);
+            FloatVector dx = pu.mul(t).add(FloatVector.fromArray(SPECIES, state, p)).sub(x);
+            FloatVector dy = pv.mul(t).add(FloatVector.fromArray(SPECIES, state, p + Lines.Y)).sub(y);
+            FloatVector dz = pw.mul(t).add(FloatVector.fromArray(SPECIES, state, p + Lines.Z)).sub(z);
             FloatVector a = pu.sub(u);
             FloatVector b = pv.sub(v);
             FloatVector c = pw.sub(w);
             FloatVector s = FloatVector.fromArray(SPECIES, state, p + Lines.RADIUS).add(radius);
-            FloatVector gap = dx.fma(dx, dy.fma(dy, dz.mul(dz))).sub(s.mul(s));
-            FloatVector approach = dx.fma(a, dy.fma(b, dz.mul(c)));
-            FloatVector speed = a.fma(a, b.fma(b, c.mul(c)));
+            FloatVector gap = dx.mul(dx).add(dy.mul(dy)).add(dz.mul(dz)).sub(s.mul(s));
+            FloatVector approach = dx.mul(a).add(dy.mul(b)).add(dz.mul(c));
+            FloatVector speed = a.mul(a).add(b.mul(b)).add(c.mul(c));
             FloatVector late = approach.mul(closing).sub(gap);
             FloatVector miss = approach.mul(approach).mul(LineFilter.ROUNDING).sub(speed.mul(gap));
             // Near unless a sign bit says late or missed, and that of the gap says apart.

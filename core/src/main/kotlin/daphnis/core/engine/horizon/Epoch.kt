@@ -42,8 +42,11 @@ import daphnis.core.step.PreparedStep
  * Nothing in an epoch depends on what happened to the step before: a step that was taken back, or a population that was
  * moved by hand, shows by spheres that are not on their lines.
  */
-internal class Epoch(private val prepared: PreparedStep, private val loop: RangeLoop, filter: LineFilter) :
-    LineSearch.Found,
+internal class Epoch(
+    private val prepared: PreparedStep,
+    private val loop: RangeLoop,
+    private val filters: FilterChoice,
+) : LineSearch.Found,
     EpochImpact.Course {
     private val frame = EpochFrame()
     private val lines = Lines(frame)
@@ -52,16 +55,16 @@ internal class Epoch(private val prepared: PreparedStep, private val loop: Range
 
     /** Pairs found in searches for all, by worker. */
     private val calendars = List(loop.workers) { PairCalendar(lines) }
-    private val searches = calendars.map { LineSearch(frame, lines, cells, roamers, Filer(it), filter) }
+    private val searches = calendars.map { LineSearch(frame, lines, cells, roamers, Filer(it)) }
 
     /** For all other searches, which are on one thread. */
-    private val search = LineSearch(frame, lines, cells, roamers, this, filter)
+    private val search = LineSearch(frame, lines, cells, roamers, this)
     private val calendar = calendars[0]
     private val passage = Passage(frame, lines, loop)
     private val bodies = EpochBodies()
     private val impact = EpochImpact(prepared, bodies, this)
 
-    private val plan = EpochPlan(loop.workers, filter)
+    private val plan = EpochPlan(loop.workers)
 
     /** Number of the present step, from 0. */
     private var index = 0
@@ -143,7 +146,9 @@ internal class Epoch(private val prepared: PreparedStep, private val loop: Range
     private fun layOut(step: CollisionStep, fixed: HorizonTuning?): Boolean {
         frame.takeOver(step, prepared.reach)
         cells.measure(step.population)
-        val tuning = fixed ?: plan.choose(step.population.size, frame, cells) ?: return false
+        val tuning =
+            fixed ?: plan.choose(step.population.size, frame, cells, filters.choose(step.population.size))
+                ?: return false
         if (!frame.begin(tuning)) return false
         cells.sort(step.population, tuning)
         return true
@@ -158,8 +163,9 @@ internal class Epoch(private val prepared: PreparedStep, private val loop: Range
         for (calendar in calendars) calendar.begin(frame.steps)
         passage.first(population, cells, columns)
         roamers.begin(spheres, cells.fastest)
-        search.begin()
-        for (search in searches) search.begin()
+        val filter = filters.choose(spheres)
+        search.begin(filter)
+        for (search in searches) search.begin(filter)
     }
 
     /** The epoch ends before step [index]. */

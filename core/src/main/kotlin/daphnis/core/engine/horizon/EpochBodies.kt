@@ -45,8 +45,9 @@ internal class EpochBodies {
     }
 
     private fun include(slot: Int): Int {
+        // Before the row, so that there is none without a slot when the memory ends.
+        if (rows.size == slotOfPlace.size) slotOfPlace = slotOfPlace.copyOf(rows.size * 2)
         val place = rows.include(population, order?.get(slot) ?: slot)
-        if (place == slotOfPlace.size) slotOfPlace = slotOfPlace.copyOf(place * 2)
         slotOfPlace[place] = slot
         placeOfSlot[slot] = place
         queue.include(place, rows.id)

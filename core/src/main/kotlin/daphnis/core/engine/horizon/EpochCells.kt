@@ -112,10 +112,11 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
 
     private fun reserve(spheres: Int) {
         if (order.size < spheres) {
-            order = IntArray(spheres)
             cellOf = IntArray(spheres)
             cellOfIndex = IntArray(spheres)
             imageOfIndex = IntArray(spheres)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            order = IntArray(spheres)
         }
         if (start.size < cells + 2) start = IntArray(cells + cells / 4 + 2)
         start.fill(0, 0, cells + 2)

@@ -8,7 +8,7 @@ package daphnis.core.engine.horizon
  * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
  * and spheres on curved paths leave their lines.
  */
-internal class EpochPlan(private val threads: Int, private val filter: LineFilter) {
+internal class EpochPlan(private val threads: Int) {
     /** Collisions per sphere and step in the last epoch, or in a step since; unknown below 0. */
     private var collisions = -1.0
 
@@ -41,7 +41,7 @@ internal class EpochPlan(private val threads: Int, private val filter: LineFilte
      *
      * @return null when the serial engine is expected to be quicker
      */
-    fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells): HorizonTuning? {
+    fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter): HorizonTuning? {
         val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level], filter, threads)
         var least = WORTH * cost.otherwise()
         var bestSteps = 0

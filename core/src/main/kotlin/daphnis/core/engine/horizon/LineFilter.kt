@@ -25,7 +25,7 @@ internal interface LineFilter {
 
         /** The filter with the vector unit; null where the JVM was started without the module for it. */
         fun vector(): LineFilter? = try {
-            if (ModuleLayer.boot().findModule(VECTOR_MODULE).isEmpty) {
+            if (ModuleLayer.boot().findModule(VECTOR_MODULE).isEmpty || !isCompiled()) {
                 null
             } else {
                 Class.forName(VECTOR_FILTER).getDeclaredConstructor().newInstance() as LineFilter
@@ -34,6 +34,12 @@ internal interface LineFilter {
             null
         } catch (_: LinkageError) {
             null
+        }
+
+        /** Whether HotSpot's second compiler is at work; without it each vector is an object, and all takes far longer. */
+        private fun isCompiled(): Boolean {
+            val mode = System.getProperty("java.vm.info", "")
+            return "mixed mode" in mode && "emulated-client" !in mode
         }
 
         private const val VECTOR_MODULE = "jdk.incubator.vector"

@@ -4,7 +4,7 @@ import daphnis.core.search.SlotRuns
 
 /**
  * Finds the pairs of lines that come so near, from some time to the end of the epoch, that their spheres may touch.
- * Most candidates are dismissed by [filter], in floats.
+ * Most candidates are dismissed by a [LineFilter], in floats.
  *
  * @param found is told of the pairs that are left, some of which are not near after all
  */
@@ -14,7 +14,6 @@ internal class LineSearch(
     private val cells: EpochCells,
     private val roamers: Roamers,
     private val found: Found,
-    private val filter: LineFilter,
 ) : SlotRuns() {
     /** Takes the pairs that a search finds. */
     fun interface Found {
@@ -36,6 +35,7 @@ internal class LineSearch(
     private var there1 = 0.0
     private var there2 = 0.0
     private val margin = DoubleArray(AXES)
+    private var filter: LineFilter = ScalarFilter
     private var spannedLayer = -1
     private var spannedBoxes = 0
     private val least = IntArray(AXES)
@@ -44,8 +44,9 @@ internal class LineSearch(
     private val query = LineQuery(frame)
     private var hits = IntArray(INITIAL_HITS)
 
-    /** Begins an epoch, whose cells are laid out. */
-    fun begin() {
+    /** Begins an epoch, whose cells are laid out, in which [filter] dismisses lines. */
+    fun begin(filter: LineFilter) {
+        this.filter = filter
         tested = 0
         searches = 0
         for (k in 0 until AXES) margin[k] = 2 * frame.largestRadius + frame.inflation + cells.reach[k]

@@ -130,8 +130,9 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
 
     private fun note(e: Int, code: Int) {
         if (found == foundHeads.size) {
-            foundHeads = foundHeads.copyOf(found * 2)
             foundImages = foundImages.copyOf(found * 2)
+            // Last, since its length says how many there is room for.
+            foundHeads = foundHeads.copyOf(found * 2)
         }
         foundHeads[found] = e
         foundImages[found++] = code
@@ -170,9 +171,10 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
     fun after(e: Int): Int = next[e]
 
     private fun grow() {
-        slots = slots.copyOf(size * 2)
         versions = versions.copyOf(size * 2)
         next = next.copyOf(size * 2)
+        // Last, since its length says how many there is room for.
+        slots = slots.copyOf(size * 2)
     }
 
     companion object {

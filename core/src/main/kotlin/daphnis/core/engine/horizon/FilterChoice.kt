@@ -1,0 +1,23 @@
+package daphnis.core.engine.horizon
+
+/**
+ * Chooses the filter of an epoch. The vector unit is quicker, but the JVM takes a second or so to compile for it, so small
+ * systems do not use it before they have shown that they go on.
+ *
+ * @param quick what is quickest in the end
+ * @param always whether it is used from the beginning
+ */
+internal class FilterChoice(private val quick: LineFilter, private val always: Boolean) {
+    private var asked = 0L
+
+    /** The filter for an epoch of [spheres] spheres. */
+    fun choose(spheres: Int): LineFilter {
+        asked += spheres
+        return if (always || spheres >= LARGE || asked >= LONG) quick else ScalarFilter
+    }
+
+    private companion object {
+        const val LARGE = 20_000
+        const val LONG = 2_000_000L
+    }
+}
