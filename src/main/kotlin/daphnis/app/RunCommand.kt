@@ -107,7 +107,7 @@ class RunCommand : CliktCommand(name = "run") {
     )
 
     private fun resolve(scenario: Scenario, source: String, origin: RunOrigin?): Scenario {
-        val steps = steps ?: return scenario
+        val steps = steps ?: return scenario.also { checkEnd(it, source, origin) }
         if (until != null) {
             throw InputException("--steps", null, "is given together with --until; one of the two is enough")
         }
@@ -115,6 +115,15 @@ class RunCommand : CliktCommand(name = "run") {
         val step = FrameSetup.times(scenario.copy(until = 1.0), source).timeStep as? TimeStepSpec.Fixed
             ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
         return scenario.copy(until = (origin?.state?.time ?: scenario.startTime) + steps * step.dt)
+    }
+
+    /** A state of the end of a run, which is the usual one, leaves nothing to do. */
+    private fun checkEnd(scenario: Scenario, source: String, origin: RunOrigin?) {
+        val start = origin?.state?.time ?: return
+        if (until != null) return
+        val end = FrameSetup.times(scenario, source).end
+        if (end > start) return
+        throw InputException(FROM, null, "is at time $start, and the run would end at $end; give --steps or --until")
     }
 
     private companion object {

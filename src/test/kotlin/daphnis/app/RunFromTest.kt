@@ -67,7 +67,7 @@ class RunFromTest {
         refused("--from", at("a@time=0.5"), parts = listOf("no state at time 0.5", "step 3", "step 6"))
         refused("--from", at("a@time=soon"), parts = listOf("--from", "time=soon"))
         refused("--from", at("a@orbits=1"), parts = listOf("--from", "frame of type hill"))
-        refused("--from", at("a"), parts = listOf("until", "later"))
+        refused("--from", at("a"), parts = listOf("--from", "time 1.0", "--steps", "--until"))
         refused("--from", at("a@6"), "--seed", "3", parts = listOf("--seed", "--from"))
         refused("--from", at("a@6"), "--set", "particles.count=3", parts = listOf("--set", "particles.count=3"))
         refused("--from", at("a@6"), "--set", "box.lengths[0]=9", parts = listOf("box.lengths[0]", "9.0", "8.0"))

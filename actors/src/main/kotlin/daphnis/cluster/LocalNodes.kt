@@ -39,7 +39,7 @@ public class LocalNodes private constructor(public val fleet: Fleet, private val
         // JDK 24 and newer print four lines at the first use of sun.misc.Unsafe, which is Pekko's; older ones ignore
         // this.
         private const val UNSAFE_ALLOWED = "-Dsun.misc.unsafe.memory.access=allow"
-        private const val VECTOR_UNIT = "--add-modules=jdk.incubator.vector"
+        private const val VECTOR_UNIT = "add-modules=jdk.incubator.vector"
 
         /**
          * Starts [count] nodes and waits until all are there.
@@ -87,7 +87,7 @@ public class LocalNodes private constructor(public val fleet: Fleet, private val
                 !it.startsWith("-javaagent") &&
                     !it.startsWith("-agentlib") &&
                     !it.startsWith("-Djava.class.path") &&
-                    it != VECTOR_UNIT
+                    it.trimStart('-') != VECTOR_UNIT
             }
             val path = System.getProperty("java.class.path").split(File.pathSeparator)
                 .joinToString(File.pathSeparator) { File(it).absolutePath }
