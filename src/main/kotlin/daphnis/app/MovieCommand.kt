@@ -80,12 +80,9 @@ class MovieCommand : CliktCommand(name = "movie") {
 
     private fun report(frames: MovieFrames, file: Path) {
         frames.enlarged?.let { println("the box is drawn with its $it, and every frame says so") }
-        if (frames.number ==
-            1
-        ) {
-            println("the run has one snapshot only: for more, set output.snapshotEvery before a run")
-        }
-        val count = if (frames.number == 1) "1 frame" else "${frames.number} frames"
+        val isOne = frames.number == 1
+        if (isOne) println("the run has one snapshot only: for more, set output.snapshotEvery before a run")
+        val count = if (isOne) "1 frame" else "${frames.number} frames"
         val seconds = String.format(Locale.ROOT, "%.3g s", frames.number / fps)
         println("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
     }

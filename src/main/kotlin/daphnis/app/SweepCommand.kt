@@ -64,18 +64,15 @@ class SweepCommand : CliktCommand(name = "sweep") {
         "Run a scenario for many values and seeds, and tabulate and plot the means with their errors."
 
     override fun run() {
-        jobs?.let {
-            if (it !in
-                1..MOST_JOBS
-            ) {
-                throw InputException("--jobs", null, "is $it; it must be in 1..$MOST_JOBS")
-            }
+        val jobs = jobs
+        if (jobs != null && jobs !in 1..MOST_JOBS) {
+            throw InputException("--jobs", null, "is $jobs; it must be in 1..$MOST_JOBS")
         }
         from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
         val plan = SweepPlan.of(settings, seeds)
         val base = scenarioNamed(scenario, emptyList())
-        // All that can be wrong with a scenario itself is told before the first run. A file that is changed later changes
-        // no run.
+        // All that can be wrong with a scenario itself is told before the first run. A file that is changed later
+        // changes no run.
         val scenarios = plan.runs.associateWith { scenarioOf(it) }
         requireEngine()
         val place = SweepDirectory(

@@ -16,7 +16,7 @@ internal object PaperTable {
         "paper-figure-3" to Authors(35.1, "80"),
     )
 
-    /** Of [all], whole runs of scenarios as they are, those that the paper has, on one thread; null if there is none. */
+    /** Of [all], whole runs of unchanged scenarios, those that the paper has, on one thread; null if there are none. */
     fun of(all: List<List<Timing>>): String? {
         val ours = all.flatten().filter { it.threads == 1 && it.scenario in AUTHORS }
         if (ours.isEmpty()) return null

@@ -16,15 +16,8 @@ internal class RunNames(private val keys: List<SweptKey>) {
         val taken = HashSet<String>()
         key.values.associateWith { value ->
             val base = safe(value).ifEmpty { "empty" }
-            generateSequence(1) { it + 1 }.map {
-                if (it ==
-                    1
-                ) {
-                    base
-                } else {
-                    "$base-$it"
-                }
-            }.first { taken.add(it.lowercase()) }
+            val numbered = generateSequence(2) { it + 1 }.map { "$base-$it" }
+            (sequenceOf(base) + numbered).first { taken.add(it.lowercase()) }
         }
     }
 

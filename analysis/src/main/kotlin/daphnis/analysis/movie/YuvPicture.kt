@@ -4,8 +4,8 @@ import org.jcodec.common.model.ColorSpace
 import org.jcodec.common.model.Picture
 
 /**
- * A frame as the encoder of H.264 takes it: brightness per pixel and colour for two by two pixels, by ITU-R BT.709 in the
- * range of video.
+ * A frame as the encoder of H.264 takes it: brightness per pixel and colour for two by two pixels, by ITU-R BT.709 in
+ * the range of video.
  */
 internal class YuvPicture(private val width: Int, private val height: Int) {
     // The encoder takes no other format; what it writes about the range is what is here.

@@ -3,7 +3,7 @@ package daphnis.analysis.sweep
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The numbers of a [sweep] as CSV. NaN is an empty cell; a cell with a comma or a quotation mark is in quotation marks. */
+/** The numbers of a [sweep] as CSV. NaN is an empty cell; one with a comma or a quotation mark is in quotation marks. */
 public class SweepTables(private val sweep: Sweep) {
     /**
      * A row for each point and quantity: the values of the keys, then `quantity,unit,mean,standard_error,runs,remark`.

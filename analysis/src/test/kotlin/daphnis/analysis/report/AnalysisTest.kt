@@ -142,7 +142,7 @@ class AnalysisTest {
         val cooling = run("cooling-gas", "until=20", "particles.count=300", "output.transportEvery=1")
         Analysis(AnalysisInput.ofRun(cooling), AnalysisOptions(from = 10.0)).write(cooling)
         val rows = Files.readAllLines(cooling.resolve("tables/numbers.csv")).drop(1).map { it.split(',') }
-        // The collisions of a row scatter so much that they would have an error; a temperature that falls has none anyway.
+        // The collisions of a row scatter so much that they would have an error; a falling temperature has none anyway.
         assertEquals("not steady", rows.single { it[0] == "compressibility" }[5]) { "$rows" }
         assertTrue(rows.all { it[2].isEmpty() } && rows.single { it[0] == "mean_radius" }[5].isEmpty()) { "$rows" }
         val html = Files.readString(cooling.resolve("report.html"))

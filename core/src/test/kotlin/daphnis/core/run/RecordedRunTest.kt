@@ -84,7 +84,7 @@ class RecordedRunTest {
         }
     }
 
-    /** The steps of the states that [reader] finds, when that of step [last] is written: a run writes on its own thread. */
+    /** The steps of the states that [reader] finds when that of [last] is written: a run writes on its own thread. */
     private fun written(reader: RecordedRun, last: Long): List<Long> {
         val deadline = System.nanoTime() + 60_000_000_000
         while (true) {

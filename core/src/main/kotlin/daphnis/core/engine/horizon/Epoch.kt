@@ -46,25 +46,23 @@ internal class Epoch(
     private val prepared: PreparedStep,
     private val loop: RangeLoop,
     private val filters: FilterChoice,
-) : LineSearch.Found,
-    EpochImpact.Course {
+) : EpochImpact.Course {
     private val frame = EpochFrame()
     private val lines = Lines(frame)
     private val cells = EpochCells(frame, lines, loop)
     private val roamers = Roamers(frame, lines)
 
-    /** Pairs found in searches for all, by worker. */
+    /** By worker. The first is also for what is on one thread. */
     private val calendars = List(loop.workers) { PairCalendar(lines) }
     private val searches = calendars.map { LineSearch(frame, lines, cells, roamers, Filer(it)) }
-
-    /** For all other searches, which are on one thread. */
-    private val search = LineSearch(frame, lines, cells, roamers, this)
     private val calendar = calendars[0]
+    private val search = searches[0]
     private val passage = Passage(frame, lines, loop)
     private val bodies = EpochBodies()
     private val impact = EpochImpact(prepared, bodies, this)
 
     private val plan = EpochPlan(loop.workers)
+    private var filter: LineFilter = ScalarFilter
 
     /** Number of the present step, from 0. */
     private var index = 0
@@ -146,9 +144,8 @@ internal class Epoch(
     private fun layOut(step: CollisionStep, fixed: HorizonTuning?): Boolean {
         frame.takeOver(step, prepared.reach)
         cells.measure(step.population)
-        val tuning =
-            fixed ?: plan.choose(step.population.size, frame, cells, filters.choose(step.population.size))
-                ?: return false
+        filter = filters.choose(step.population.size)
+        val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter) ?: return false
         if (!frame.begin(tuning)) return false
         cells.sort(step.population, tuning)
         return true
@@ -163,8 +160,6 @@ internal class Epoch(
         for (calendar in calendars) calendar.begin(frame.steps)
         passage.first(population, cells, columns)
         roamers.begin(spheres, cells.fastest)
-        val filter = filters.choose(spheres)
-        search.begin(filter)
         for (search in searches) search.begin(filter)
     }
 
@@ -228,10 +223,6 @@ internal class Epoch(
         override fun pair(slot: Int, other: Int, code: Int, from: Double) {
             file(calendar, slot, other, code, from)
         }
-    }
-
-    override fun pair(slot: Int, other: Int, code: Int, from: Double) {
-        file(calendar, slot, other, code, from)
     }
 
     private fun file(calendar: PairCalendar, slot: Int, other: Int, code: Int, from: Double) {

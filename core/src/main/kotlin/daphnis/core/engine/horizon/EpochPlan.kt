@@ -26,10 +26,10 @@ internal class EpochPlan(private val threads: Int) {
     private var mostSteps = LONGEST
     private var calm = 0
 
-    /** Steps to come that are left to the serial engine without asking. */
+    /** Steps to come that are left to the other engine without asking. */
     private var rest = 0
 
-    /** Whether the next step is to be left to the serial engine without asking. */
+    /** Whether the next step is to be left to the other engine without asking. */
     fun rests(): Boolean {
         if (rest == 0) return false
         rest--
@@ -39,7 +39,7 @@ internal class EpochPlan(private val threads: Int) {
     /**
      * The layout of an epoch that starts now.
      *
-     * @return null when the serial engine is expected to be quicker
+     * @return null when an epoch is not expected to be quicker than another engine
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter): HorizonTuning? {
         val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level], filter, threads)

@@ -1,8 +1,8 @@
 package daphnis.core.engine.horizon
 
 /**
- * Chooses the filter of an epoch. The vector unit is quicker, but the JVM takes a second or so to compile for it, so small
- * systems do not use it before they have shown that they go on.
+ * Chooses the filter of an epoch. The vector unit is quicker, but the JVM takes a second or so to compile for it, so
+ * small systems do not use it before they have shown that they go on.
  *
  * @param quick what is quickest in the end
  * @param always whether it is used from the beginning

@@ -51,17 +51,9 @@ public class HorizonEngine internal constructor(
     private val prepared = PreparedStep()
     private val other: CollisionEngine =
         if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
-    private val epoch = Epoch(
-        prepared,
-        if (fewest ==
-            0
-        ) {
-            FineLoop(gate)
-        } else {
-            gate
-        },
-        FilterChoice(filter, always = fewest == 0),
-    )
+    private val isEager = fewest == 0
+    private val pieces: RangeLoop = if (isEager) FineLoop(gate) else gate
+    private val epoch = Epoch(prepared, pieces, FilterChoice(filter, always = isEager))
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun

@@ -36,7 +36,7 @@ internal interface LineFilter {
             null
         }
 
-        /** Whether HotSpot's second compiler is at work; without it each vector is an object, and all takes far longer. */
+        /** Whether HotSpot's second compiler is at work; without it each vector is an object, which takes far longer. */
         private fun isCompiled(): Boolean {
             val mode = System.getProperty("java.vm.info", "")
             return "mixed mode" in mode && "emulated-client" !in mode

@@ -7,9 +7,9 @@ import kotlin.math.sqrt
 
 /**
  * A straight line for each sphere, by slot: where the sphere would be at each moment of the epoch if it flew freely.
- * Entries of [state] are x y z, u v w and the radius, rounded up: at time t of the epoch the line is at x + u t. Floats,
- * since a search passes over many of them; their rounding is part of [EpochFrame.deviation]. Eight lines make a block,
- * in which each of the seven quantities lies side by side, as a vector unit takes them: see [place].
+ * Entries of [state] are x y z, u v w and the radius, rounded up: at time t of the epoch the line is at x + u t.
+ * Floats, since a search passes over many of them; their rounding is part of [EpochFrame.deviation]. Eight lines make a
+ * block, in which each of the seven quantities lies side by side, as a vector unit takes them: see [place].
  *
  * A line lies in the box at the middle of the epoch, so that it fits the cells. The sphere itself is [image] boxes
  * away: its position is that of the line plus the displacement of the image.
