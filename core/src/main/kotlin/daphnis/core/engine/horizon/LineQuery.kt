@@ -45,9 +45,7 @@ internal class LineQuery(private val frame: EpochFrame) {
     fun begin(lines: Lines, slot: Int, from: Double) {
         val state = lines.state
         val p = Lines.place(slot)
-        start = from
-        time = from.toFloat()
-        closing = (CLOSING * (frame.end - from)).toFloat()
+        lookFrom(from, frame.end)
         radius = (state[p + Lines.RADIUS] + frame.inflation).toFloat()
         ownU = state[p + Lines.U]
         ownV = state[p + Lines.V]
@@ -57,6 +55,13 @@ internal class LineQuery(private val frame: EpochFrame) {
         ownZ = state[p + Lines.Z] + w * time
         code = -1
         toward(0)
+    }
+
+    /** Looks from time [from] to [end]. */
+    fun lookFrom(from: Double, end: Double) {
+        start = from
+        time = from.toFloat()
+        closing = (CLOSING * (end - from)).toFloat()
     }
 
     /** Looks at the images [code] of others. */

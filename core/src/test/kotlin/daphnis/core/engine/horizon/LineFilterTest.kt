@@ -38,6 +38,34 @@ class LineFilterTest {
     }
 
     @Test
+    fun `whoever only just comes near is kept, at a graze or at the last moment`() {
+        for ((f, filter) in filters.withIndex()) {
+            val random = SeededRandom(11)
+            repeat(DRAWS) {
+                val state = FloatArray(Lines.BLOCK)
+                val query = query()
+                val time = random.nextDouble(0.5, 2.0)
+                val inflation = 1e-3
+                // The sum of the radii is 1.5.
+                val isGraze = it % 2 == 0
+                val along = if (isGraze) random.nextDouble(3.0, 6.0) else 1.5 + random.nextDouble(0.05, 0.07)
+                val beside = if (isGraze) 1.5 * (1 - 1e-5) else 0.0
+                val speed = if (isGraze) 2 * along / time else (along - 1.5) * (1 + 1e-5) / time
+                val p = Lines.place(f)
+                state[p] = along.toFloat()
+                state[p + Lines.Y] = beside.toFloat()
+                state[p + Lines.U] = -speed.toFloat()
+                state[p + Lines.RADIUS] = 1f
+                query.radius = (0.5 + inflation).toFloat()
+                query.lookFrom(0.0, time)
+                assertEquals(1, filter.near(state, query, f, f + 1, IntArray(1))) {
+                    "${filter.javaClass.simpleName}: $along, $beside, $speed, $time"
+                }
+            }
+        }
+    }
+
+    @Test
     fun `only slots of the run are told, in order, wherever it begins and ends in a block`() {
         val draw = Draw(7)
         for (filter in filters) {
@@ -63,7 +91,7 @@ class LineFilterTest {
                 state[Lines.place(3) + Lines.RADIUS] = 1f
                 val query = query().apply {
                     radius = 1f
-                    closing = -2f
+                    lookFrom(0.0, 1.0)
                 }
                 val into = IntArray(8)
                 val found = filter.near(state, query, 3, 4, into)
@@ -105,8 +133,7 @@ class LineFilterTest {
             query.u = between(-1.0, 1.0).toFloat()
             query.v = between(-1.0, 1.0).toFloat()
             query.radius = 0.5f + inflation
-            query.time = from
-            query.closing = (-2 * (1 + 1e-4) * (end - from)).toFloat()
+            query.lookFrom(from.toDouble(), end.toDouble())
         }
 
         fun search(filter: LineFilter, first: Int, end: Int): List<Int> {
