@@ -2,11 +2,11 @@ plugins {
     alias(libs.plugins.kotlin.jvm)
     `java-library`
 }
-kotlin { explicitApi() }
+kotlin {
+    explicitApi()
+    sourceSets.test { kotlin.srcDir("src/testFixtures/kotlin") }
+}
 dependencies {
     api(project(":core"))
-    implementation(libs.lets.plot.kotlin)
-    implementation(libs.lets.plot.batik)
-    implementation(libs.jcodec)
     testRuntimeOnly(libs.slf4j.nop)
 }

@@ -1,0 +1,15 @@
+plugins {
+    alias(libs.plugins.kotlin.jvm)
+    `java-library`
+}
+kotlin {
+    explicitApi()
+    sourceSets.test { kotlin.srcDir("../src/testFixtures/kotlin") }
+}
+dependencies {
+    api(project(":analysis"))
+    implementation(libs.lets.plot.kotlin)
+    implementation(libs.lets.plot.batik)
+    implementation(libs.jcodec)
+    testRuntimeOnly(libs.slf4j.nop)
+}
