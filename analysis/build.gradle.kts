@@ -1,7 +1,12 @@
 plugins {
     alias(libs.plugins.kotlin.jvm)
     `java-library`
+    `maven-publish`
 }
+
+description =
+    "Analysis of hard spheres: streamlines, profiles, transport, correlations, diffusion and occultation, with errors."
+
 kotlin {
     explicitApi()
     sourceSets.test { kotlin.srcDir("src/testFixtures/kotlin") }

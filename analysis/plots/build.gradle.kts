@@ -1,7 +1,11 @@
 plugins {
     alias(libs.plugins.kotlin.jvm)
     `java-library`
+    `maven-publish`
 }
+
+description = "Reports, pictures, plots and movies of what daphnis-analysis computes."
+
 kotlin {
     explicitApi()
     sourceSets.test { kotlin.srcDir("../src/testFixtures/kotlin") }
