@@ -1,12 +1,17 @@
 plugins {
     alias(libs.plugins.kotlin.jvm)
     `java-library`
+    `maven-publish`
 }
-kotlin { explicitApi() }
+
+description =
+    "Analysis of hard spheres: streamlines, profiles, transport, correlations, diffusion and occultation, with errors."
+
+kotlin {
+    explicitApi()
+    sourceSets.test { kotlin.srcDir("src/testFixtures/kotlin") }
+}
 dependencies {
     api(project(":core"))
-    implementation(libs.lets.plot.kotlin)
-    implementation(libs.lets.plot.batik)
-    implementation(libs.jcodec)
     testRuntimeOnly(libs.slf4j.nop)
 }

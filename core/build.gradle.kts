@@ -2,7 +2,11 @@ plugins {
     alias(libs.plugins.kotlin.jvm)
     alias(libs.plugins.kotlin.serialization)
     `java-library`
+    `maven-publish`
 }
+
+description = "Event-driven simulation of very many inelastic hard spheres: planetary rings, granular flow, gases."
+
 kotlin { explicitApi() }
 dependencies {
     api(libs.serialization.json)

@@ -121,7 +121,7 @@ class JavaCallsTest {
         }
 
         /** The text of each source file, by its path behind the folder of sources. */
-        val sources: Map<String, String> = listOf("core", "actors", "analysis").flatMap { module ->
+        val sources: Map<String, String> = listOf("core", "actors", "analysis", "analysis/plots").flatMap { module ->
             val root = Repository.root.resolve("$module/src/main/kotlin")
             Files.walk(root).use { paths ->
                 paths.filter { it.extension == "kt" }.map { "${root.relativize(it)}" to it.readText() }.toList()

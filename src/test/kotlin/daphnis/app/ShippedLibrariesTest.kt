@@ -47,6 +47,9 @@ class ShippedLibrariesTest {
 
     private companion object {
         val FOR_TESTS =
-            Regex("junit-.*|opentest4j|apiguardian-api|archunit|surefire-.*|maven-surefire-.*|kotlin-test.*")
+            Regex(
+                "junit-.*|opentest4j|apiguardian-api|archunit|surefire-.*|maven-surefire-.*|kotlin-test.*|" +
+                    "abi-tools.*|kotlin-metadata-jvm|kotlin-klib-abi-reader|java-diff-utils",
+            )
     }
 }

@@ -1,6 +1,7 @@
 package daphnis.drills
 
 import daphnis.core.initial.SeededRandom
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
@@ -41,6 +42,7 @@ internal class ScenarioMutation(private val random: SeededRandom, private val ot
 
     private fun more(): List<JsonElement> = List(pick(listOf(1, 2, 100_000))) { JsonPrimitive(1) }
 
+    @OptIn(ExperimentalSerializationApi::class)
     private fun number(): JsonElement = JsonUnquotedLiteral(
         when (random.nextInt(3)) {
             0 -> pick(NUMBERS)

@@ -79,8 +79,8 @@ public class AnalysisInput internal constructor(
     /** State [k], its particles copied. @throws FormatException when its file cannot be read */
     public fun state(k: Int): State = state(k, snapshot(k))
 
-    /** State [k], which [snapshot] is. */
-    internal fun state(k: Int, snapshot: Snapshot): State {
+    /** State [k], which [snapshot], as [snapshot] gives it, is: without a second look into the file. */
+    public fun state(k: Int, snapshot: Snapshot): State {
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
         return State(snapshot.population(), bounds, times[k], omega, firstBody, factor)
     }
@@ -207,6 +207,29 @@ public class AnalysisInput internal constructor(
                 path.name.substringBeforeLast('.'), scenario, firstBody, null,
                 DoubleArray(snapshots.size) { snapshots[it].time }, { snapshots[it] }, { bounded(given, it) },
                 around?.angularSpeed, null, null, null, null, listOfNotNull(silent?.let { withoutRadii(path, it) }),
+            )
+        }
+
+        /**
+         * States that a program has by other means, in one box, without a scenario.
+         *
+         * @param times of each state, ascending
+         * @param omega angular speed of a rotating frame, or null
+         * @param read state k, 0 until the number of [times]; may be called from one thread at a time, and anew for the
+         *   same k
+         */
+        @JvmStatic
+        public fun ofStates(
+            name: String,
+            times: DoubleArray,
+            boundary: BoundaryConditions,
+            omega: Double?,
+            read: (Int) -> Snapshot,
+        ): AnalysisInput {
+            require(times.isNotEmpty()) { "there is no state" }
+            val bounds = { population: Population -> bounded(boundary, population) }
+            return AnalysisInput(
+                name, null, Int.MAX_VALUE, null, times, read, bounds, omega, null, null, null, null, emptyList(),
             )
         }
 

@@ -15,20 +15,22 @@ import daphnis.core.boundary.Images
  *          └───┴─────┴─────┴──▶ along
  * ```
  */
-internal class PlaneImages(private val boundary: BoundaryConditions, time: Double) {
+public class PlaneImages(private val boundary: BoundaryConditions, time: Double) {
     private val images = Images().apply { prepare(boundary, time) }
     private val slides = images.normalAxis in 0..1 && images.slideAxis in 0..1
 
     /** 0 (x) or 1 (y). */
-    val across: Int = if (slides) images.normalAxis else 0
-    val along: Int = 1 - across
+    public val across: Int = if (slides) images.normalAxis else 0
+
+    /** The other of the two. */
+    public val along: Int = 1 - across
 
     /** Length, in [0, edge along [along]). */
-    val offset: Double = if (slides) images.shearOffset else 0.0
+    public val offset: Double = if (slides) images.shearOffset else 0.0
 
     /** Whether there are images along [axis], 0 or 1. */
-    fun repeats(axis: Int): Boolean = boundary.hasImages(axis)
+    public fun repeats(axis: Int): Boolean = boundary.hasImages(axis)
 
     /** Displacement along [axis], 0 or 1, of the image [ix] boxes away along x and [iy] along y. */
-    fun shift(ix: Int, iy: Int, axis: Int): Double = images.shift(Images.code(ix, iy, 0), axis)
+    public fun shift(ix: Int, iy: Int, axis: Int): Double = images.shift(Images.code(ix, iy, 0), axis)
 }

@@ -25,7 +25,7 @@ public class Steadiness private constructor(
     public val verdict: Verdict,
 ) {
     /** The same change, called steady. */
-    internal fun steady() = Steadiness(change, significance, Verdict.STEADY)
+    public fun steady(): Steadiness = Steadiness(change, significance, Verdict.STEADY)
 
     /** What a series says of its steadiness. */
     public enum class Verdict {

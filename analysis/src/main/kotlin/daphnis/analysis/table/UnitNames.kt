@@ -37,7 +37,7 @@ public class UnitNames(units: UnitsSpec?) {
      * The unit of a quantity whose [dimension] is written with the words length, time and mass; metric only when all of
      * them are.
      */
-    internal fun of(dimension: String): String {
+    public fun of(dimension: String): String {
         val words = names.keys.filter { it in dimension }
         if (words.isEmpty()) return dimension
         if (words.any { names[it] == null }) return "$UNITS_OF$dimension"

@@ -30,8 +30,10 @@ internal class Bulk(state: State, input: AnalysisInput) {
     val numberDensity: Double = particles / volume
 
     /** G of the run's self-gravity; null without. */
-    val selfGravity: Double? = input.scenario?.forces?.filterIsInstance<ForceSpec.SelfGravity>()?.firstOrNull()
-        ?.let { it.constant ?: input.scenario.units.gravitationalConstant }
+    val selfGravity: Double? = input.scenario?.run {
+        forces.filterIsInstance<ForceSpec.SelfGravity>().firstOrNull()
+            ?.let { it.constant ?: units.gravitationalConstant }
+    }
 
     /** Toomre's 4π² G Σ/Ω²; NaN without self-gravity. */
     val criticalWavelength: Double =

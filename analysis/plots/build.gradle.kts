@@ -1,0 +1,19 @@
+plugins {
+    alias(libs.plugins.kotlin.jvm)
+    `java-library`
+    `maven-publish`
+}
+
+description = "Reports, pictures, plots and movies of what daphnis-analysis computes."
+
+kotlin {
+    explicitApi()
+    sourceSets.test { kotlin.srcDir("../src/testFixtures/kotlin") }
+}
+dependencies {
+    api(project(":analysis"))
+    implementation(libs.lets.plot.kotlin)
+    implementation(libs.lets.plot.batik)
+    implementation(libs.jcodec)
+    testRuntimeOnly(libs.slf4j.nop)
+}

@@ -1,0 +1,74 @@
+#!/bin/sh
+# daphnis as programs of others get it: published to a folder, and used from there by the small projects beside this
+# file. Gradle's part runs where there is Gradle 8.7 or newer.
+set -eu
+here=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd)
+work=$(mktemp -d "${TMPDIR:-/tmp}/daphnis-consumers.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' HUP INT TERM
+die() {
+    echo "consumers: $*" >&2
+    exit 1
+}
+
+version=$(cat "$here/core/src/main/resources/daphnis/version.txt")
+group=io/github/daphnis-sim
+pin=$(sed -n 's/^ring-patch,6,//p' "$here/src/test/resources/golden/digests.csv")
+[ -n "$pin" ] || die "no pinned digest of ring-patch after 6 steps"
+
+# What Maven has stored, without daphnis: nothing of an earlier build is used, and nothing of this one is kept.
+kept=$HOME/.m2/repository
+store=$work/store
+mkdir -p "$store/io/github"
+for place in "$kept"/* "$kept"/io/* "$kept"/io/github/*; do
+    name=${place#"$kept"/}
+    case $name in io | io/github | "$group") continue ;; esac
+    [ ! -e "$place" ] || ln -s "$place" "$store/$name"
+done
+maven() { mvn -B -ntp -q "-Dmaven.repo.local=$store" "$@"; }
+
+# That the folder $1 holds what a release does; its jars say the names of their modules.
+holds_a_release() {
+    for pair in core:core actors:actors analysis:analysis plots:plots cli:app; do
+        name=daphnis-${pair%:*}
+        start=$1/$group/$name/$version/$name-$version
+        for file in "$start.jar" "$start-sources.jar" "$start.pom"; do [ -s "$file" ] || die "no $file"; done
+        for part in name description url license developer scm; do
+            grep -q "<$part>" "$start.pom" || die "$start.pom has no <$part>"
+        done
+        ! grep -q '<parent>' "$start.pom" || die "$start.pom does not stand alone"
+        jar --describe-module --file "$start.jar" | grep -q "^daphnis\.${pair#*:}@$version automatic" ||
+            die "$start.jar is no module daphnis.${pair#*:}"
+    done
+    grep -q '<dependencyManagement>' "$1/$group/daphnis-bom/$version/daphnis-bom-$version.pom" || die "no BOM in $1"
+    [ "$(ls "$1/$group" | wc -l)" = 6 ] || die "more than a release in $1: $(ls "$1/$group")"
+}
+
+# That a program, whose libraries lie in $1, printed $2 as it should and needs nothing for plots and actors.
+is_right() {
+    [ "$(printf '%s\n' "$2" | tail -n 1)" = "$pin" ] || die "another digest: $2"
+    ! ls "$1" | grep -iE 'batik|lets-plot|jcodec|pekko|coroutines|daphnis-plots' || die "superfluous libraries in $1"
+}
+
+cd "$here"
+maven -Prelease -DskipDokka -Dmaven.test.skip=true -Dmaven.install.skip=true -Dkotlin.compiler.incremental=true \
+    -pl '!bench' deploy "-DaltDeploymentRepository=folder::file:$work/maven"
+holds_a_release "$work/maven"
+
+cp -R "$here/tools/consumers/kotlin" "$here/tools/consumers/java" "$work"
+for consumer in kotlin java; do
+    cd "$work/$consumer"
+    maven package "-Dpublished=file:$work/maven" "-Ddaphnis=$version"
+done
+is_right "$work/kotlin/target/lib" "$(java -cp "$work/kotlin/target/consumer.jar:$work/kotlin/target/lib/*" RingKt)"
+is_right "$work/java/target/lib" "$(java -p "$work/java/target/consumer.jar:$work/java/target/lib" -m consumer/consumer.Ring)"
+
+if [ "${1:-}" = --gradle ]; then
+    cd "$here"
+    gradle --console=plain -q --warning-mode=fail publish "-PpublishTo=$work/gradle"
+    holds_a_release "$work/gradle"
+    cd "$work/kotlin"
+    gradle --console=plain -q lib "-Ppublished=file:$work/gradle" "-Pdaphnis=$version"
+    is_right "$work/kotlin/build/lib" "$(java -cp "$work/kotlin/build/lib/*" RingKt)"
+fi
+echo "consumers: ok"

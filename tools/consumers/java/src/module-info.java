@@ -1,0 +1,4 @@
+module consumer {
+    requires daphnis.core;
+    requires daphnis.analysis;
+}

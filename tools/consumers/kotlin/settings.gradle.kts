@@ -1,0 +1,6 @@
+pluginManagement {
+    repositories {
+        mavenCentral()
+    }
+}
+rootProject.name = "consumer"
