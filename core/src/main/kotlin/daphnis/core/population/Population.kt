@@ -292,9 +292,10 @@ public class Population @JvmOverloads constructor(
         for (k in 0 until size) indexByPlace[idPlaces.of(id[k])] = k
         indexIsCurrent = true
     }
-}
 
-/** Accepts or rejects an index of a [Population]. */
-public fun interface IndexPredicate {
-    public fun accepts(index: Int): Boolean
+    public companion object {
+        /** Names the columns of a population one by one. */
+        @JvmStatic
+        public fun builder(): PopulationBuilder = PopulationBuilder()
+    }
 }
