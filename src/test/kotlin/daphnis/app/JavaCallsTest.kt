@@ -174,8 +174,13 @@ class JavaCallsTest {
         val OF_KOTLIN =
             listOf("kotlin.jvm.functions", "kotlin.sequences", "kotlin.coroutines", "kotlin.Pair", "kotlin.Unit")
 
-        /** What has another way for Java, or is for engines, or is for the command line. */
-        val KOTLIN_ONLY = setOf("x")
+        /** What has another way for Java, or is called by the functions beside it alone. */
+        val KOTLIN_ONLY = setOf(
+            "RegionActorEngine.advanceSuspending(CollisionStep, Continuation)",
+            "RegionMap.forEachStretch(int, Function2)",
+            "Vtp.writeIndex(List, Path)",
+            "WritableFormat.export(Sequence, Path, ExportOptions)",
+        )
 
         /** Internal in Kotlin, for tests that set what users cannot. */
         val INTERNAL_CONSTRUCTORS = setOf("RandomPlacement.<init>(int, List, int, Integer, int, long)")

@@ -22,7 +22,7 @@ internal class Leaks(classes: JavaClasses) {
     }
 
     private fun isOpen(call: JavaCall<*>, found: Set<JavaCodeUnit>): Boolean {
-        val target = call.target.resolveMember().orElse(null) as? JavaCodeUnit ?: return false
+        val target = call.target.resolveMember().orElse(null) ?: return false
         val throws = target in found || target.throwsClause.any { it.rawType.isAssignableTo(IOException::class.java) }
         return throws && !isCaught(call)
     }

@@ -3,6 +3,7 @@ package daphnis.core;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -15,8 +16,10 @@ import daphnis.core.collision.CollapseGuard;
 import daphnis.core.collision.FloorSpeedGuard;
 import daphnis.core.collision.NoGuard;
 import daphnis.core.engine.CollisionForcing;
+import daphnis.core.engine.SerialEngine;
 import daphnis.core.force.Kick;
 import daphnis.core.format.ExportOptions;
+import daphnis.core.format.FormatException;
 import daphnis.core.format.SnapshotFormats;
 import daphnis.core.hill.Epicycle;
 import daphnis.core.parallel.RangeLoop;
@@ -26,6 +29,7 @@ import daphnis.core.population.Population;
 import daphnis.core.population.PopulationSums;
 import daphnis.core.run.RecordedRun;
 import daphnis.core.run.Run;
+import daphnis.core.run.RunDirectory;
 import daphnis.core.run.RunOrigin;
 import daphnis.core.run.SeriesColumns;
 import daphnis.core.run.Summary;
@@ -34,6 +38,7 @@ import daphnis.core.scenario.OutputSpec;
 import daphnis.core.scenario.Scenario;
 import daphnis.core.search.NearPairs;
 import daphnis.core.search.Overlap;
+import daphnis.core.search.SearchStructure;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -71,8 +76,8 @@ class JavaGuideTest {
         double[] vx = {1.0, 0.0, -0.5};
         double[] zero = new double[3];
         Population population = Population.builder()
-            .positions(x, zero, zero.clone())
-            .velocities(vx, zero.clone(), zero.clone())
+            .positions(x, zero, zero)
+            .velocities(vx, zero, zero)
             .radius(0.5)
             .mass(1.0)
             .build();
@@ -197,6 +202,9 @@ class JavaGuideTest {
         try (Run run = Run.builder(scenario).directory(directory).start()) {
             run.execute();
         }
+        var missing = assertThrows(FormatException.class, () -> new RunDirectory(directory).readSnapshot(7));
+        assertTrue(missing.getMessage().endsWith("cannot be read: no such file or directory"), missing.getMessage());
+        assertThrows(FormatException.class, () -> SnapshotFormats.named("doc"));
         // example: exportInJava
         var options = new ExportOptions("1.0");
         SnapshotFormats.named("xyz").export(Run.open(directory).states(), directory, options);
@@ -210,11 +218,39 @@ class JavaGuideTest {
     private static Population pair(double distance) {
         double[] zero = new double[2];
         return Population.builder()
-            .positions(new double[] {0.0, distance}, zero, zero.clone())
+            .positions(new double[] {0.0, distance}, zero, zero)
             .radii(new double[] {0.5, 0.5})
             .masses(new double[] {1.0, 2.0})
             .ids(new int[] {4, 9})
             .build();
+    }
+
+    @Test
+    void aPopulationHasArraysOfItsOwn() {
+        double[] one = {1.0};
+        int[] id = {3};
+        var spheres = Population.builder().positions(one, one, one).velocities(one, one, one).radii(one).masses(one);
+        Population first = spheres.ids(id).build();
+        Population second = spheres.build();
+        for (double[] column : List.of(
+                first.getX(), first.getY(), first.getZ(), first.getVx(), first.getVy(), first.getVz(),
+                first.getRadius(), first.getMass())) {
+            column[0] = 2.0;
+        }
+        first.getId()[0] = 4;
+        assertEquals(List.of(1.0, 3), List.of(one[0], id[0]));
+        assertEquals(1.0, second.getX()[0] * second.getVz()[0] * second.getRadius()[0] * second.getMass()[0]);
+        assertEquals(3, second.getId()[0]);
+    }
+
+    @Test
+    void aForcingHasTheEngineAndTheRecordThatItWasGiven() {
+        SerialEngine engine = new SerialEngine();
+        var parts = CollisionForcing.builder(speed -> 0.5).search(SearchStructure.LEVELS);
+        assertNull(parts.build().getRecord());
+        CollisionForcing collisions = parts.engine(engine).recordCollisions().build();
+        assertSame(engine, collisions.getEngine());
+        assertNotNull(collisions.getRecord());
     }
 
     private static void refuses(String message, Runnable call) {

@@ -73,9 +73,7 @@ public class Population @JvmOverloads constructor(
         require(id.size == n) { "id has ${id.size} entries, x has $n" }
         for ((name, column) in columns + ("x" to x)) {
             for (k in 0 until n) {
-                require(column[k].isFinite()) {
-                    "$name of particle ${id[k]} is ${column[k]}; it must be finite"
-                }
+                require(column[k].isFinite()) { "$name of particle ${id[k]} is ${column[k]}; it must be finite" }
             }
         }
         for (k in 0 until n) {

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import daphnis.core.FixedTimeStep;
+import daphnis.core.Engines;
 import daphnis.core.Opening;
 import daphnis.core.Output;
 import daphnis.core.OutputState;
@@ -18,6 +18,7 @@ import daphnis.core.format.Snapshot;
 import daphnis.core.population.Conserved;
 import daphnis.core.population.Population;
 import daphnis.core.scenario.BuiltIn;
+import daphnis.core.scenario.InputException;
 import daphnis.core.scenario.OutputSpec;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -56,8 +57,8 @@ class JavaProgramTest {
             double[] vx = {1.0, 0.0, -0.5};
             double[] zero = new double[3];
             return Population.builder()
-                .positions(x, zero, zero.clone())
-                .velocities(vx, zero.clone(), zero.clone())
+                .positions(x, zero, zero)
+                .velocities(vx, zero, zero)
                 .radius(1.0)
                 .mass(1.0)
                 .build();
@@ -141,6 +142,34 @@ class JavaProgramTest {
             try (Run run = Run.builder(other).directory(home.resolve(part)).start()) {
                 assertEquals(part.equals("none"), run.execute().getStateDigest().equals(digest), part);
             }
+        }
+    }
+
+    @Test
+    void aRunIsReplacedOrContinuedWithALossOnlyWhenThatIsSaid() throws IOException {
+        Path path = home.resolve("lossy");
+        var program = Run.builder(new Springs()).directory(path).cancelled(() -> true);
+        for (var parts : List.of(program, program.replace())) {
+            try (Run run = parts.start()) {
+                assertFalse(run.execute().getFinished());
+            }
+        }
+        Files.writeString(path.resolve("series.csv"), "");
+        var next = Run.builder(new Springs()).directory(path);
+        assertThrows(InputException.class, next::resume);
+        try (Run run = next.acceptLoss().resume()) {
+            assertFalse(run.getNotices().isEmpty());
+        }
+        var scenario = BuiltIn.scenario("cooling-gas", List.of("particles.count=20", "until=0.1"));
+        Path gas = home.resolve("gas");
+        try (Run run = Run.builder(scenario).directory(gas).cancelled(() -> true).start()) {
+            run.execute();
+        }
+        Files.writeString(gas.resolve("series.csv"), "");
+        var engines = Engines.factory();
+        assertThrows(InputException.class, () -> Run.resuming(gas).engines(engines).resume());
+        try (Run run = Run.resuming(gas).acceptLoss().resume()) {
+            assertFalse(run.getNotices().isEmpty());
         }
     }
 
