@@ -202,8 +202,7 @@ class JavaGuideTest {
         try (Run run = Run.builder(scenario).directory(directory).start()) {
             run.execute();
         }
-        var missing = assertThrows(FormatException.class, () -> new RunDirectory(directory).readSnapshot(7));
-        assertTrue(missing.getMessage().endsWith("cannot be read: no such file or directory"), missing.getMessage());
+        assertThrows(FormatException.class, () -> new RunDirectory(directory).readSnapshot(7));
         assertThrows(FormatException.class, () -> SnapshotFormats.named("doc"));
         // example: exportInJava
         var options = new ExportOptions("1.0");
