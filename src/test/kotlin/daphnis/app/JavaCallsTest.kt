@@ -1,11 +1,18 @@
 package daphnis.app
 
+import com.tngtech.archunit.core.domain.JavaClasses
+import com.tngtech.archunit.core.domain.JavaMethod
 import com.tngtech.archunit.core.importer.ClassFileImporter
 import com.tngtech.archunit.core.importer.ImportOption
+import daphnis.actors.ActorEngines
+import daphnis.core.Engines
 import daphnis.core.Repository
+import daphnis.core.format.SnapshotFormats
+import daphnis.core.table.TableColumns
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import java.io.IOException
 import java.lang.reflect.Executable
 import java.lang.reflect.Method
 import java.lang.reflect.Modifier
@@ -65,6 +72,65 @@ class JavaCallsTest {
         assertEquals(INTERNAL_CONSTRUCTORS.toList(), missing.map(::nameOf).sorted())
     }
 
+    @Test
+    fun `objects that are values can be had without their field`() {
+        val values = types.filter { type ->
+            type.interfaces.isNotEmpty() && type.declaredFields.any { it.name == "INSTANCE" && it.type == type }
+        }
+        assertTrue(values.size > 10) { "only ${values.size} objects that are values" }
+        val listed = SnapshotFormats.all.toSet<Any>()
+        val missing = values.filter { type ->
+            val value = type.getField("INSTANCE").get(null)
+            value !in listed && value !is TableColumns && type.interfaces.none { above -> value in given(above) }
+        }
+        assertEquals(emptyList<String>(), missing.map { it.simpleName })
+        assertTrue(Engines.factory() === Engines && ActorEngines.factory() === ActorEngines)
+    }
+
+    /** What the static functions of [type] without arguments return that are of this type. */
+    private fun given(type: Class<*>): List<Any?> = type.declaredMethods
+        .filter { it.isStatic && it.parameterCount == 0 && it.returnType == type }.map { it.invoke(null) }
+
+    @Test
+    fun `functions of files are in classes with a name`() {
+        val files = sources.filterValues { PUBLIC_FUNCTION.containsMatchIn(it) }
+        assertTrue(files.size > 10) { "only ${files.size} files with functions" }
+        assertEquals(emptySet<String>(), files.filterValues { FILE_NAME.find(it) == null }.keys)
+    }
+
+    @Test
+    fun `no public function takes or gives a type that only Kotlin makes`() {
+        val methods = types.flatMap { it.declaredMethods.toList() }.filter(::isCalled)
+        assertTrue(methods.size > 500) { "only ${methods.size} functions" }
+        val strange = methods.filter { method ->
+            val all = method.genericParameterTypes.toList() + method.genericReturnType
+            all.any { type -> OF_KOTLIN.any { it in type.typeName } }
+        }
+        assertEquals(KOTLIN_ONLY, strange.map(::nameOf).toSet())
+    }
+
+    @Test
+    fun `what lets an IOException out declares it`() {
+        val leaking = Leaks(classes).units
+        assertTrue(leaking.size > 20) { "only ${leaking.size} functions that let an IOException out" }
+        val silent = leaking.filterIsInstance<JavaMethod>().map { it.reflect() }.filter { method ->
+            val mayThrow = method.exceptionTypes.any { it.isAssignableFrom(IOException::class.java) }
+            !mayThrow && isCalled(method) && !overrides(method)
+        }
+        assertEquals(emptyList<String>(), silent.map(::nameOf).sorted())
+    }
+
+    /** Whether a user calls [method]. */
+    private fun isCalled(method: Method): Boolean = method.isPublic &&
+        !method.isSynthetic &&
+        !method.isMangled &&
+        method.declaringClass in types &&
+        isDeclaredPublic(method)
+
+    private fun overrides(method: Method): Boolean =
+        (listOfNotNull(method.declaringClass.superclass) + method.declaringClass.interfaces)
+            .any { above -> above.methods.any { it.isLike(method) } }
+
     /** Public methods that [holder] has neither from its supertypes nor from serialization. */
     private fun ownMembers(holder: Class<*>): List<Method> = holder.declaredMethods.filter { method ->
         method.isPublic &&
@@ -93,12 +159,28 @@ class JavaCallsTest {
 
     private fun isDeclaredPublic(method: Method): Boolean {
         val text = source(method.declaringClass)
-        return Regex("""public ([a-z]+ )*fun (<[^>]*> )?(\w+\.)?${method.name}\(""").containsMatchIn(text)
+        val own = Regex("""public ([a-z]+ )*fun (<[^>]*> )?(\w+\.)?${method.name}\(""").containsMatchIn(text)
+        return own || "@JvmName(\"${method.name}\")" in text
     }
 
     private companion object {
         const val DEFAULT = "\$default"
         const val MARKER = "kotlin.jvm.internal.DefaultConstructorMarker"
+
+        val FILE_NAME = Regex("""^@file:JvmName\("(\w+)"\)""")
+        val PUBLIC_FUNCTION = Regex("""^public ((const|inline) )*(fun|val) (?!interface)""", RegexOption.MULTILINE)
+
+        /** Parts of the names of types that Java cannot make well. */
+        val OF_KOTLIN =
+            listOf("kotlin.jvm.functions", "kotlin.sequences", "kotlin.coroutines", "kotlin.Pair", "kotlin.Unit")
+
+        /** What has another way for Java, or is called by the functions beside it alone. */
+        val KOTLIN_ONLY = setOf(
+            "RegionActorEngine.advanceSuspending(CollisionStep, Continuation)",
+            "RegionMap.forEachStretch(int, Function2)",
+            "Vtp.writeIndex(List, Path)",
+            "WritableFormat.export(Sequence, Path, ExportOptions)",
+        )
 
         /** Internal in Kotlin, for tests that set what users cannot. */
         val INTERNAL_CONSTRUCTORS = setOf("RandomPlacement.<init>(int, List, int, Integer, int, long)")
@@ -128,25 +210,30 @@ class JavaCallsTest {
             }
         }.toMap()
 
-        /** By package and name of a type, the text of the file that declares it as public; nested types likewise. */
+        /**
+         * By package and name of a type, the text of the file that declares it as public; nested types likewise, and
+         * the types that hold the functions of files.
+         */
         val declarations: Map<String, String> = sources.flatMap { (path, text) ->
             val folder = path.substringBeforeLast('/').replace('/', '.')
-            Regex("""public ([a-z]+ )*(class|interface|object) (\w+)""").findAll(text)
-                .map { "$folder.${it.groupValues[3]}" to text }.toList()
+            val types = Regex("""public ([a-z]+ )*(class|interface|object) (\w+)""").findAll(text)
+            val names = types.map { it.groupValues[3] } + FILE_NAME.findAll(text).map { it.groupValues[1] }
+            names.map { "$folder.$it" to text }.toList()
         }.toMap()
 
         /** The text of the file that declares [type], or whose functions [type] holds; empty when it is not public. */
         fun source(type: Class<*>): String {
             val own = if (type.simpleName == "Companion") type.enclosingClass else type
-            if (own.name.endsWith("Kt")) return sources[own.name.removeSuffix("Kt").replace('.', '/') + ".kt"].orEmpty()
             return declarations["${own.packageName}.${own.simpleName}"].orEmpty()
         }
 
         fun isDeclaredPublic(type: Class<*>): Boolean =
             source(type).isNotEmpty() && type.enclosingClass?.let(::isDeclaredPublic) != false
 
-        val types: List<Class<*>> = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests())
+        val classes: JavaClasses = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests())
             .importPackages("daphnis.core", "daphnis.actors", "daphnis.cluster", "daphnis.analysis")
+
+        val types: List<Class<*>> = classes
             .map { Class.forName(it.name, false, JavaCallsTest::class.java.classLoader) }
             .filter { Modifier.isPublic(it.modifiers) && !it.isSynthetic && it.simpleName != "Companion" }
             .filter(::isDeclaredPublic)

@@ -71,9 +71,12 @@ public class LocalNodes private constructor(public val fleet: Fleet, private val
                 repeat(count) { children += ChildProcess(command.apply(fleet.address), secret, lines::accept) }
                 await(fleet, children, System.nanoTime() + within.toNanos())
                 return nodes
+            } catch (e: IOException) {
+                nodes.close()
+                throw FleetException("a node cannot be started: ${e.message}", e)
             } catch (e: Throwable) {
                 nodes.close()
-                throw if (e is IOException) FleetException("a node cannot be started: ${e.message}", e) else e
+                throw e
             }
         }
 

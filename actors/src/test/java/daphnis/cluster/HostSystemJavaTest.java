@@ -8,7 +8,7 @@ import com.typesafe.config.ConfigFactory;
 import daphnis.cluster.security.Secret;
 import daphnis.cluster.settings.HostConfig;
 import daphnis.core.cluster.FleetEngines;
-import daphnis.core.cluster.NodeRunKt;
+import daphnis.core.cluster.NodeWorks;
 import daphnis.core.cluster.NodesAwaited;
 import daphnis.core.run.Run;
 import daphnis.core.scenario.BuiltIn;
@@ -51,12 +51,12 @@ class HostSystemJavaTest {
         try {
             Cluster.get(forNode).join(Cluster.get(forNode).selfAddress());
             Cluster.get(forRuns).join(Cluster.get(forNode).selfAddress());
-            try (ClusterNode node = ClusterNode.on(forNode, secret, 1, NodeRunKt.nodeWork(), line -> {})) {
+            try (ClusterNode node = ClusterNode.on(forNode, secret, 1, NodeWorks.ofRuns(), line -> {})) {
                 for (String name : List.of("one", "two")) {
                     ClusterFleet fleet = ClusterFleet.on(forRuns, secret, name, line -> {});
                     new NodesAwaited(fleet, Duration.ofSeconds(90), line -> {}).await(1);
-                    Path path = home.resolve(name);
-                    try (Run run = Run.start(scenario, "gas", path, false, new FleetEngines(fleet))) {
+                    var builder = Run.builder(scenario).directory(home.resolve(name)).engines(new FleetEngines(fleet));
+                    try (Run run = builder.start()) {
                         assertEquals(alone, run.execute().getStateDigest());
                     }
                 }

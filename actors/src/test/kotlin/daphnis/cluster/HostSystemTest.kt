@@ -6,7 +6,13 @@ import daphnis.cluster.TestedFleet.Companion.await
 import daphnis.cluster.TestedFleet.Companion.awaitThat
 import daphnis.cluster.settings.HostConfig
 import daphnis.cluster.system.HostGround
+import daphnis.core.cluster.FleetEngines
 import daphnis.core.cluster.MailClosedException
+import daphnis.core.cluster.NodesAwaited
+import daphnis.core.cluster.nodeWork
+import daphnis.core.run.Run
+import daphnis.core.run.Summary
+import daphnis.core.scenario.BuiltIn
 import org.apache.pekko.actor.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 import org.apache.pekko.cluster.Cluster
@@ -18,7 +24,9 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.io.TempDir
 import java.io.Closeable
+import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.ConcurrentLinkedQueue
 
@@ -81,6 +89,36 @@ class HostSystemTest {
             assertFalse(system.getWhenTerminated().toCompletableFuture().isDone)
             assertEquals(MemberStatus.up(), Cluster.get(system).selfMember().status())
         }
+    }
+
+    @Test
+    fun `the programs of the guide`(@TempDir path: Path) {
+        val own = ConfigFactory.parseString(HOST)
+        val runs = system(ours = HostConfig.run())
+        join()
+        val address = Cluster.get(runs).selfAddress()
+        val secret = TestedFleet.SECRET
+        val threads = 1
+        // example: hostNode
+        val needed = own.withFallback(HostConfig.node()) // own settings; HostConfig.run() for runs
+        val system = ActorSystem.create("host", ConfigFactory.load(needed))
+        Cluster.get(system).join(address) // the host's own business, like leaving
+        val node = ClusterNode.on(system, secret, threads, nodeWork()) { println(it) }
+        // end
+        systems += system
+        runOn(runs, path)
+        assertEquals("cluster", Summary.read(path.resolve("summary.json")).engine)
+        node.close()
+    }
+
+    private fun runOn(system: ActorSystem, path: Path) {
+        val scenario = BuiltIn.scenario("cooling-gas", listOf("until=0.1", "particles.count=50"))
+        val secret = TestedFleet.SECRET
+        // example: hostFleet
+        val fleet = ClusterFleet.on(system, secret, "ring") { println(it) }
+        NodesAwaited(fleet, Duration.ofMinutes(5)) { println(it) }.await(1)
+        Run.start(scenario, "ring.json", path, engines = FleetEngines(fleet)).use { it.execute() }
+        // end
     }
 
     @Test

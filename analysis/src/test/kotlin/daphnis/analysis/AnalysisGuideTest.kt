@@ -35,30 +35,32 @@ class AnalysisGuideTest {
             population.radius[k] = 1.0
         }
         val collisions = CollisionForcing(BridgesRestitution(cmPerSecond = 0.02))
+        // example: averages
         val profile = Profile(axis = 2, from = -15.0, to = 15.0, bins = 30)
         val averages = Averages(profile, from = orbit / 2, every = 10, omega)
-        val simulation =
-            Simulation(
-                population,
-                sheet,
-                collisions,
-                FixedTimeStep(dt),
-                listOf(HillFrame(omega)),
-                outputs = listOf(averages),
-            )
-        repeat(100) { simulation.advance() }
+        val frame = HillFrame(omega)
+        val steps = FixedTimeStep(dt)
+        val simulation = Simulation(population, sheet, collisions, steps, listOf(frame), outputs = listOf(averages))
+        while (simulation.time < orbit) simulation.advance()
         val middle = averages.average(15 * Profile.COLUMNS.size + Profile.COLUMNS.indexOf("filling_factor"))
+        println(middle) // mean ± error, or that states are too few
+        if (!middle.isLevelled) println("worth ${middle.independent} independent states")
+        // end
         assertTrue(middle.mean > 0)
         assertFalse(middle.isLevelled) { "six states in half an orbit tell no error" }
         assertEquals(6, averages.size)
 
-        val state = State.of(simulation, omega)
-        val order = RadialOrder().sort(state, RadialKey.X)
+        // example: analysis
+        val state = State.of(simulation, omega) // or State(population, boundary, time, omega)
+        val order = RadialOrder().sort(state, RadialKey.X) // order.order[rank] is an index; no sphere is moved
+        val lines = Streamlines.of(state, slabs = 4, groups = 5, RadialKey.GUIDING_CENTRE)
+        val crossing = lines.q.count { it >= 1 }
+        // end
+        assertEquals(lines.q.size, crossing + lines.q.count { !(it >= 1) })
         assertTrue(state.population === population)
         for (rank in 1 until order.size) {
             assertTrue(population.x[order.order[rank - 1]] <= population.x[order.order[rank]])
         }
-        val lines = Streamlines.of(state, slabs = 4, groups = 5, RadialKey.GUIDING_CENTRE)
         assertEquals(100, lines.count.sum())
         assertTrue(lines.q.any { it > 0 })
     }

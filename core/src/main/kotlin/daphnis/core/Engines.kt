@@ -8,18 +8,26 @@ import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 
-/** The engines of this module. */
-public object Engines : EngineFactory {
-    private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
-        "horizon" to { HorizonEngine(it) },
-        "islands" to { IslandsEngine(it) },
-        "bricks" to { BricksEngine(it) },
-        "thread-pool" to { ThreadPoolEngine(it) },
-        "serial" to { SerialEngine() },
-    )
+/** The engines of this module. `Engines` alone is their factory; in Java [factory]. */
+public class Engines private constructor() {
+    public companion object : EngineFactory {
+        private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
+            "horizon" to { HorizonEngine(it) },
+            "islands" to { IslandsEngine(it) },
+            "bricks" to { BricksEngine(it) },
+            "thread-pool" to { ThreadPoolEngine(it) },
+            "serial" to { SerialEngine() },
+        )
 
-    override val names: List<String> = makers.keys.toList()
+        @JvmStatic
+        override val names: List<String> = makers.keys.toList()
 
-    override fun create(name: String, threads: Int): CollisionEngine? =
-        makers[name]?.invoke(EngineFactory.threadsOrAll(threads))
+        @JvmStatic
+        override fun create(name: String, threads: Int): CollisionEngine? =
+            makers[name]?.invoke(EngineFactory.threadsOrAll(threads))
+
+        /** The factory itself, for Java. */
+        @JvmStatic
+        public fun factory(): EngineFactory = this
+    }
 }

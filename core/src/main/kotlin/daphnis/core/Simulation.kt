@@ -204,7 +204,11 @@ public class Simulation internal constructor(
         }
     }
 
-    private companion object {
-        const val CLOSED = "the simulation is closed"
+    public companion object {
+        /** Names the parts of a simulation of [population] one by one. */
+        @JvmStatic
+        public fun builder(population: Population): SimulationBuilder = SimulationBuilder(population)
+
+        private const val CLOSED = "the simulation is closed"
     }
 }

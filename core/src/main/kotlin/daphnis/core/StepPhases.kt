@@ -7,6 +7,7 @@ import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.firstNotFinite
+import java.util.function.Supplier
 
 /**
  * The phases of a step, for the code which drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] ·
@@ -68,8 +69,8 @@ public class StepPhases(
     }
 
     /** @throws IllegalStateException when the state is not finite; its message says [at] which step and time */
-    public fun checkFinite(at: () -> String) {
-        population.firstNotFinite(loop)?.let { error("the state is no longer finite after ${at()}: $it") }
+    public fun checkFinite(at: Supplier<String>) {
+        population.firstNotFinite(loop)?.let { error("the state is no longer finite after ${at.get()}: $it") }
     }
 
     /** The step stands. */

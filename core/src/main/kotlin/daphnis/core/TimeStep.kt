@@ -1,3 +1,5 @@
+@file:JvmName("TimeSteps")
+
 package daphnis.core
 
 import daphnis.core.parallel.InlineLoop

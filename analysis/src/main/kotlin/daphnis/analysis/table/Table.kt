@@ -1,5 +1,6 @@
 package daphnis.analysis.table
 
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -18,6 +19,7 @@ public class Table(public val name: String, public val columns: List<Column>) {
     }
 
     /** Writes `name.csv` into [directory], which is made. */
+    @Throws(IOException::class)
     public fun write(directory: Path) {
         Files.createDirectories(directory)
         Files.newBufferedWriter(directory.resolve("$name.csv")).use { out ->

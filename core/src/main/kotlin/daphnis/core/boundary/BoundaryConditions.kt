@@ -49,6 +49,12 @@ public interface BoundaryConditions {
      * wraps reports it with [Population.addCrossing], so that files can hold where a sphere has been.
      */
     public fun endStep(population: Population, time: Double)
+
+    public companion object {
+        /** [Open], the boundary that is none, for Java. */
+        @JvmStatic
+        public fun open(): BoundaryConditions = Open
+    }
 }
 
 /**

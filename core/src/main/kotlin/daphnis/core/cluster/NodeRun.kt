@@ -1,3 +1,5 @@
+@file:JvmName("NodeWorks")
+
 package daphnis.core.cluster
 
 import daphnis.core.FixedTimeStep
@@ -17,6 +19,7 @@ import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 
 /** What a node does for the runs of scenarios: it advances its part of the spheres as the leader of its crew asks. */
+@JvmName("ofRuns")
 public fun nodeWork(): NodeWork = NodeWork { mail, threads -> NodeRun(mail, threads).run() }
 
 /** The part of one node in one crew. */

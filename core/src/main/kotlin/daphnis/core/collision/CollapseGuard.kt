@@ -17,6 +17,12 @@ public interface CollapseGuard {
      *   meaningless unless [needsLastCollision]
      */
     public fun makesElastic(impactSpeed: Double, sinceFirst: Double, sinceSecond: Double): Boolean
+
+    public companion object {
+        /** [NoGuard], for Java. */
+        @JvmStatic
+        public fun none(): CollapseGuard = NoGuard
+    }
 }
 
 /** No guard: right for laws with ε → 1 at low speed, such as Bridges'. */

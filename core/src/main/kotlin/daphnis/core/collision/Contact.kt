@@ -1,3 +1,5 @@
+@file:JvmName("Contacts")
+
 package daphnis.core.collision
 
 import daphnis.core.boundary.Images

@@ -49,4 +49,10 @@ public class CollisionForcing @JvmOverloads constructor(
     override fun close() {
         engine.close()
     }
+
+    public companion object {
+        /** Names the parts of a forcing with the law [restitution] one by one. */
+        @JvmStatic
+        public fun builder(restitution: Restitution): CollisionForcingBuilder = CollisionForcingBuilder(restitution)
+    }
 }

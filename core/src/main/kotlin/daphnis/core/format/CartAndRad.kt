@@ -4,6 +4,7 @@ import daphnis.core.boundary.Open
 import daphnis.core.format.Kept.Presence.ALWAYS
 import daphnis.core.format.Kept.Presence.NEVER
 import daphnis.core.population.Population
+import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.channels.Channels
@@ -41,6 +42,7 @@ public object CartAndRad : ReadableFormat, WritableFormat {
 
     /** Writes [population] to [path], replacing it. */
     @JvmStatic
+    @Throws(IOException::class)
     public fun write(population: Population, path: Path) {
         val order = population.indicesById()
         Files.newOutputStream(path).buffered(1 shl 16).use { stream ->
@@ -70,6 +72,7 @@ public object CartAndRad : ReadableFormat, WritableFormat {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(IOException::class)
     public fun population(path: Path, density: Double = 1.0): Population {
         val size = Files.size(path)
         if (size < 4 || size > Int.MAX_VALUE) throw FormatException("$path: $size bytes is no CartAndRad file")

@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
+import java.io.IOException
 import java.io.Writer
 import java.nio.file.Files
 import java.nio.file.Path
@@ -31,6 +32,7 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(IOException::class)
     public fun write(snapshot: Snapshot, out: Writer, scale: Double = 1.0) {
         out.append(snapshot.size.toString()).append('\n')
         val l = DoubleArray(3) { snapshot.lengths[it] * scale }

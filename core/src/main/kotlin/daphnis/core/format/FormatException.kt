@@ -1,3 +1,5 @@
+@file:JvmName("Messages")
+
 package daphnis.core.format
 
 import java.util.Locale

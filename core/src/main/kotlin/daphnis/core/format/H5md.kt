@@ -6,6 +6,7 @@ import io.jhdf.WritableHdfFile
 import io.jhdf.api.DatasetCreationOptions
 import io.jhdf.api.WritableDataset
 import io.jhdf.api.WritableGroup
+import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -42,6 +43,7 @@ public object H5md : ReadableFormat, WritableFormat {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(IOException::class)
     public fun write(snapshots: List<Snapshot>, path: Path, version: String, units: SiUnits? = null) {
         require(snapshots.isNotEmpty()) { "no frame to write" }
         val first = snapshots.first()

@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
+import java.io.IOException
 import java.io.Writer
 import java.nio.file.Files
 import java.nio.file.Path
@@ -27,6 +28,7 @@ public object LammpsDump : ReadableFormat, WritableFormat {
 
     /** Appends one [snapshot] to [out]. Along open axes the bounds are those of the spheres. */
     @JvmStatic
+    @Throws(IOException::class)
     public fun write(snapshot: Snapshot, out: Writer) {
         out.append("ITEM: TIME\n${snapshot.time}\nITEM: TIMESTEP\n${snapshot.step}\n")
         out.append("ITEM: NUMBER OF ATOMS\n${snapshot.size}\n")

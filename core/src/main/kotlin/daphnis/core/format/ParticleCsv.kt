@@ -27,6 +27,7 @@ public object ParticleCsv : ReadableFormat {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(IOException::class)
     public fun population(path: Path, density: Double = 1.0): Population = snapshot(path, density).population()
 
     /** Reads [path] as a state at step and time 0, masses from density 1 where it has none. */

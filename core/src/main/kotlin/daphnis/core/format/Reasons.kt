@@ -1,3 +1,5 @@
+@file:JvmName("Reasons")
+
 package daphnis.core.format
 
 import java.io.IOException

@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -51,8 +52,9 @@ public interface ReadableFormat : SnapshotFormat {
      * those of density 1, or 1 each in extended XYZ.
      *
      * @throws FormatException for what is wrong, in one line
-     * @throws java.io.IOException when the file cannot be read
+     * @throws IOException when the file cannot be read
      */
+    @Throws(IOException::class)
     public fun read(path: Path): List<Snapshot>
 }
 
@@ -73,9 +75,15 @@ public interface WritableFormat : SnapshotFormat {
     /**
      * Writes [snapshots] into [directory], which exists, replacing what is there. Each is taken once, in order.
      *
-     * @throws java.io.IOException when a file cannot be written
+     * @throws IOException when a file cannot be written
      */
+    @Throws(IOException::class)
     public fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported
+
+    /** The same for Java, for example with [daphnis.core.run.RecordedRun.states]. */
+    @Throws(IOException::class)
+    public fun export(snapshots: Iterable<Snapshot>, directory: Path, options: ExportOptions): Exported =
+        export(snapshots.asSequence(), directory, options)
 }
 
 /**

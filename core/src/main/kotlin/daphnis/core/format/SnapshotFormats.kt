@@ -23,6 +23,15 @@ public object SnapshotFormats {
     @JvmStatic
     public val writable: List<WritableFormat> = all.filterIsInstance<WritableFormat>()
 
+    /**
+     * The format whose [word][WritableFormat.word] is [word], such as `xyz`.
+     *
+     * @throws FormatException when none has it
+     */
+    @JvmStatic
+    public fun named(word: String): WritableFormat = writable.find { it.word == word }
+        ?: throw FormatException("$word: unknown format; known: ${writable.joinToString { it.word }}")
+
     /** All formats that are read and their endings, for help and messages. */
     @JvmStatic
     public val known: String = readable.joinToString { format ->

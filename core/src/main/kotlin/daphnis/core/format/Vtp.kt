@@ -2,6 +2,7 @@ package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.ALWAYS
 import java.io.DataOutputStream
+import java.io.IOException
 import java.io.OutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
@@ -34,6 +35,7 @@ public object Vtp : WritableFormat {
      * field data.
      */
     @JvmStatic
+    @Throws(IOException::class)
     public fun write(snapshot: Snapshot, path: Path) {
         val n = snapshot.size
         val blocks = ArrayList<ByteBuffer>()
@@ -95,6 +97,7 @@ public object Vtp : WritableFormat {
 
     /** Writes the index of [files], given as file name and time. */
     @JvmStatic
+    @Throws(IOException::class)
     public fun writeIndex(files: List<Pair<String, Double>>, path: Path) {
         val entries = files.joinToString("") { (name, time) ->
             "<DataSet timestep=\"$time\" group=\"\" part=\"0\" file=\"$name\"/>\n"

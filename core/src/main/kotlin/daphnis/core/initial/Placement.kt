@@ -1,3 +1,5 @@
+@file:JvmName("FillingFactor")
+
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
@@ -21,6 +23,7 @@ public class Positions(public val x: DoubleArray, public val y: DoubleArray, pub
 public class PlacementException(message: String) : RuntimeException(message)
 
 /** Filling factor: volume of the spheres over the volume of [box]. */
+@JvmName("of")
 public fun fillingFactor(radii: DoubleArray, box: Box): Double {
     var volume = 0.0
     for (r in radii) volume += 4.0 / 3.0 * Math.PI * r * r * r

@@ -19,6 +19,10 @@ public interface RangeLoop {
     public companion object {
         /** Indices per piece: some ten microseconds of light work. */
         public const val GRAIN: Int = 2048
+
+        /** [InlineLoop], for Java. */
+        @JvmStatic
+        public fun inline(): RangeLoop = InlineLoop
     }
 }
 

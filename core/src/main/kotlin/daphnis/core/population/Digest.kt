@@ -1,3 +1,5 @@
+@file:JvmName("Digest")
+
 package daphnis.core.population
 
 import java.nio.ByteBuffer

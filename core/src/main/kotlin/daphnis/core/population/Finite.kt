@@ -1,3 +1,5 @@
+@file:JvmName("Finite")
+
 package daphnis.core.population
 
 import daphnis.core.parallel.InlineLoop

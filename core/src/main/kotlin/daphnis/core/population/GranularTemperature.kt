@@ -1,3 +1,5 @@
+@file:JvmName("GranularTemperature")
+
 package daphnis.core.population
 
 /**
@@ -11,5 +13,6 @@ package daphnis.core.population
  * @param firstBody spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
  */
 @JvmOverloads
+@JvmName("of")
 public fun granularTemperature(population: Population, flow: MeanFlow?, firstBody: Int = Int.MAX_VALUE): Double =
     PopulationSums(flow, null, firstBody).apply { take(population) }.granularTemperature

@@ -73,9 +73,7 @@ public class Population @JvmOverloads constructor(
         require(id.size == n) { "id has ${id.size} entries, x has $n" }
         for ((name, column) in columns + ("x" to x)) {
             for (k in 0 until n) {
-                require(column[k].isFinite()) {
-                    "$name of particle ${id[k]} is ${column[k]}; it must be finite"
-                }
+                require(column[k].isFinite()) { "$name of particle ${id[k]} is ${column[k]}; it must be finite" }
             }
         }
         for (k in 0 until n) {
@@ -292,9 +290,10 @@ public class Population @JvmOverloads constructor(
         for (k in 0 until size) indexByPlace[idPlaces.of(id[k])] = k
         indexIsCurrent = true
     }
-}
 
-/** Accepts or rejects an index of a [Population]. */
-public fun interface IndexPredicate {
-    public fun accepts(index: Int): Boolean
+    public companion object {
+        /** Names the columns of a population one by one. */
+        @JvmStatic
+        public fun builder(): PopulationBuilder = PopulationBuilder()
+    }
 }

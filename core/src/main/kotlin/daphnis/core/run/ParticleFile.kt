@@ -1,3 +1,5 @@
+@file:JvmName("ParticleFile")
+
 package daphnis.core.run
 
 import daphnis.core.scenario.PlacementSpec

@@ -35,6 +35,9 @@ public class Run internal constructor(
     private var isExecuted = false
     private var isClosed = false
 
+    /** What [execute] asks before every step, unless it is given another. */
+    internal var cancelled: BooleanSupplier = BooleanSupplier { false }
+
     /** The scenario that is run; null for a [Program]. */
     public val scenario: ResolvedScenario? get() = plan.scenario
 
@@ -49,7 +52,7 @@ public class Run internal constructor(
      *
      * @param watcher an output that is called after all others; nothing of it is kept
      * @param cancelled called before every step; when it returns true, the run ends with a checkpoint and a summary
-     *   marked unfinished
+     *   marked unfinished. Unless given, what the builder of the run was given
      *
      * @throws RunException when the simulation or an output fails, or a file cannot be written; the last checkpoint
      *   stays
@@ -57,7 +60,7 @@ public class Run internal constructor(
      * @throws IllegalStateException when it has been called before, or the run is closed; [resume] continues it
      */
     @JvmOverloads
-    public fun execute(watcher: Output = Output { }, cancelled: BooleanSupplier = BooleanSupplier { false }): Summary {
+    public fun execute(watcher: Output = Output { }, cancelled: BooleanSupplier = this.cancelled): Summary {
         check(!isClosed) { "this run is closed" }
         check(!isExecuted) { "this run was executed before; resume continues it" }
         isExecuted = true
@@ -95,6 +98,18 @@ public class Run internal constructor(
     }
 
     public companion object {
+        /** Names the parts of a run of [scenario] one by one. */
+        @JvmStatic
+        public fun builder(scenario: Scenario): ScenarioRunBuilder = ScenarioRunBuilder(scenario)
+
+        /** Names the parts of a run of [program] one by one. */
+        @JvmStatic
+        public fun builder(program: Program): ProgramRunBuilder = ProgramRunBuilder(program)
+
+        /** Names one by one what is needed to continue the run of a scenario in [path]. */
+        @JvmStatic
+        public fun resuming(path: Path): ResumeBuilder = ResumeBuilder(path)
+
         /**
          * Makes the run directory [path] and the initial state.
          *

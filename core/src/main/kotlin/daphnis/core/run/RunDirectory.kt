@@ -82,6 +82,8 @@ public class RunDirectory internal constructor(public val path: Path, internal v
             H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
         } catch (e: FormatException) {
             throw FormatException("${e.message}; remove the file to continue without this snapshot")
+        } catch (e: IOException) {
+            throw FormatException("$file: cannot be read: ${reasonOf(e, file)}")
         }
         if (snapshot.step != step) {
             throw FormatException("$file: holds the state after step ${snapshot.step}; its name says $step")

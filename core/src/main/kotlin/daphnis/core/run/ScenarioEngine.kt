@@ -1,3 +1,5 @@
+@file:JvmName("ScenarioEngine")
+
 package daphnis.core.run
 
 import daphnis.core.Engines
@@ -13,6 +15,7 @@ import daphnis.core.scenario.ScenarioParts
  * @throws InputException when [engines] has none of that name and number of threads
  */
 @JvmOverloads
+@JvmName("of")
 public fun engineOf(scenario: ScenarioParts, source: String, engines: EngineFactory = Engines): CollisionEngine {
     val spec = scenario.engine
     val engine = engines.create(spec.name, spec.threads)

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
 
 /**
  * The boundaries that a scenario can name; `toString` is the name, with the parameters that distinguish two of the same
@@ -21,7 +22,7 @@ public sealed interface BoundarySpec {
     public fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions
 
     /** A description for a reader: [number] writes numbers, and [speed] those with a unit of speed. */
-    public fun inWords(number: (Double) -> String, speed: (Double) -> String): String = toString()
+    public fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String = toString()
 
     /** No faces. The box only gives the space in which spheres are placed at the start. */
     @Serializable
@@ -30,7 +31,7 @@ public sealed interface BoundarySpec {
         override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
             daphnis.core.boundary.Open
 
-        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
+        override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "open: only where spheres are put"
 
         override fun toString(): String = "open"
@@ -60,7 +61,8 @@ public sealed interface BoundarySpec {
             return daphnis.core.boundary.Walls(box, restitution, BooleanArray(AXES.length) { AXES[it] in axes })
         }
 
-        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String = "walls across $axes"
+        override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
+            "walls across $axes"
 
         override fun toString(): String = "walls with axes $axes"
     }
@@ -72,8 +74,8 @@ public sealed interface BoundarySpec {
         override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
             daphnis.core.boundary.ShearedPeriodic(box, velocityJump)
 
-        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
-            "$this, velocity jump ${speed(velocityJump)}"
+        override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
+            "$this, velocity jump ${speed.apply(velocityJump)}"
 
         override fun toString(): String = "sheared-periodic"
     }
@@ -84,8 +86,8 @@ public sealed interface BoundarySpec {
         override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
             daphnis.core.boundary.LeesEdwards(box, shearRate)
 
-        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
-            "$this, shear rate ${number(shearRate)} per unit of time"
+        override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
+            "$this, shear rate ${number.apply(shearRate)} per unit of time"
 
         override fun toString(): String = "lees-edwards"
     }
@@ -99,7 +101,7 @@ public sealed interface BoundarySpec {
             return daphnis.core.hill.HillSheet(box, speed, radiallyOpen)
         }
 
-        override fun inWords(number: (Double) -> String, speed: (Double) -> String): String =
+        override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             if (radiallyOpen) "ringlet, repeats along y" else "shearing sheet, repeats along x and y"
 
         override fun toString(): String = "hill-sheet"

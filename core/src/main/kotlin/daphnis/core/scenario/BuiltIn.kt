@@ -1,5 +1,8 @@
 package daphnis.core.scenario
 
+import java.io.IOException
+import java.io.UncheckedIOException
+
 /** The scenarios that come with daphnis, as the JSON text a user would start from. */
 public object BuiltIn {
     /** The names, those of the paper first. The very first is what `daphnis run` runs when nothing is named. */
@@ -17,7 +20,11 @@ public object BuiltIn {
         val stream =
             BuiltIn::class.java.getResourceAsStream("/daphnis/scenarios/$name.json")
                 ?: error("scenario $name is missing from the jar")
-        return stream.use { String(it.readAllBytes(), Charsets.UTF_8) }
+        return try {
+            stream.use { String(it.readAllBytes(), Charsets.UTF_8) }
+        } catch (e: IOException) {
+            throw UncheckedIOException("scenario $name cannot be read from the jar", e)
+        }
     }
 
     /** The scenario [name], with `path=value` [settings] applied. */

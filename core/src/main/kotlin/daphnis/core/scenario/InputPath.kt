@@ -1,3 +1,5 @@
+@file:JvmName("InputPath")
+
 package daphnis.core.scenario
 
 import java.nio.file.InvalidPathException
@@ -11,6 +13,7 @@ import java.nio.file.Path
  *   does not have
  */
 @JvmOverloads
+@JvmName("of")
 public fun inputPath(word: String, source: String, key: String? = null): Path = try {
     Path.of(word)
 } catch (e: InvalidPathException) {

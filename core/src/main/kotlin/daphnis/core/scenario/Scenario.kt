@@ -281,6 +281,12 @@ public class OutputSpec @JvmOverloads constructor(
         val tree = EVERY_KEY.encodeToJsonElement(serializer(), this).jsonObject
         return buildMap { for ((key, value) in tree) value.jsonPrimitive.intOrNull?.let { put(key, it) } }
     }
+
+    public companion object {
+        /** Names the keys one by one. */
+        @JvmStatic
+        public fun builder(): OutputSpecBuilder = OutputSpecBuilder()
+    }
 }
 
 private val EVERY_KEY = Json { encodeDefaults = true }

@@ -61,6 +61,16 @@ public object ScenarioJson {
         return parse(text, path.toString(), settings)
     }
 
+    /**
+     * [scenario] with keys replaced.
+     *
+     * @param source what to call it in messages
+     * @param settings as for [parse]
+     */
+    @JvmStatic
+    public fun changed(scenario: Scenario, source: String, settings: List<String>): Scenario =
+        parse(write(scenario), source, settings)
+
     /** The whole scenario, with every default written out. */
     @JvmStatic
     public fun write(scenario: Scenario): String = json.encodeToString(Scenario.serializer(), scenario) + "\n"

@@ -1,3 +1,5 @@
+@file:JvmName("Warnings")
+
 package daphnis.core.scenario
 
 import daphnis.core.boundary.ContactFaces
@@ -11,6 +13,7 @@ import kotlin.math.sqrt
  * there is nothing to report. It refers to the state with which [setup] begins and its first step. The figures behind
  * the bounds are in docs/physics.md.
  */
+@JvmName("of")
 public fun warnings(setup: ScenarioSetup): List<String> {
     if (setup.population.size == 0) return emptyList()
     val dt = setup.timeStep.next(setup.population)

@@ -39,6 +39,7 @@ public class NearPairs @JvmOverloads constructor(
      * @param action takes the indices in the population of the sphere and of the other one, and the vector to the other
      *   one
      */
+    @JvmSynthetic
     public inline fun forEach(
         runs: CellRuns,
         slot: Int,
@@ -63,7 +64,19 @@ public class NearPairs @JvmOverloads constructor(
         }
     }
 
+    /** The same for Java, where it is called `forEach` too. */
+    @JvmName("forEach")
+    public fun each(runs: CellRuns, slot: Int, radius: Double, action: PairAction) {
+        forEach(runs, slot, radius) { first, second, dx, dy, dz -> action.take(first, second, dx, dy, dz) }
+    }
+
     private companion object {
         const val AXES = 3
     }
+}
+
+/** Takes a pair of spheres that are near each other. */
+public fun interface PairAction {
+    /** @param first index in the population, like [second]; the vector ([dx], [dy], [dz]) goes from it to the second */
+    public fun take(first: Int, second: Int, dx: Double, dy: Double, dz: Double)
 }

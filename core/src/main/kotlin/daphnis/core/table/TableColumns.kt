@@ -1,3 +1,5 @@
+@file:JvmName("NeededColumns")
+
 package daphnis.core.table
 
 import java.util.function.ToDoubleFunction
@@ -13,6 +15,7 @@ public interface TableColumns {
 }
 
 /** Names of the columns without which a file is not such a table. */
+@get:JvmName("of")
 public val TableColumns.needed: List<String> get() = columns.filter { it.need == Need.NEEDED }.map { it.name }
 
 /**

@@ -8,32 +8,23 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import daphnis.core.Engines;
-import daphnis.core.FixedTimeStep;
 import daphnis.core.Opening;
 import daphnis.core.Output;
 import daphnis.core.OutputState;
 import daphnis.core.Simulation;
+import daphnis.core.boundary.BoundaryConditions;
 import daphnis.core.boundary.Box;
-import daphnis.core.boundary.Periodic;
-import daphnis.core.collision.ConstantRestitution;
-import daphnis.core.engine.CollisionForcing;
-import daphnis.core.force.Kick;
 import daphnis.core.format.Snapshot;
-import daphnis.core.hill.Epicycle;
-import daphnis.core.parallel.InlineLoop;
 import daphnis.core.population.Conserved;
-import daphnis.core.population.GranularTemperatureKt;
 import daphnis.core.population.Population;
-import daphnis.core.population.PopulationSums;
 import daphnis.core.scenario.BuiltIn;
+import daphnis.core.scenario.InputException;
 import daphnis.core.scenario.OutputSpec;
-import daphnis.core.search.NearPairs;
-import daphnis.core.search.Overlap;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeoutException;
@@ -45,7 +36,7 @@ class JavaProgramTest {
     @TempDir Path home;
 
     // example: javaProgram
-    /** Spheres on springs, in a periodic box. */
+    /** Spheres on springs in a ball, with a law, a force and a boundary of their own. */
     static class Springs implements Program {
         final Energies energies = new Energies();
 
@@ -55,7 +46,9 @@ class JavaProgramTest {
 
         @Override public double getUntil() { return 4.0; }
 
-        @Override public OutputSpec getOutput() { return new OutputSpec(1, 10, 10); }
+        @Override public OutputSpec getOutput() {
+            return OutputSpec.builder().snapshotEvery(10).checkpointEvery(10).build();
+        }
 
         @Override public Map<String, Output> outputs() { return Map.of("energies", energies); }
 
@@ -63,17 +56,36 @@ class JavaProgramTest {
             double[] x = {-3.0, 0.0, 3.0};
             double[] vx = {1.0, 0.0, -0.5};
             double[] zero = new double[3];
-            double[] one = {1.0, 1.0, 1.0};
-            return new Population(x, zero, zero.clone(), vx, zero.clone(), zero.clone(), one.clone(), one);
+            return Population.builder()
+                .positions(x, zero, zero)
+                .velocities(vx, zero, zero)
+                .radius(1.0)
+                .mass(1.0)
+                .build();
         }
 
         @Override public Simulation simulation(Population population) {
-            Kick spring = (p, time, duration) -> {
-                for (int k = 0; k < p.getSize(); k++) p.getVx()[k] -= 0.1 * duration * p.getX()[k];
-            };
-            var boundary = new Periodic(Box.centred(10.0, 10.0, 10.0));
-            var collisions = new CollisionForcing(new ConstantRestitution(0.8));
-            return new Simulation(population, boundary, collisions, new FixedTimeStep(0.1), List.of(spring));
+            return Simulation.builder(population)
+                .boundary(new Ball(2.5))
+                .restitution(speed -> 1 / (1 + 0.1 * speed))
+                .timeStep(0.1)
+                .kick((p, time, duration) -> {
+                    for (int k = 0; k < p.getSize(); k++) p.getVx()[k] -= 0.1 * duration * p.getX()[k];
+                })
+                .build();
+        }
+    }
+
+    /** Turns back, at the end of a step, what has left it. */
+    record Ball(double radius) implements BoundaryConditions {
+        @Override public Box getBox() { return Box.UNBOUNDED; }
+
+        @Override public void endStep(Population p, double time) {
+            double[] x = p.getX();
+            double[] vx = p.getVx();
+            for (int k = 0; k < p.getSize(); k++) {
+                if (Math.abs(x[k]) > radius && x[k] * vx[k] > 0) vx[k] = -vx[k];
+            }
         }
     }
 
@@ -114,6 +126,68 @@ class JavaProgramTest {
         assertEquals(20, Run.open(directory).at(2.0).getStep());
     }
 
+    @Test
+    void withoutItsLawItsBoundaryOrItsForceTheProgramIsAnother() {
+        String digest = wholeDigest();
+        for (String part : List.of("law", "boundary", "force", "none")) {
+            Springs other = new Springs() {
+                @Override public Simulation simulation(Population population) {
+                    var parts = Simulation.builder(population).timeStep(0.1);
+                    parts.boundary(part.equals("boundary") ? BoundaryConditions.open() : new Ball(2.5));
+                    parts.restitution(part.equals("law") ? speed -> 1.0 : speed -> 1 / (1 + 0.1 * speed));
+                    if (!part.equals("force")) super.simulation(population).getForces().forEach(parts::force);
+                    return parts.build();
+                }
+            };
+            try (Run run = Run.builder(other).directory(home.resolve(part)).start()) {
+                assertEquals(part.equals("none"), run.execute().getStateDigest().equals(digest), part);
+            }
+        }
+    }
+
+    @Test
+    void aRunIsReplacedOrContinuedWithALossOnlyWhenThatIsSaid() throws IOException {
+        Path path = home.resolve("lossy");
+        var program = Run.builder(new Springs()).directory(path).cancelled(() -> true);
+        for (var parts : List.of(program, program.replace())) {
+            try (Run run = parts.start()) {
+                assertFalse(run.execute().getFinished());
+            }
+        }
+        Files.writeString(path.resolve("series.csv"), "");
+        var next = Run.builder(new Springs()).directory(path);
+        assertThrows(InputException.class, next::resume);
+        try (Run run = next.acceptLoss().resume()) {
+            assertFalse(run.getNotices().isEmpty());
+        }
+        var scenario = BuiltIn.scenario("cooling-gas", List.of("particles.count=20", "until=0.1"));
+        Path gas = home.resolve("gas");
+        try (Run run = Run.builder(scenario).directory(gas).cancelled(() -> true).start()) {
+            run.execute();
+        }
+        Files.writeString(gas.resolve("series.csv"), "");
+        var engines = Engines.factory();
+        assertThrows(InputException.class, () -> Run.resuming(gas).engines(engines).resume());
+        try (Run run = Run.resuming(gas).acceptLoss().resume()) {
+            assertFalse(run.getNotices().isEmpty());
+        }
+    }
+
+    @Test
+    void whatBelongsToAStartOrAResumeAloneIsRefusedAtTheOther() {
+        Path path = home.resolve("none");
+        for (var refusal : Map.<String, Runnable>of(
+                "the run has no directory; give directory(…)", () -> Run.builder(whole).start(),
+                "acceptLoss() is for a run that continues; start() begins one",
+                () -> Run.builder(whole).directory(path).acceptLoss().start(),
+                "replace() is for a run that starts; resume() continues the one that is there",
+                () -> Run.builder(whole).directory(path).replace().resume()).entrySet()) {
+            var e = assertThrows(IllegalArgumentException.class, refusal.getValue()::run);
+            assertEquals(refusal.getKey(), e.getMessage());
+        }
+        assertFalse(Files.exists(path));
+    }
+
     private String wholeDigest() {
         try (Run run = Run.start(whole, home.resolve("whole"))) {
             Summary summary = run.execute();
@@ -130,7 +204,7 @@ class JavaProgramTest {
             assertFalse(run.execute(simulation -> {}, () -> run.getSimulation().getStep() >= 17).getFinished());
         }
         Springs resumed = new Springs();
-        try (Run run = Run.resume(resumed, path)) {
+        try (Run run = Run.builder(resumed).directory(path).resume()) {
             assertEquals(17, run.getResumedFrom());
             assertEquals(List.of(), run.getNotices());
             assertEquals(digest, run.execute().getStateDigest());
@@ -173,12 +247,12 @@ class JavaProgramTest {
 
     private static void runWith(Failing failing, Path path) {
         boolean isStart = !failing.phase.equals("restore");
-        Map<String, Output> first = Map.of("java", isStart ? failing : new Failing("", null));
+        Output first = isStart ? failing : new Failing("", null);
         var scenario = BuiltIn.scenario("cooling-gas", List.of("particles.count=20", "until=0.1"));
-        try (Run run = Run.start(scenario, "gas", path, true, Engines.INSTANCE, first)) {
+        try (Run run = Run.builder(scenario).directory(path).replace().output("java", first).start()) {
             run.execute();
         }
-        if (!isStart) Run.resume(path, null, Engines.INSTANCE, false, Map.of("java", failing)).close();
+        if (!isStart) Run.resuming(path).output("java", failing).resume().close();
     }
 
     @Test
@@ -224,23 +298,5 @@ class JavaProgramTest {
             assertEquals(digest, run.execute().getStateDigest());
         }
         assertArrayEquals(whole.energies.array(), resumed.energies.array());
-    }
-
-    @Test
-    void constantsFactoriesAndDefaultsAreCalledAsThoseOfJava() {
-        Population population = whole.population();
-        var boundary = new Periodic(Box.centred(10.0, 10.0, 10.0));
-        PopulationSums sums = new PopulationSums(null);
-        sums.take(population);
-        assertEquals(GranularTemperatureKt.granularTemperature(population, null), sums.getGranularTemperature());
-        var pairs = new NearPairs(population, boundary, 0.0);
-        int[] indices = {pairs.index(0), pairs.index(1), pairs.index(2)};
-        Arrays.sort(indices);
-        assertArrayEquals(new int[] {0, 1, 2}, indices);
-        assertEquals(0.0, Overlap.deepest(population, boundary, 0.0).getDepth());
-        assertEquals("time", SeriesColumns.TIME.getName());
-        assertEquals(1.0, Epicycle.of(1.0, 0.0, 0.0, 0.0, -1.5, 0.0, 1.0).getGuidingX());
-        assertEquals(1.0, Epicycle.guidingX(1.0, -1.5, 1.0));
-        InlineLoop.INSTANCE.run(3, (worker, from, to) -> assertEquals(3, to - from));
     }
 }

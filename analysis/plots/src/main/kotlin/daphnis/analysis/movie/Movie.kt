@@ -3,6 +3,7 @@ package daphnis.analysis.movie
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.plot.drawing
 import daphnis.analysis.report.AnalysisProgress
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
@@ -19,9 +20,10 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
      * @throws IllegalArgumentException when the name is of no format, or the rate too high for it
      * @throws daphnis.core.format.FormatException when a state cannot be read
      * @throws IllegalStateException when this Java cannot draw
-     * @throws java.io.IOException when the file cannot be written
+     * @throws IOException when the file cannot be written
      */
     @JvmOverloads
+    @Throws(IOException::class)
     public fun write(file: Path, progress: AnalysisProgress = AnalysisProgress { _, _, _ -> }): MovieFrames {
         val format = requireNotNull(MovieFormat.of(file)) { "$file is neither .gif nor .mp4" }
         require(options.framesPerSecond <= format.mostFramesPerSecond) {

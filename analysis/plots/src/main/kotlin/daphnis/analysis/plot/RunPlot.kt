@@ -3,6 +3,7 @@ package daphnis.analysis.plot
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.core.run.SeriesColumns
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -20,6 +21,7 @@ public object RunPlot {
      * @throws daphnis.core.format.FormatException when the file is no time series
      */
     @JvmStatic
+    @Throws(IOException::class)
     public fun write(series: Path, directory: Path, title: String, scale: PlotScale) {
         val table = SeriesTable.read(series)
         require(table.size >= 2) { "the time series has ${table.size} rows; two are needed" }

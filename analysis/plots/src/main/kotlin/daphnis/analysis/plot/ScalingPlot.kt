@@ -1,5 +1,6 @@
 package daphnis.analysis.plot
 
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -16,6 +17,7 @@ public object ScalingPlot {
      * @throws IllegalArgumentException when there is no curve, or a time is not positive
      */
     @JvmStatic
+    @Throws(IOException::class)
     public fun write(times: List<Curve>, yardstick: Yardstick, directory: Path, name: String, title: String) {
         require(times.isNotEmpty()) { "there is nothing to draw" }
         val unit = yardstick.seconds
@@ -45,6 +47,7 @@ public object ScalingPlot {
 
     /** Removes what [write] has drawn as [name] in [directory], if anything. */
     @JvmStatic
+    @Throws(IOException::class)
     public fun remove(directory: Path, name: String) {
         for (kind in listOf("time", "speed", "efficiency")) {
             for (type in listOf("svg", "png")) Files.deleteIfExists(directory.resolve("$name-$kind.$type"))

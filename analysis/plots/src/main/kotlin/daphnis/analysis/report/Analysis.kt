@@ -4,6 +4,7 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -38,6 +39,7 @@ public class Analysis @JvmOverloads constructor(
      * @throws daphnis.core.format.FormatException when a state cannot be read
      */
     @JvmOverloads
+    @Throws(IOException::class)
     public fun write(directory: Path, progress: AnalysisProgress = AnalysisProgress { _, _, _ -> }) {
         val study = study(directory)
         val sections = Sections(study)

@@ -7,6 +7,7 @@ import daphnis.analysis.report.ReportNumber
 import daphnis.analysis.table.UnitNames
 import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.scale.scaleXContinuous
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.abs
@@ -31,6 +32,7 @@ public class SweepPlots(private val sweep: Sweep) {
      *
      * @return how many plots there are
      */
+    @Throws(IOException::class)
     public fun write(directory: Path): Int {
         var drawn = 0
         for (axis in axes) {

@@ -1,5 +1,6 @@
 package daphnis.analysis.sweep
 
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -9,6 +10,7 @@ public class SweepTables(private val sweep: Sweep) {
      * A row for each point and quantity: the values of the keys, then `quantity,unit,mean,standard_error,runs,remark`.
      * `runs` is how many have the number, `remark` says which runs of the point failed and why.
      */
+    @Throws(IOException::class)
     public fun writeMeans(path: Path) {
         val rows = sweep.points.flatMap { point ->
             val remark = point.remarks.joinToString("; ")
@@ -25,6 +27,7 @@ public class SweepTables(private val sweep: Sweep) {
     }
 
     /** A row for each run: its name, the values of the keys, seed, all its numbers, and `remark`. */
+    @Throws(IOException::class)
     public fun writeRuns(path: Path) {
         val rows = sweep.runs.map { run ->
             val numbers = sweep.quantities.map { q -> text(run.numbers.find { it.key == q.key }?.value ?: Double.NaN) }

@@ -1,0 +1,50 @@
+package daphnis.core.engine
+
+import daphnis.core.collision.CollapseGuard
+import daphnis.core.collision.NoGuard
+import daphnis.core.collision.Restitution
+import daphnis.core.search.SearchStructure
+
+/**
+ * The parts of a [CollisionForcing] by their names, from [CollisionForcing.builder]. A part that is given again
+ * replaces the former one.
+ *
+ * ```java
+ * CollisionForcing collisions = CollisionForcing.builder(speed -> 0.8)
+ *     .guard(new FloorSpeedGuard(1e-6))
+ *     .engine("islands", 2, Engines.factory())
+ *     .build();
+ * ```
+ */
+public class CollisionForcingBuilder internal constructor(private val restitution: Restitution) {
+    private var guard: CollapseGuard = NoGuard
+    private var makeEngine: () -> CollisionEngine = { SerialEngine() }
+    private var recordCollisions = false
+    private var search = SearchStructure.AUTO
+
+    /** What ends inelastic collapse; nothing unless given. */
+    public fun guard(guard: CollapseGuard): CollisionForcingBuilder = apply { this.guard = guard }
+
+    /** Computes collisions with [engine], which the forcing closes; the serial one unless given. */
+    public fun engine(engine: CollisionEngine): CollisionForcingBuilder = apply { makeEngine = { engine } }
+
+    /**
+     * The engine that [engines] call [name], on [threads] threads; made by [build].
+     *
+     * @param threads 0 for as many as the machine has
+     * @throws IllegalArgumentException when they do not know the name
+     */
+    public fun engine(name: String, threads: Int, engines: EngineFactory): CollisionForcingBuilder {
+        require(name in engines.names) { "there is no engine '$name'; known: ${engines.names.joinToString()}" }
+        return apply { makeEngine = { engines.create(name, threads)!! } }
+    }
+
+    /** Keeps the collisions of each step in [CollisionForcing.record], for outputs that read them. */
+    public fun recordCollisions(): CollisionForcingBuilder = apply { recordCollisions = true }
+
+    /** How neighbours are found; affects only the time it takes. */
+    public fun search(search: SearchStructure): CollisionForcingBuilder = apply { this.search = search }
+
+    /** The forcing; it is closed with the simulation. */
+    public fun build(): CollisionForcing = CollisionForcing(restitution, guard, makeEngine(), recordCollisions, search)
+}
