@@ -1,7 +1,6 @@
 package daphnis.core
 
 import kotlin.math.abs
-import kotlin.math.pow
 
 /**
  * Times at which a step has to end: the multiples of [intervals], and [end].
@@ -40,30 +39,31 @@ public class Stops @JvmOverloads constructor(
     public fun duration(start: Double, longest: Double): Double {
         val whole = whole(longest)
         val room = next(start) - start
-        val duration = if (room < whole - slack(start, whole)) room else whole
+        val duration = if (room < whole - slack(start + whole)) room else whole
         check(start + duration > start) { "a step of $duration is lost in the rounding of the time, $start" }
         return duration
     }
 
-    /** End of the step that begins at [start] and lasts [duration], as the function gave it: a stop to the bit. */
+    /**
+     * End of the step that begins at [start] and lasts [duration], as the function gave it: a stop to the bit, or a
+     * whole number of such steps before it, so that round-off does not grow.
+     */
     public fun timeAfter(start: Double, duration: Double): Double {
         val stop = next(start)
         val end = start + duration
-        return if (end >= stop - slack(start, duration)) stop else end
+        val steps = Math.rint((stop - end) / duration)
+        val even = stop - steps * duration
+        return if (abs(even - end) <= 2 * slack(end)) even else end
     }
 
-    /** How much a step of [whole] may miss a stop by round-off. */
-    private fun slack(start: Double, whole: Double) = maxOf(ROUND_OFF * whole, 4 * Math.ulp(start))
+    /** How much a time may be off by round-off. */
+    private fun slack(time: Double) = 4 * Math.ulp(time)
 
     private fun whole(longest: Double): Double {
-        if (shortest == null) return 2.0.pow(Math.getExponent(longest))
+        if (shortest == null) return Math.scalb(1.0, Math.getExponent(longest))
         if (longest >= shortest) return shortest
-        val halved = shortest * 2.0.pow(Math.getExponent(longest) - Math.getExponent(shortest))
+        val halved = Math.scalb(shortest, Math.getExponent(longest) - Math.getExponent(shortest))
         return if (halved <= longest) halved else halved / 2
-    }
-
-    private companion object {
-        const val ROUND_OFF = 1e-9
     }
 }
 

@@ -82,15 +82,8 @@ public object ScenarioJson {
             if (!key.endsWith(OutputSpec.INTERVAL) || interval is JsonNull) continue
             val every = OutputSpec.counterpart(key)
             val steps = given[every]?.jsonPrimitive?.intOrNull ?: continue
-            if (steps !=
-                0
-            ) {
-                throw InputException(
-                    source,
-                    "output.$key",
-                    "is given together with $every; ${OutputSpec.ONE_OF_TWO}",
-                )
-            }
+            val both = "is given together with $every; ${OutputSpec.ONE_OF_TWO}"
+            if (steps != 0) throw InputException(source, "output.$key", both)
         }
     }
 
