@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Interval
 import daphnis.core.Repository
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.IntervalUnit
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.ExperimentalSerializationApi
@@ -124,6 +125,29 @@ class PeriodicOutputsTest {
             val e = assertThrows(IllegalArgumentException::class.java) { Run.start(program, home.resolve("refused")) }
             assertEquals("output.$key is -1; it must be >= 0", e.message)
             assertFalse(Files.exists(home.resolve("refused")))
+        }
+    }
+
+    @Test
+    fun `a program can have its files at intervals of time`() {
+        fun gas(spec: OutputSpec) = object : Program by FailingOutputTest.Gas(emptyMap()) {
+            override val output = spec
+        }
+        val path = home.resolve("gas")
+        Run.start(gas(OutputSpec(seriesInterval = 0.5, snapshotInterval = 0.4)), path).use { it.execute() }
+        assertEquals(listOf(0L, 4, 8, 12), RunDirectory(path).snapshotSteps())
+        val rows = Files.readAllLines(path.resolve("series.csv")).drop(1)
+        assertEquals(listOf("0", "5", "10"), rows.map { it.substringBefore(',') })
+        val refused = mapOf(
+            "output.seriesInterval is -1.0; must be > 0" to OutputSpec(seriesInterval = -1.0),
+            "output.snapshotInterval is given together with snapshotEvery; one of the two is enough" to
+                OutputSpec(snapshotEvery = 3, snapshotInterval = 1.0),
+            "output.intervalUnit is orbit; it needs a HillFrame" to
+                OutputSpec(seriesInterval = 1.0, intervalUnit = IntervalUnit.ORBIT),
+        )
+        for ((message, spec) in refused) {
+            val e = assertThrows(IllegalArgumentException::class.java) { Run.start(gas(spec), home.resolve("no")) }
+            assertEquals(message, e.message)
         }
     }
 
