@@ -196,7 +196,8 @@ public class ScenarioSetup private constructor(
             val (key, longest) = when (val spec = scenario.timeStep) {
                 is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
                 is TimeStepSpec.CellCrossing -> "timeStep.longest" to spec.longest
-                is TimeStepSpec.Automatic -> "timeStep" to first
+                // Between stops a step is at least half as long as it may be.
+                is TimeStepSpec.Automatic -> "timeStep" to first / 2
                 is TimeStepSpec.OrbitFraction -> return
             }
             val start = scenario.startTime

@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.Engines
+import daphnis.core.FreePathTimeStep
 import daphnis.core.Output
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.cluster.ThreadFleet
@@ -171,6 +172,8 @@ class AutomaticStepTest {
         assertTrue("needs a frame" in refusal("output.intervalUnit=orbit"))
         assertTrue("timeStep.path" in refusal("timeStep={\"type\":\"automatic\",\"path\":-1}"))
         assertTrue("2.05" in refusal("timeStep={\"type\":\"automatic\",\"path\":1e-300}"))
+        val late = "until=1e20"
+        assertTrue("timeStep: is" in refusal(late, "output={}", "timeStep={\"type\":\"automatic\",\"path\":1e-5}"))
         val both = "output={\"seriesEvery\":1,\"seriesInterval\":0.5}"
         val sentence = "output.seriesInterval: is given together with seriesEvery; one of the two is enough"
         assertEquals("test: $sentence", refusal(both))
@@ -212,5 +215,9 @@ class AutomaticStepTest {
         assertTrue((thinner as TimeStepSpec.Automatic).path!! > spec.path!!)
         val small = ScenarioSetup.of(scenario("box.lengths=[9,9,1.5]", "particles.count=12"), "test").scenario.timeStep
         assertEquals(0.75, (small as TimeStepSpec.Automatic).path) { "half the shortest edge" }
+        val shear = arrayOf("boundary={\"type\":\"lees-edwards\",\"shearRate\":-100}", "velocities.shearProfile=true")
+        val step = ScenarioSetup.of(scenario(*shear), "test").timeStep as FreePathTimeStep
+        assertEquals(0.005, step.longest) { "images slide by half a box" }
+        assertEquals(-100.0, step.flow?.rate)
     }
 }
