@@ -91,6 +91,15 @@ public class Simulation internal constructor(
         runStart ?: if (timeStep is FixedTimeStep) startTime - startStep * timeStep.duration else startTime
 
     private val clock = clock ?: Clock(this.runStart)
+    private val stops = (timeStep as? StoppingTimeStep)?.stops
+
+    /** Length of the last step. */
+    internal var lastDuration: Double = 0.0
+        private set
+
+    /** Time at the start of the last step. */
+    internal var timeBefore: Double = startTime
+        private set
 
     /**
      * The forces in the order in which they act before the drift. A [Drift] acts next to the drift: last before it,
@@ -153,7 +162,13 @@ public class Simulation internal constructor(
     /** Advances the clock by one step of [duration]. @return the time at its end */
     private fun settle(duration: Double): Double {
         step++
-        time = if (timeStep is FixedTimeStep) clock.time(step, duration) else time + duration
+        lastDuration = duration
+        timeBefore = time
+        time = when {
+            timeStep is FixedTimeStep -> clock.time(step, duration)
+            stops != null -> stops.timeAfter(time, duration)
+            else -> time + duration
+        }
         return time
     }
 

@@ -41,7 +41,8 @@ internal class LocalSteps(private val phases: StepPhases, private val timeStep: 
     override fun begin() = phases.begin()
 
     override fun carry(start: Double, settle: (duration: Double) -> Double, at: () -> String) {
-        val duration = phases.duration(timeStep)
+        val longest = phases.duration(timeStep)
+        val duration = if (timeStep is StoppingTimeStep) timeStep.stops.duration(start, longest) else longest
         phases.kick(start, duration)
         phases.drift(start, duration)
         val end = settle(duration)

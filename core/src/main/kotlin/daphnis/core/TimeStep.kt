@@ -4,6 +4,7 @@ package daphnis.core
 
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import kotlin.math.abs
 
@@ -87,4 +88,47 @@ public class CellCrossingTimeStep(public val fraction: Double, public val cell: 
 
     override fun next(measured: Double): Double =
         if (measured * longest <= fraction * cell) longest else fraction * cell / measured
+}
+
+/**
+ * Steps within which the fastest sphere moves by no more than [path] along any axis relative to the mean flow, for
+ * systems in which no force acts: there the length of a step is no physics, and only decides how much work there is. A
+ * system that cools gets longer steps.
+ *
+ * @property path a length, such as a part of the mean free path
+ * @property longest a time that no step exceeds
+ * @property flow the mean flow that a boundary drives; null for none
+ */
+public class FreePathTimeStep(
+    public val path: Double,
+    public val longest: Double,
+    public val flow: MeanFlow?,
+    override val stops: Stops,
+) : PerSphereTimeStep,
+    StoppingTimeStep {
+    init {
+        require(path > 0 && path.isFinite()) { "the path of a step is $path; it must be > 0" }
+        require(longest > 0 && longest.isFinite()) { "longest dt is $longest; it must be > 0" }
+    }
+
+    /** The greatest velocity along any axis, relative to the mean flow. */
+    override fun measure(population: Population, from: Int, to: Int): Double {
+        var fastest = 0.0
+        val across = flow?.let { population.position(it.normalAxis) }
+        for (axis in 0..2) {
+            val velocity = population.velocity(axis)
+            val rate = if (across != null && axis == flow.flowAxis) flow.rate else 0.0
+            for (k in from until to) {
+                val mean = if (rate == 0.0) 0.0 else rate * across!![k]
+                fastest = maxOf(fastest, abs(velocity[k] - mean))
+            }
+        }
+        return fastest
+    }
+
+    override fun combine(one: Double, other: Double): Double = maxOf(one, other)
+
+    override fun next(measured: Double): Double = minOf(longest, path / measured)
+
+    override fun next(population: Population): Double = super.next(population)
 }

@@ -3,6 +3,10 @@ package daphnis.app.describe
 import daphnis.app.describe.Quantities.Companion.bytes
 import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.FixedTimeStep
+import daphnis.core.FreePathTimeStep
+import daphnis.core.measure
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.run.Course
 import daphnis.core.run.PeriodicOutputs
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.ScenarioSetup
@@ -16,9 +20,12 @@ import kotlin.math.ln
 internal class CostRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
     private val scenario = setup.scenario
     private val size = setup.population.size
-    private val dt = setup.timeStep.next(setup.population)
+    private val dt = setup.firstStep()
     private val exact = setup.timeStep is FixedTimeStep
+    private val chosen = setup.timeStep as? FreePathTimeStep
     private val steps = ((scenario.end - scenario.startTime) / dt).let { if (exact) ceil(it - SLACK) else it }
+
+    private val course = Course(steps, scenario.startTime, scenario.end)
 
     fun write() {
         outputs()
@@ -27,14 +34,32 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
             "run time",
             "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so",
         )
-        val count = (if (exact) "" else "at least ") + written(steps)
+        val count = when {
+            exact -> ""
+            chosen == null -> "at least "
+            else -> "about "
+        } + written(steps)
         rows.add("steps", "$count of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
+        chosen?.let { choice(it) }
         search()
+    }
+
+    private fun choice(step: FreePathTimeStep) {
+        val speed = step.measure(setup.population, InlineLoop)
+        val flow = if (step.flow == null) "" else " relative to the flow"
+        val limit = "moves at most ${number(step.path)} in a step$flow"
+        rows.add("steps", "chosen, since no force acts: the fastest sphere, at ${number(speed)} along an axis, $limit")
+        if (step.stops.intervals.isNotEmpty()) {
+            rows.add(
+                "steps",
+                "steps end at the times of outputs and at the end exactly",
+            )
+        }
     }
 
     private fun outputs() {
         for (output in PeriodicOutputs.all) {
-            val cost = output.cost(output.every(scenario.output), steps, size) ?: continue
+            val cost = output.cost(output.times(scenario.output), course, size) ?: continue
             val count = cost.count
             val disk = cost.bytes
             if (count == null || disk == null) rows.add("outputs", cost.what) else row(cost.what, count, disk)

@@ -2,10 +2,12 @@
 
 package daphnis.core.cluster
 
-import daphnis.core.FixedTimeStep
+import daphnis.core.FreePathTimeStep
 import daphnis.core.Output
 import daphnis.core.PerSphereTimeStep
 import daphnis.core.Simulation
+import daphnis.core.StoppingTimeStep
+import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.CollisionForcing
@@ -28,7 +30,6 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
     private lateinit var engine: NodeEngine
     private lateinit var simulation: Simulation
     private lateinit var population: Population
-    private var lastDuration = 0.0
     private val counters get() = simulation.collisions!!.counters
 
     /** Serves until the mail closes. */
@@ -74,11 +75,10 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
         )
     }
 
-    private fun sharedTimeStep(timeStep: TimeStep): TimeStep = if (timeStep is PerSphereTimeStep) {
-        SharedTimeStep(timeStep, turns, engine.loop) { lastDuration = it }
-    } else {
-        lastDuration = (timeStep as FixedTimeStep).duration
-        timeStep
+    private fun sharedTimeStep(timeStep: TimeStep): TimeStep = when (timeStep) {
+        is FreePathTimeStep -> StoppingSharedTimeStep(SharedTimeStep(timeStep, turns, engine.loop), timeStep.stops)
+        is PerSphereTimeStep -> SharedTimeStep(timeStep, turns, engine.loop)
+        else -> timeStep
     }
 
     private fun serve(sums: NodeSums) {
@@ -120,7 +120,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
         val collisions = simulation.collisions!!
         val done = StepDone(
             simulation.time,
-            lastDuration,
+            simulation.lastDuration,
             engine.total,
             population.size,
             seconds,
@@ -147,10 +147,14 @@ private class SharedTimeStep(
     private val timeStep: PerSphereTimeStep,
     private val turns: Turns,
     private val loop: RangeLoop,
-    private val chosen: (Double) -> Unit,
 ) : TimeStep {
     override fun next(population: Population): Double {
         val measured = turns.gather(doubleArrayOf(timeStep.measure(population, loop)))
-        return timeStep.next(measured.map { it[0] }.reduce(timeStep::combine)).also(chosen)
+        return timeStep.next(measured.map { it[0] }.reduce(timeStep::combine))
     }
 }
+
+/** The same, whose steps end at [stops]. */
+private class StoppingSharedTimeStep(shared: SharedTimeStep, override val stops: Stops) :
+    StoppingTimeStep,
+    TimeStep by shared

@@ -17,13 +17,13 @@ internal object CollisionLogOutput : PeriodicOutput("collisions", OutputSpec::co
     override val tables: List<TableColumns> get() = listOf(CollisionColumns)
     override val readsCollisions: Boolean get() = true
 
-    override fun mayChange(then: Int, now: Int): Boolean = then == now
+    override fun mayChange(then: OutputTimes, now: OutputTimes): Boolean = then == now
 
-    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost? =
-        if (every > 0) OutputCost("${CollisionColumns.file}, some $ROW_BYTES B per collision") else null
+    override fun cost(times: OutputTimes, course: Course, spheres: Int): OutputCost? =
+        if (times.isNever) null else OutputCost("${CollisionColumns.file}, some $ROW_BYTES B per collision")
 
-    override fun make(every: Int, sums: StepSums, files: RunFiles): Output? =
-        if (every > 0) CollisionLog(files) else null
+    override fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output? =
+        if (times.isNever) null else CollisionLog(files)
 }
 
 /**

@@ -18,6 +18,7 @@ internal class Execution(
     private val outputs: RunOutputs,
 ) {
     private val simulation = plan.simulation
+    private val copies = checkpointTimes(plan.output)
     private val resumedFrom = simulation.step
     private val secondsBefore = from?.checkpoint?.meta?.wallSeconds ?: 0.0
     private val begin = System.nanoTime()
@@ -54,7 +55,7 @@ internal class Execution(
             files.flushIfDue()
             files.writer.check()
             finished = isDone()
-            if (!finished && isDue(plan.output.checkpointEvery, simulation.step)) checkpoint(seconds())
+            if (!finished && copies.isDue(simulation)) checkpoint(seconds())
         }
         files.writer.await()
         if (finished) outputs.finish(simulation)

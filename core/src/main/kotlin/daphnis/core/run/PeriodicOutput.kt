@@ -1,9 +1,9 @@
 package daphnis.core.run
 
+import daphnis.core.Interval
 import daphnis.core.Output
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.TableColumns
-import kotlin.math.floor
 import kotlin.reflect.KProperty1
 
 /**
@@ -16,10 +16,18 @@ import kotlin.reflect.KProperty1
  *
  * @property name in the checkpoint and in messages; an output of a program cannot have it
  * @param property its key: a number of steps, 0 for never, or whether it is written after every step
+ * @param interval its other key: an interval of time in place of the number of steps; null when it has none
  */
-public sealed class PeriodicOutput(public val name: String, private val property: KProperty1<OutputSpec, Any>) {
+public sealed class PeriodicOutput(
+    public val name: String,
+    private val property: KProperty1<OutputSpec, Any>,
+    private val interval: KProperty1<OutputSpec, Double?>? = null,
+) {
     /** The key in a scenario's `output`. */
     public val key: String get() = property.name
+
+    /** The key for an interval of time in place of a number of steps; null when it has none. */
+    public val intervalKey: String? get() = interval?.name
 
     /** The tables that it writes into the run directory. */
     public open val tables: List<TableColumns> get() = emptyList()
@@ -33,30 +41,27 @@ public sealed class PeriodicOutput(public val name: String, private val property
     /** Whether it needs the record of collisions of each step. */
     internal open val readsCollisions: Boolean get() = false
 
-    /** How many steps lie between two times at which it is due; 0 for never. */
-    public fun every(spec: OutputSpec): Int = when (val value = property.get(spec)) {
-        is Int -> value
-        true -> 1
-        else -> 0
+    /** When it is due; intervals of [spec] are in units of time. */
+    public fun times(spec: OutputSpec): OutputTimes {
+        interval?.get(spec)?.let { return OutputTimes(0, Interval(it)) }
+        return when (val value = property.get(spec)) {
+            is Int -> OutputTimes(value, null)
+            true -> OutputTimes(1, null)
+            else -> OutputTimes(0, null)
+        }
     }
 
-    /** Whether a resume may find [now] steps in the scenario where there were [then]. */
-    internal open fun mayChange(then: Int, now: Int): Boolean = true
+    /** Whether a resume may find it due at the times [now] where it was [then]. */
+    internal open fun mayChange(then: OutputTimes, now: OutputTimes): Boolean = true
+
+    /** What it writes at [times] in a run of [course] with [spheres] spheres; null for nothing. */
+    public abstract fun cost(times: OutputTimes, course: Course, spheres: Int): OutputCost?
 
     /**
-     * What it writes when it is due [every] number of steps, in a run of [steps] steps of [spheres] spheres; null for
-     * nothing.
+     * The output, due at [times]; null when it then has nothing to do. Called before the first step of each start and
+     * resume.
      */
-    public abstract fun cost(every: Int, steps: Double, spheres: Int): OutputCost?
-
-    /**
-     * The output, due [every] number of steps; null when it then has nothing to do. Called before the first step of
-     * each start and resume.
-     */
-    internal abstract fun make(every: Int, sums: StepSums, files: RunFiles): Output?
-
-    /** How often it is due in a run of [steps] steps, with the first state. */
-    protected fun times(every: Int, steps: Double): Double = if (every == 0) 0.0 else floor(steps / every) + 1
+    internal abstract fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output?
 
     override fun toString(): String = name
 }

@@ -21,12 +21,12 @@ public object PeriodicOutputs {
 
     /** Those that [spec] asks for and that need the record of collisions. */
     internal fun readingCollisions(spec: OutputSpec): List<PeriodicOutput> =
-        all.filter { it.readsCollisions && it.every(spec) > 0 }
+        all.filter { it.readsCollisions && !it.times(spec).isNever }
 
     /** The outputs that [spec] asks for, by name, in the order in which they are called. */
     internal fun make(spec: OutputSpec, sums: StepSums, files: RunFiles): Map<String, Output> {
         val outputs = LinkedHashMap<String, Output>()
-        for (output in all) output.make(output.every(spec), sums, files)?.let { outputs[output.name] = it }
+        for (output in all) output.make(output.times(spec), sums, files)?.let { outputs[output.name] = it }
         return outputs
     }
 }

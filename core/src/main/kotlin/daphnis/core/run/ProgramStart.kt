@@ -4,6 +4,8 @@ import daphnis.core.hill.HillFrame
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.IntervalUnit
+import daphnis.core.scenario.OutputSpec
 
 /** Makes the program's simulation first and then the directory, so a refusal leaves everything as it was. */
 internal fun startRun(program: Program, directory: RunDirectory, force: Boolean): Run {
@@ -50,15 +52,24 @@ private fun requireSame(made: ProgramRecord, program: Program, directory: RunDir
     throw InputException("${directory.path}", null, "holds a run of $made; this is $now, which would make another run")
 }
 
+private fun requireOutput(output: OutputSpec, omega: Double?) {
+    for ((key, steps) in output.steps()) require(steps >= 0) { "output.$key is $steps; it must be >= 0" }
+    for ((key, problem) in output.problems()) throw IllegalArgumentException("output.$key $problem")
+    require(output.intervalUnit != IntervalUnit.ORBIT || omega != null) {
+        "output.intervalUnit is orbit; it needs a HillFrame"
+    }
+}
+
 /** The plan of [program] for [population], which is at the time of [meta], or at the start. */
 private fun planOf(program: Program, population: Population, meta: CheckpointMeta?): RunPlan {
     val simulation = program.simulation(population)
     try {
-        val output = program.output
+        val omega = simulation.forces.filterIsInstance<HillFrame>().firstOrNull()?.omega
+        val output = program.output.settled(omega?.let { 2 * Math.PI / it })
         require(simulation.population === population) { "the program's simulation has another population than its own" }
         require(simulation.step == 0L) { "the program's simulation has made ${simulation.step} steps; it must be new" }
         require(!simulation.hasOutputs) { "the program's simulation has outputs; give them to the run, by name" }
-        for ((key, steps) in output.steps()) require(steps >= 0) { "output.$key is $steps; it must be >= 0" }
+        requireOutput(program.output, omega)
         val readers = PeriodicOutputs.readingCollisions(output)
         require(simulation.collisions?.record != null || readers.isEmpty()) {
             "outputs need a CollisionForcing with recordCollisions = true: ${readers.joinToString()}"
@@ -70,7 +81,6 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
             simulation.goOnFrom(meta.time, meta.step)
             simulation.collisions?.let { meta.countInto(it.counters) }
         }
-        val omega = simulation.forces.filterIsInstance<HillFrame>().firstOrNull()?.omega
         val sums = PopulationSums(simulation.boundary.meanFlow, omega, program.firstBody)
         val own = program.outputs().also { RunOutputs.requireFree(it.keys) }
         return RunPlan(null, program.name, program.until, endSlack(simulation.timeStep), output, own, simulation, sums)

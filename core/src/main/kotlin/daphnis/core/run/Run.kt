@@ -42,7 +42,7 @@ public class Run internal constructor(
     public val scenario: ResolvedScenario? get() = plan.scenario
 
     /** Whether the run writes a time series. */
-    public val hasSeries: Boolean get() = plan.output.seriesEvery > 0
+    public val hasSeries: Boolean get() = !SeriesOutput.times(plan.output).isNever
 
     /** Time at which the run ends. */
     public val until: Double get() = plan.until

@@ -4,6 +4,7 @@ import daphnis.core.scenario.InputException
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.TimeStepSpec
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -13,17 +14,23 @@ import kotlinx.serialization.json.JsonObject
  * The differences between the scenario with which a run was made and the one that its directory holds now.
  *
  * @property essential changes that would make another run of it, one line each: all except those that affect no bit of
- *   a state, which are name and description, the end, engine and search, and how often outputs are written
+ *   a state, which are name and description, the end, engine and search, and how often outputs are written; but
+ *   the intervals of outputs do where they shorten steps
  *
  * @property harmless the other changes, one line each
  */
-internal class ScenarioChanges private constructor(private val then: OutputSpec, private val now: OutputSpec) {
+internal class ScenarioChanges private constructor(
+    private val then: OutputSpec,
+    private val now: OutputSpec,
+    private val isStepFree: Boolean = false,
+) {
     val essential = ArrayList<String>()
     val harmless = ArrayList<String>()
 
     companion object {
         private val FREE = setOf("name", "description", "until", "untilOrbits", "engine", "search")
-        private val CHECKPOINTS = "output.${OutputSpec::checkpointEvery.name}"
+        private val CHECKPOINTS =
+            setOf(OutputSpec::checkpointEvery, OutputSpec::checkpointInterval).map { "output.${it.name}" }
         private const val LONGEST = 60
         private val json = Json
 
@@ -39,7 +46,8 @@ internal class ScenarioChanges private constructor(private val then: OutputSpec,
                 val problem = "cannot be compared with ${e.message}"
                 return ScenarioChanges(now.output, now.output).apply { harmless += problem }
             }
-            return ScenarioChanges(before.output, now.output).apply { compare("", tree(before), tree(now)) }
+            val isStepFree = now.timeStep is TimeStepSpec.Automatic
+            return ScenarioChanges(before.output, now.output, isStepFree).apply { compare("", tree(before), tree(now)) }
         }
 
         private fun tree(scenario: Scenario) = json.parseToJsonElement(ScenarioJson.write(scenario))
@@ -58,9 +66,11 @@ internal class ScenarioChanges private constructor(private val then: OutputSpec,
     }
 
     private fun isFree(path: String): Boolean {
-        if (path.substringBefore('.') in FREE || path == CHECKPOINTS) return true
-        val output = PeriodicOutputs.all.find { path == "output.${it.key}" } ?: return false
-        return output.mayChange(output.every(then), output.every(now))
+        if (path.substringBefore('.') in FREE || path in CHECKPOINTS) return true
+        val output = PeriodicOutputs.all.find { path == "output.${it.key}" || path == "output.${it.intervalKey}" }
+            ?: return false
+        if (isStepFree && output.intervalKey == path.removePrefix("output.")) return false
+        return output.mayChange(output.times(then), output.times(now))
     }
 
     private fun words(value: JsonElement?) =

@@ -12,23 +12,23 @@ import daphnis.core.table.TableColumns
 import kotlin.math.sqrt
 
 /** The declaration of [Series]. Without rows the file has its header: rows may begin at a resume. */
-internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery) {
+internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery, OutputSpec::seriesInterval) {
     private const val ROW_BYTES = 150
 
     override val tables: List<TableColumns> get() = listOf(SeriesColumns)
 
-    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost =
-        times(every, steps).let { OutputCost("rows of ${SeriesColumns.file}", it, it * ROW_BYTES) }
+    override fun cost(times: OutputTimes, course: Course, spheres: Int): OutputCost =
+        times.count(course).let { OutputCost("rows of ${SeriesColumns.file}", it, it * ROW_BYTES) }
 
-    override fun make(every: Int, sums: StepSums, files: RunFiles): Output = Series(every, sums, files)
+    override fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output = Series(times, sums, files)
 }
 
-/** `series.csv`: one row every [every] steps, 0 for none. */
-internal class Series(private val every: Int, private val sums: StepSums, files: RunFiles) : Output {
+/** `series.csv`: a row at each of [times]. */
+internal class Series(private val times: OutputTimes, private val sums: StepSums, files: RunFiles) : Output {
     private val file = files.table(SeriesColumns.rows)
 
     override fun write(simulation: Simulation) {
-        if (!isDue(every, simulation.step)) return
+        if (!times.isDue(simulation)) return
         SeriesColumns.rows.write(SeriesRow(simulation, sums), file.line())
         file.endLine()
     }

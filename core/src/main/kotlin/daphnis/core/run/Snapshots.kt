@@ -7,29 +7,29 @@ import daphnis.core.format.Snapshot
 import daphnis.core.scenario.OutputSpec
 
 /** The declaration of [Snapshots]. The final state is always written. */
-internal object SnapshotsOutput : PeriodicOutput("snapshots", OutputSpec::snapshotEvery) {
+internal object SnapshotsOutput :
+    PeriodicOutput("snapshots", OutputSpec::snapshotEvery, OutputSpec::snapshotInterval) {
     /** Measured: positions and velocities hardly compress. */
     private const val SPHERE_BYTES = 63.0
     private const val HEAD_BYTES = 3100.0
 
     override val folder: String get() = RunDirectory.SNAPSHOTS
 
-    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost {
-        val isLastDue = every > 0 && steps % every == 0.0
-        val count = times(every, steps) + if (isLastDue) 0 else 1
+    override fun cost(times: OutputTimes, course: Course, spheres: Int): OutputCost {
+        val count = times.count(course) + if (times.isDueAtEnd(course)) 0 else 1
         return OutputCost("snapshots", count, count * (SPHERE_BYTES * spheres + HEAD_BYTES))
     }
 
-    override fun make(every: Int, sums: StepSums, files: RunFiles): Output = Snapshots(every, files)
+    override fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output = Snapshots(times, files)
 }
 
-/** `snapshots/`: the state every [every] steps, 0 for never, and at the end. */
-internal class Snapshots(private val every: Int, private val files: RunFiles) : Output {
+/** `snapshots/`: the state at each of [times] and at the end. */
+internal class Snapshots(private val times: OutputTimes, private val files: RunFiles) : Output {
     private val directory = files.directory
     private var lastWritten = -1L
 
     override fun write(simulation: Simulation) {
-        if (isDue(every, simulation.step)) writeState(simulation)
+        if (times.isDue(simulation)) writeState(simulation)
     }
 
     /** A run that had ended before and is resumed writes its last state again. */

@@ -50,6 +50,3 @@ internal class StepSums(private val sums: PopulationSums) {
 
     private fun loopOf(simulation: Simulation): RangeLoop = simulation.collisions?.engine?.loop ?: InlineLoop
 }
-
-/** Whether something that happens every [every] steps, 0 for never, is due after step [step]. */
-internal fun isDue(every: Int, step: Long): Boolean = every > 0 && step % every == 0L

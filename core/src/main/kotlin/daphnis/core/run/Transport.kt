@@ -14,27 +14,29 @@ import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
 
 /** The declaration of [Transport]. Its sums cannot begin in the middle of a run, nor end there. */
-internal object TransportOutput : PeriodicOutput("transport", OutputSpec::transportEvery) {
+internal object TransportOutput :
+    PeriodicOutput("transport", OutputSpec::transportEvery, OutputSpec::transportInterval) {
     private const val ROW_BYTES = 480
 
     override val tables: List<TableColumns> get() = listOf(TransportColumns, ImpactColumns)
     override val readsCollisions: Boolean get() = true
 
-    override fun mayChange(then: Int, now: Int): Boolean = (then > 0) == (now > 0)
+    override fun mayChange(then: OutputTimes, now: OutputTimes): Boolean = then.isNever == now.isNever
 
-    override fun cost(every: Int, steps: Double, spheres: Int): OutputCost =
-        times(every, steps).let { OutputCost("rows of ${TransportColumns.file}", it, it * ROW_BYTES) }
+    override fun cost(times: OutputTimes, course: Course, spheres: Int): OutputCost =
+        times.count(course).let { OutputCost("rows of ${TransportColumns.file}", it, it * ROW_BYTES) }
 
-    override fun make(every: Int, sums: StepSums, files: RunFiles): Output? =
-        if (every > 0) Transport(every, sums, files) else null
+    override fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output? =
+        if (times.isNever) null else Transport(times, sums, files)
 }
 
 /**
- * `transport.csv`: one row every [every] steps with the data for viscosities, pressure and energy balance. Sums over
+ * `transport.csv`: one row at each of [times] with the data for viscosities, pressure and energy balance. Sums over
  * collisions count from the start of the run. Also writes `impacts.csv`, the distribution of impact speeds, anew with
  * each checkpoint.
  */
-internal class Transport(private val every: Int, private val sums: StepSums, private val files: RunFiles) : Output {
+internal class Transport(private val times: OutputTimes, private val sums: StepSums, private val files: RunFiles) :
+    Output {
     private val file = files.table(TransportColumns.rows)
     private val statistics = CollisionStatistics()
     private var gravity: SelfGravity? = null
@@ -45,7 +47,7 @@ internal class Transport(private val every: Int, private val sums: StepSums, pri
 
     override fun write(simulation: Simulation) {
         statistics.write(simulation)
-        if (!isDue(every, simulation.step)) return
+        if (!times.isDue(simulation)) return
         TransportColumns.rows.write(TransportRow(simulation, sums.of(simulation), statistics, gravity), file.line())
         file.endLine()
     }

@@ -8,6 +8,11 @@ public class OutputSpecBuilder internal constructor() {
     private var checkpoints = usual.checkpointEvery
     private var collisionLog = usual.collisionLog
     private var transport = usual.transportEvery
+    private var seriesInterval: Double? = null
+    private var snapshotInterval: Double? = null
+    private var checkpointInterval: Double? = null
+    private var transportInterval: Double? = null
+    private var unit: IntervalUnit? = null
 
     /** Steps between rows of `series.csv`. */
     public fun seriesEvery(steps: Int): OutputSpecBuilder = apply { series = steps }
@@ -24,6 +29,32 @@ public class OutputSpecBuilder internal constructor() {
     /** Steps between rows of `transport.csv`; 0 for none. */
     public fun transportEvery(steps: Int): OutputSpecBuilder = apply { transport = steps }
 
+    /** Time between rows of `series.csv`, in place of steps; the unit of this and other times is [intervalUnit]. */
+    public fun seriesInterval(time: Double): OutputSpecBuilder = apply { seriesInterval = time }
+
+    /** Time between snapshots. */
+    public fun snapshotInterval(time: Double): OutputSpecBuilder = apply { snapshotInterval = time }
+
+    /** Time between checkpoints. */
+    public fun checkpointInterval(time: Double): OutputSpecBuilder = apply { checkpointInterval = time }
+
+    /** Time between rows of `transport.csv`. */
+    public fun transportInterval(time: Double): OutputSpecBuilder = apply { transportInterval = time }
+
+    /** The unit of times; that of the scenario if this is not called. */
+    public fun intervalUnit(unit: IntervalUnit): OutputSpecBuilder = apply { this.unit = unit }
+
     /** The keys together. */
-    public fun build(): OutputSpec = OutputSpec(series, snapshots, checkpoints, collisionLog, transport)
+    public fun build(): OutputSpec = OutputSpec(
+        series,
+        snapshots,
+        checkpoints,
+        collisionLog,
+        transport,
+        seriesInterval,
+        snapshotInterval,
+        checkpointInterval,
+        transportInterval,
+        unit,
+    )
 }

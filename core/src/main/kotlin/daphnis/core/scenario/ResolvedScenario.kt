@@ -8,7 +8,10 @@ import daphnis.core.Clock
  *
  * @property end time at which the run ends
  * @property guard with a speed in units of speed
- * @property timeStep [TimeStepSpec.Fixed], or [TimeStepSpec.CellCrossing] with its cell
+ * @property timeStep [TimeStepSpec.Fixed], [TimeStepSpec.CellCrossing] with its cell, or [TimeStepSpec.Automatic] with
+ *   its path
+ *
+ * @property output with intervals in units of time
  * @property firstBody id of the first of [bodies]; [Int.MAX_VALUE] without any
  */
 public class ResolvedScenario internal constructor(
@@ -17,6 +20,7 @@ public class ResolvedScenario internal constructor(
     public val guard: GuardSpec,
     public val timeStep: TimeStepSpec,
     public val firstBody: Int,
+    override val output: OutputSpec,
 ) : ScenarioParts by written {
     /** The scenario as it is in a file. */
     internal val document: Scenario get() = written.copy(
@@ -25,6 +29,7 @@ public class ResolvedScenario internal constructor(
         until = end,
         untilOrbits = null,
         firstBody = firstBody.takeIf { it != Int.MAX_VALUE },
+        output = output,
     )
 
     /** The clock by which the run's times are counted. */
@@ -36,6 +41,6 @@ public class ResolvedScenario internal constructor(
     /** The same scenario, but placed from the file [path]. */
     internal fun placedFrom(path: String): ResolvedScenario {
         val placement = (placement as PlacementSpec.File).copy(path = path)
-        return ResolvedScenario(written.copy(placement = placement), end, guard, timeStep, firstBody)
+        return ResolvedScenario(written.copy(placement = placement), end, guard, timeStep, firstBody, output)
     }
 }

@@ -5,10 +5,6 @@ import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.intOrNull
-import kotlinx.serialization.json.jsonObject
-import kotlinx.serialization.json.jsonPrimitive
 
 /**
  * A simulation as a user writes it: a JSON file with comments and trailing commas allowed. `docs/scenario.md` explains
@@ -35,7 +31,7 @@ public data class Scenario @JvmOverloads constructor(
     override val restitution: RestitutionSpec,
     public val guard: GuardSpec? = null,
     override val forces: List<ForceSpec> = emptyList(),
-    public val timeStep: TimeStepSpec,
+    public val timeStep: TimeStepSpec = TimeStepSpec.Automatic(),
     public val until: Double? = null,
     public val untilOrbits: Double? = null,
     override val search: SearchStructure = SearchStructure.AUTO,
@@ -227,6 +223,16 @@ public sealed interface ForceSpec {
 
 @Serializable
 public sealed interface TimeStepSpec {
+    /**
+     * Chosen from the state, where no force acts; see [FreePath]. Intervals of outputs and the end are hit exactly.
+     *
+     * @property path how far the fastest sphere moves in a step at most, a length; null for one that follows from
+     *   the initial state
+     */
+    @Serializable
+    @SerialName("automatic")
+    public class Automatic @JvmOverloads constructor(public val path: Double? = null) : TimeStepSpec
+
     @Serializable
     @SerialName("fixed")
     public class Fixed(public val dt: Double) : TimeStepSpec
@@ -260,33 +266,3 @@ public class EngineSpec @JvmOverloads constructor(public val name: String = "hor
         minOf(EngineFactory.threadsOrAll(threads), ThreadHandler.MOST)
     }
 }
-
-/**
- * How often to write, in steps; 0 means never (checkpoints: only at the start and the end). Each key belongs to a
- * [daphnis.core.run.PeriodicOutput].
- *
- * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and the momentum that
- *   collisions carried
- */
-@Serializable
-public class OutputSpec @JvmOverloads constructor(
-    public val seriesEvery: Int = 1,
-    public val snapshotEvery: Int = 0,
-    public val checkpointEvery: Int = 100,
-    public val collisionLog: Boolean = false,
-    public val transportEvery: Int = 0,
-) {
-    /** Every number of steps, by its key. */
-    internal fun steps(): Map<String, Int> {
-        val tree = EVERY_KEY.encodeToJsonElement(serializer(), this).jsonObject
-        return buildMap { for ((key, value) in tree) value.jsonPrimitive.intOrNull?.let { put(key, it) } }
-    }
-
-    public companion object {
-        /** Names the keys one by one. */
-        @JvmStatic
-        public fun builder(): OutputSpecBuilder = OutputSpecBuilder()
-    }
-}
-
-private val EVERY_KEY = Json { encodeDefaults = true }

@@ -5,6 +5,10 @@ import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.intOrNull
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
@@ -33,6 +37,7 @@ public object ScenarioJson {
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
         val tree = Settings.apply(parseTree(text, source), settings)
         SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
+        checkOutput(tree, source)
         json.decodeFromJsonElement(Scenario.serializer(), tree)
     } catch (e: SerializationException) {
         throw InputException(source, null, e.message.orEmpty())
@@ -73,11 +78,24 @@ public object ScenarioJson {
 
     /** The whole scenario, with every default written out. */
     @JvmStatic
-    public fun write(scenario: Scenario): String = json.encodeToString(Scenario.serializer(), scenario) + "\n"
+    public fun write(scenario: Scenario): String =
+        json.encodeToString(Scenario.serializer(), scenario.copy(output = scenario.output.settled(null))) + "\n"
 
     /** The text for the file of a run directory, which [read] reads as a scenario. */
     @JvmStatic
     public fun write(scenario: ResolvedScenario): String = write(scenario.document)
+
+    /** A number of steps that is a default is not given, which the scenario itself cannot tell. */
+    private fun checkOutput(tree: JsonElement, source: String) {
+        val given = tree.jsonObject["output"]?.jsonObject ?: return
+        for ((key, interval) in given) {
+            if (!key.endsWith(OutputSpec.INTERVAL) || interval is JsonNull) continue
+            val every = OutputSpec.counterpart(key)
+            val steps = given[every]?.jsonPrimitive?.intOrNull ?: continue
+            val both = "is given together with $every; ${OutputSpec.ONE_OF_TWO}"
+            if (steps != 0) throw InputException(source, "output.$key", both)
+        }
+    }
 
     private fun parseTree(text: String, source: String): JsonElement = try {
         json.parseToJsonElement(text)

@@ -2,9 +2,12 @@ package daphnis.core.scenario
 
 import daphnis.core.CellCrossingTimeStep
 import daphnis.core.FixedTimeStep
+import daphnis.core.FreePathTimeStep
+import daphnis.core.Interval
+import daphnis.core.StoppingTimeStep
+import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Box
 import daphnis.core.collision.BorderiesRestitution
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.CollapseGuard
@@ -39,6 +42,12 @@ public class ScenarioSetup private constructor(
     public val angularSpeed: Double?,
     public val notices: List<String>,
 ) {
+    /** Length of the first step of a run. */
+    public fun firstStep(): Double {
+        val longest = timeStep.next(population)
+        return if (timeStep is StoppingTimeStep) timeStep.stops.duration(scenario.startTime, longest) else longest
+    }
+
     public companion object {
         /**
          * Memory that a sphere needs in population, packed rows, grid and queue: the most measured
@@ -63,6 +72,8 @@ public class ScenarioSetup private constructor(
             val check = ValueCheck(source)
             val around = Surroundings.of(scenario, source)
             checkRun(scenario, check)
+            val output = OutputTimesCheck(scenario, around, check).settled()
+            FreePath.check(scenario, around.boundary, check)
             val restitution = restitution(scenario, check)
             val initial = InitialState(scenario, around.box, around.boundary, check, start)
             val population = state ?: initial.population()
@@ -74,10 +85,10 @@ public class ScenarioSetup private constructor(
             val forces = forceSetup.forces(around.boundary, firstBody)
             val boundary = forceSetup.boundary
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
-            val timeStepSpec = resolve(around.timeStep, around.box, population)
-            val timeStep = timeStep(timeStepSpec, check)
-            val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody)
-            checkSteps(resolved, check)
+            val timeStepSpec = resolve(around.timeStep, around, population)
+            val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
+            val timeStep = timeStep(resolved, boundary, check)
+            checkSteps(resolved, timeStep.next(population), check)
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
@@ -89,9 +100,6 @@ public class ScenarioSetup private constructor(
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
                 "must be in 1..${ThreadHandler.MOST}, or 0 for one per core"
-            }
-            for ((key, steps) in scenario.output.steps()) {
-                check.that("output.$key", steps, steps >= 0) { "must be >= 0 (0 for never)" }
             }
         }
 
@@ -149,34 +157,47 @@ public class ScenarioSetup private constructor(
             }
         }
 
-        /** A cell that was left out becomes the mean distance between spheres. */
-        private fun resolve(spec: TimeStepSpec, box: Box, population: Population): TimeStepSpec =
-            if (spec !is TimeStepSpec.CellCrossing || spec.cell != null) {
-                spec
-            } else {
-                TimeStepSpec.CellCrossing(spec.fraction, StrictMath.cbrt(box.volume / population.size), spec.longest)
+        /** A cell that was left out becomes the mean distance between spheres, and a path that of [FreePath]. */
+        private fun resolve(spec: TimeStepSpec, around: Surroundings, population: Population): TimeStepSpec = when {
+            spec is TimeStepSpec.CellCrossing && spec.cell == null -> {
+                val cell = StrictMath.cbrt(around.box.volume / population.size)
+                TimeStepSpec.CellCrossing(spec.fraction, cell, spec.longest)
             }
-
-        private fun timeStep(spec: TimeStepSpec, check: ValueCheck): TimeStep = when (spec) {
-            is TimeStepSpec.OrbitFraction -> error("times are written out before")
-            is TimeStepSpec.Fixed -> {
-                check.positive("timeStep.dt", spec.dt)
-                FixedTimeStep(spec.dt)
-            }
-            is TimeStepSpec.CellCrossing -> {
-                check.positive("timeStep.fraction", spec.fraction)
-                check.positive("timeStep.longest", spec.longest)
-                val cell = spec.cell ?: 0.0
-                check.positive("timeStep.cell", cell)
-                CellCrossingTimeStep(spec.fraction, cell, spec.longest)
-            }
+            spec is TimeStepSpec.Automatic && spec.path == null ->
+                TimeStepSpec.Automatic(FreePath.length(population, around.box, around.boundary))
+            else -> spec
         }
 
+        private fun timeStep(scenario: ResolvedScenario, boundary: BoundaryConditions, check: ValueCheck): TimeStep =
+            when (val spec = scenario.timeStep) {
+                is TimeStepSpec.Automatic -> {
+                    val path = spec.path ?: 0.0
+                    check.positive("timeStep.path", path)
+                    val stops = Stops(scenario.output.stops().map { Interval(it) }, scenario.end)
+                    val longest = minOf(scenario.end - scenario.startTime, FreePath.longest(boundary))
+                    FreePathTimeStep(path, longest, boundary.meanFlow, stops)
+                }
+                is TimeStepSpec.OrbitFraction -> error("times are written out before")
+                is TimeStepSpec.Fixed -> {
+                    check.positive("timeStep.dt", spec.dt)
+                    FixedTimeStep(spec.dt)
+                }
+                is TimeStepSpec.CellCrossing -> {
+                    check.positive("timeStep.fraction", spec.fraction)
+                    check.positive("timeStep.longest", spec.longest)
+                    val cell = spec.cell ?: 0.0
+                    check.positive("timeStep.cell", cell)
+                    CellCrossingTimeStep(spec.fraction, cell, spec.longest)
+                }
+            }
+
         /** Steps are counted, and each must advance the time. */
-        private fun checkSteps(scenario: ResolvedScenario, check: ValueCheck) {
+        private fun checkSteps(scenario: ResolvedScenario, first: Double, check: ValueCheck) {
             val (key, longest) = when (val spec = scenario.timeStep) {
                 is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
                 is TimeStepSpec.CellCrossing -> "timeStep.longest" to spec.longest
+                // Between stops a step is at least half as long as it may be.
+                is TimeStepSpec.Automatic -> "timeStep" to first / 2
                 is TimeStepSpec.OrbitFraction -> return
             }
             val start = scenario.startTime

@@ -24,8 +24,22 @@ internal object Settings {
             // A length given in orbits replaces the time that the scenario had, since `until` has priority over
             // `untilOrbits`.
             if (setting.substringBefore('=') == ORBITS) changed = JsonObject((changed as JsonObject) - UNTIL)
+            changed = withoutCounterpart(changed, setting.substringBefore('='), keys)
         }
         return changed
+    }
+
+    /** How often an output is written, in steps or in time, replaces what the scenario had in the other. */
+    private fun withoutCounterpart(tree: JsonElement, path: String, paths: List<String>): JsonElement {
+        if (!path.startsWith(OUTPUT)) return tree
+        val key = path.removePrefix(OUTPUT)
+        val other = OutputSpec.counterpart(key) ?: return tree
+        if (OUTPUT + other in paths) {
+            throw wrongArgument(SETTINGS, path, "is given together with $OUTPUT$other; ${OutputSpec.ONE_OF_TWO}")
+        }
+        val fields = tree as JsonObject
+        val output = fields["output"] as? JsonObject ?: return tree
+        return JsonObject(fields + ("output" to JsonObject(output - other)))
     }
 
     private fun set(tree: JsonElement, setting: String): JsonElement {
@@ -103,6 +117,7 @@ internal object Settings {
     }
 
     private const val SETTINGS = "settings"
+    private const val OUTPUT = "output."
     private const val UNTIL = "until"
     private const val ORBITS = "untilOrbits"
     private val PART = Regex("""([^\[\]]+)((?:\[\d+])*)""")

@@ -10,7 +10,7 @@ import daphnis.core.boundary.Box
  * @property boundary without what forces add, such as the surface of a moon
  * @property angularSpeed of the frame, in radians per unit of time; null without a frame
  * @property end time at which the run ends
- * @property timeStep [TimeStepSpec.Fixed], or [TimeStepSpec.CellCrossing] with or without its cell
+ * @property timeStep not an [TimeStepSpec.OrbitFraction]
  */
 public class Surroundings private constructor(
     internal val box: Box,

@@ -1,7 +1,9 @@
 package daphnis.core.run
 
+import daphnis.core.Interval
 import daphnis.core.Repository
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.IntervalUnit
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.ExperimentalSerializationApi
@@ -19,6 +21,7 @@ import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
+private val COURSE = Course(12.0, 0.0, 1.2)
 private val EVERY_KEY = Json { encodeDefaults = true }
 
 /** What is true of every output that a key asks for, and what the docs say of it. */
@@ -43,7 +46,9 @@ class PeriodicOutputsTest {
     fun `the list is in the order of the keys, and every key but that of checkpoints has its output`() {
         assertEquals(listOf("series", "snapshots", "collisions", "transport"), all.map { it.name }.take(4))
         val keys = OutputSpec.serializer().descriptor.elementNames.toList()
-        assertEquals(keys - "checkpointEvery", all.map { it.key })
+        val own = setOf("checkpointEvery", "checkpointInterval", "intervalUnit")
+        assertEquals(keys.toSet() - own, all.flatMap { listOfNotNull(it.key, it.intervalKey) }.toSet())
+        assertEquals(keys.filter { key -> all.any { it.key == key } }, all.map { it.key })
         assertEquals(all.size, all.map { it.name }.toSet().size)
         val files = all.flatMap { it.files + listOfNotNull(it.folder) }
         assertEquals(files.size, files.toSet().size) { "$files" }
@@ -53,7 +58,7 @@ class PeriodicOutputsTest {
     fun `the reference has a row for every key of output, with its default`() {
         val rows = rows("docs/scenario.md", "## Output")
         assertEquals(defaults.keys, rows.keys)
-        for ((key, cells) in rows) assertEquals("${defaults[key]}", cells[3]) { key }
+        for ((key, cells) in rows) assertEquals("${defaults[key]}".replace("null", "none"), cells[3]) { key }
     }
 
     @Test
@@ -89,22 +94,26 @@ class PeriodicOutputsTest {
         assertFalse(Files.exists(path.resolve("transport.csv")))
         assertEquals(listOf(12L), RunDirectory(path).snapshotSteps())
         for (output in all) {
-            val cost = output.cost(0, 12.0, 60)
+            val cost = output.cost(OutputTimes(0, null), COURSE, 60)
             assertEquals(if (output.name == "snapshots") 1.0 else 0.0, cost?.count ?: 0.0) { output.name }
         }
     }
 
     @Test
     fun `costs are those of what a run writes`() {
-        assertEquals(listOf(5.0, 5.0, null, 5.0), all.take(4).map { it.cost(3, 12.0, 60)?.count })
+        assertEquals(listOf(5.0, 5.0, null, 5.0), all.take(4).map { it.cost(OutputTimes(3, null), COURSE, 60)?.count })
         val snapshots = all.first { it.name == "snapshots" }
-        assertEquals(4.0, snapshots.cost(5, 12.0, 60)?.count) { "0, 5, 10 and the last" }
-        assertEquals(4.0 * (63 * 60 + 3100), snapshots.cost(5, 12.0, 60)?.bytes)
+        val five = OutputTimes(5, null)
+        assertEquals(4.0, snapshots.cost(five, COURSE, 60)?.count) { "0, 5, 10 and the last" }
+        assertEquals(4.0 * (63 * 60 + 3100), snapshots.cost(five, COURSE, 60)?.bytes)
+        fun inTime(length: Double) = snapshots.cost(OutputTimes(0, Interval(length)), COURSE, 60)?.count
+        assertEquals(listOf(5.0, 4.0, 2.0), listOf(0.3, 0.5, 2.0).map { inTime(it) }) { "the last is one of 0.3" }
+        assertEquals(13.0, inTime(1e-3)) { "no more than there are steps" }
     }
 
     @Test
     fun `a number of steps below 0 is refused by its key, in a scenario and in a program`() {
-        for (key in defaults.keys - "collisionLog") {
+        for (key in OutputSpec().steps().keys) {
             val refused = assertThrows(InputException::class.java) {
                 startIn(home.resolve("refused"), tableScenario("output.$key=-1"))
             }
@@ -116,6 +125,29 @@ class PeriodicOutputsTest {
             val e = assertThrows(IllegalArgumentException::class.java) { Run.start(program, home.resolve("refused")) }
             assertEquals("output.$key is -1; it must be >= 0", e.message)
             assertFalse(Files.exists(home.resolve("refused")))
+        }
+    }
+
+    @Test
+    fun `a program can have its files at intervals of time`() {
+        fun gas(spec: OutputSpec) = object : Program by FailingOutputTest.Gas(emptyMap()) {
+            override val output = spec
+        }
+        val path = home.resolve("gas")
+        Run.start(gas(OutputSpec(seriesInterval = 0.5, snapshotInterval = 0.4)), path).use { it.execute() }
+        assertEquals(listOf(0L, 4, 8, 12), RunDirectory(path).snapshotSteps())
+        val rows = Files.readAllLines(path.resolve("series.csv")).drop(1)
+        assertEquals(listOf("0", "5", "10"), rows.map { it.substringBefore(',') })
+        val refused = mapOf(
+            "output.seriesInterval is -1.0; must be > 0" to OutputSpec(seriesInterval = -1.0),
+            "output.snapshotInterval is given together with snapshotEvery; one of the two is enough" to
+                OutputSpec(snapshotEvery = 3, snapshotInterval = 1.0),
+            "output.intervalUnit is orbit; it needs a HillFrame" to
+                OutputSpec(seriesInterval = 1.0, intervalUnit = IntervalUnit.ORBIT),
+        )
+        for ((message, spec) in refused) {
+            val e = assertThrows(IllegalArgumentException::class.java) { Run.start(gas(spec), home.resolve("no")) }
+            assertEquals(message, e.message)
         }
     }
 

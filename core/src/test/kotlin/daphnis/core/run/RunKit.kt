@@ -27,7 +27,7 @@ private const val TABLES = """{
  * that is off by default and not in the text is due every 2.
  */
 internal fun tableScenario(vararg settings: String): Scenario {
-    val others = PeriodicOutputs.all.filter { it.every(OutputSpec()) == 0 && "\"${it.key}\"" !in TABLES }
+    val others = PeriodicOutputs.all.filter { it.times(OutputSpec()).isNever && "\"${it.key}\"" !in TABLES }
     return ScenarioJson.parse(TABLES, "test", others.map { setting(it, 2) } + settings)
 }
 

@@ -1,0 +1,88 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.population.Population
+import kotlin.math.abs
+import kotlin.math.sqrt
+
+/**
+ * Steps of a scenario that leaves their length open. Contacts on straight paths are found exactly, so without forces
+ * the length of a step decides only how much work there is. The figures behind it are in docs/performance.md.
+ */
+internal object FreePath {
+    /**
+     * Refuses a scenario in which the length of a step is physics.
+     *
+     * @param boundary made from [Scenario.boundary]
+     */
+    fun check(scenario: Scenario, boundary: BoundaryConditions, check: ValueCheck) {
+        if (scenario.timeStep !is TimeStepSpec.Automatic) return
+        val orbit = "{\"type\": \"orbit-fraction\", \"steps\": 200}"
+        val fixed = "{\"type\": \"fixed\", \"dt\": 0.01}"
+        fun need(what: String, step: String): Nothing =
+            check.fail("timeStep", "is needed, since $what; give one, such as $step")
+        if (scenario.frame != null) need("paths in the frame are straight only within a step", orbit)
+        if (scenario.forces.isNotEmpty()) need("forces[0] acts at the start and the end of each step", fixed)
+        if ((0..2).any { boundary.contactFaces(it) == ContactFaces.WRAPPING }) {
+            val name = scenario.boundary
+            need("boundary $name brings spheres back at the end of a step, without looking for contacts", fixed)
+        }
+    }
+
+    /**
+     * How far the fastest sphere may move in a step: a part of the mean free path in a dense gas and some mean
+     * distances in a dilute one, but no more than half the box.
+     */
+    fun length(population: Population, box: Box, boundary: BoundaryConditions): Double {
+        val edge = (0..2).filter { boundary.contactFaces(it) != ContactFaces.OPEN }.minOfOrNull { box.length(it) }
+        val most = edge?.let { it / 2 } ?: Double.MAX_VALUE
+        if (population.size == 0) return minOf(most, StrictMath.cbrt(box.volume))
+        val distance = StrictMath.cbrt(box.volume / population.size)
+        val path = minOf(partOfFreePath(population, box), DISTANCES * distance)
+        return minOf(most, FASTEST * path)
+    }
+
+    /** Longest step for which images slide by no more than half a box. */
+    fun longest(boundary: BoundaryConditions): Double {
+        val shear = boundary.shear ?: return Double.MAX_VALUE
+        return boundary.box.length(shear.slideAxis) / 2 / abs(shear.velocity)
+    }
+
+    /** Mean free path by Enskog's theory, times the part of it after which a new search costs least. */
+    private fun partOfFreePath(population: Population, box: Box): Double {
+        var first = 0.0
+        var second = 0.0
+        var third = 0.0
+        for (place in 0 until population.places) {
+            val k = population.indexAt(place)
+            if (k < 0) continue
+            val r = population.radius[k]
+            first += r
+            second += r * r
+            third += r * r * r
+        }
+        val n = population.size
+        val filling = minOf(4.0 / 3 * Math.PI * third / box.volume, DENSEST)
+        val empty = 1 - filling
+        val atContact = (1 - filling / 2) / (empty * empty * empty)
+        val crossSection = 2 * Math.PI * (second / n + first / n * (first / n))
+        return box.volume / (sqrt(2.0) * n * crossSection * atContact) * (PART / sqrt(filling))
+    }
+
+    /**
+     * The cheapest part of a mean free path is 0.06 over the root of the filling factor. Steps are half to all of what
+     * is asked for, so this is √2 times as much.
+     */
+    private const val PART = 0.085
+
+    /** Mean distances between spheres, as measured at a filling factor of 0.01. */
+    private const val DISTANCES = 1.5
+
+    /** The largest component of all velocities in a gas, relative to the mean speed. */
+    private const val FASTEST = 2.8
+
+    /** Theory holds below it. */
+    private const val DENSEST = 0.6
+}

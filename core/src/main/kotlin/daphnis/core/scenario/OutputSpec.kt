@@ -1,0 +1,121 @@
+package daphnis.core.scenario
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.intOrNull
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+
+/**
+ * How often to write: a number of steps (`…Every`), 0 for never (checkpoints: only at the start and the end), or in its
+ * place an interval of time (`…Interval`), at whose multiples the output is due, counted from time 0. Each key belongs
+ * to a [daphnis.core.run.PeriodicOutput].
+ *
+ * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and the momentum that
+ *   collisions carried
+ *
+ * @property intervalUnit of all intervals; null for the scenario's unit of time
+ */
+@Serializable
+public class OutputSpec @JvmOverloads constructor(
+    public val seriesEvery: Int = SERIES,
+    public val snapshotEvery: Int = 0,
+    public val checkpointEvery: Int = CHECKPOINTS,
+    public val collisionLog: Boolean = false,
+    public val transportEvery: Int = 0,
+    public val seriesInterval: Double? = null,
+    public val snapshotInterval: Double? = null,
+    public val checkpointInterval: Double? = null,
+    public val transportInterval: Double? = null,
+    public val intervalUnit: IntervalUnit? = null,
+) {
+    /** Every number of steps, by its key. */
+    internal fun steps(): Map<String, Int> {
+        val tree = EVERY_KEY.encodeToJsonElement(serializer(), this).jsonObject
+        return buildMap { for ((key, value) in tree) value.jsonPrimitive.intOrNull?.let { put(key, it) } }
+    }
+
+    /** Every interval that is given, in [intervalUnit], by its key. */
+    internal fun intervals(): Map<String, Double> = buildMap {
+        seriesInterval?.let { put(SERIES_INTERVAL, it) }
+        snapshotInterval?.let { put(SNAPSHOT_INTERVAL, it) }
+        checkpointInterval?.let { put(CHECKPOINT_INTERVAL, it) }
+        transportInterval?.let { put(TRANSPORT_INTERVAL, it) }
+    }
+
+    /** What is wrong with the values: keys with a sentence. */
+    internal fun problems(): List<Pair<String, String>> = buildList {
+        for ((key, steps) in steps()) if (steps < 0) add(key to "is $steps; must be >= 0 (0 for never)")
+        val defaults = OutputSpec().steps()
+        for ((key, interval) in intervals()) {
+            if (!(interval > 0) || interval.isInfinite()) add(key to "is $interval; must be > 0")
+            val every = counterpart(key)
+            val steps = steps()[every]
+            if (steps != 0 && steps != defaults[every]) add(key to "is given together with $every; $ONE_OF_TWO")
+        }
+    }
+
+    /**
+     * The intervals at which a step has to end where its length is free. A checkpoint is no state that anybody wants.
+     */
+    internal fun stops(): List<Double> = listOfNotNull(seriesInterval, snapshotInterval, transportInterval)
+
+    /**
+     * The same with intervals in units of time, of which an orbit has [orbit], and 0 steps for an output with an
+     * interval. So a file says both without asking for both.
+     */
+    internal fun settled(orbit: Double?): OutputSpec {
+        val unit = if (intervalUnit == IntervalUnit.ORBIT) orbit else null
+        fun time(interval: Double?) = if (unit == null) interval else interval?.times(unit)
+        return OutputSpec(
+            if (seriesInterval == null) seriesEvery else 0,
+            if (snapshotInterval == null) snapshotEvery else 0,
+            if (checkpointInterval == null) checkpointEvery else 0,
+            collisionLog,
+            if (transportInterval == null) transportEvery else 0,
+            time(seriesInterval),
+            time(snapshotInterval),
+            time(checkpointInterval),
+            time(transportInterval),
+            if (unit == null) intervalUnit else null,
+        )
+    }
+
+    public companion object {
+        internal const val SERIES = 1
+        internal const val CHECKPOINTS = 100
+        internal const val EVERY = "Every"
+        internal const val INTERVAL = "Interval"
+        internal const val ONE_OF_TWO = "one of the two is enough"
+        private const val SERIES_INTERVAL = "series$INTERVAL"
+        private const val SNAPSHOT_INTERVAL = "snapshot$INTERVAL"
+        private const val CHECKPOINT_INTERVAL = "checkpoint$INTERVAL"
+        private const val TRANSPORT_INTERVAL = "transport$INTERVAL"
+
+        /** Names the keys one by one. */
+        @JvmStatic
+        public fun builder(): OutputSpecBuilder = OutputSpecBuilder()
+
+        /** The key for a number of steps in place of an interval, and the other way round; null for another key. */
+        internal fun counterpart(key: String): String? = when {
+            key.endsWith(INTERVAL) -> key.removeSuffix(INTERVAL) + EVERY
+            key.endsWith(EVERY) -> key.removeSuffix(EVERY) + INTERVAL
+            else -> null
+        }
+    }
+}
+
+/** The unit of intervals of outputs. */
+@Serializable
+public enum class IntervalUnit {
+    /** The scenario's unit of time. */
+    @SerialName("time")
+    TIME,
+
+    /** An orbit of the frame. */
+    @SerialName("orbit")
+    ORBIT,
+}
+
+private val EVERY_KEY = Json { encodeDefaults = true }
