@@ -41,6 +41,7 @@ class Jars(BuildHookInterface):
             forced[str(jar)] = f"daphnis/jars/{jar.name}"
         forced[str(VERSION)] = "daphnis/version.txt"
         forced[str(CHECKOUT / "LICENSE")] = "daphnis/LICENSE"
+        forced[str(CHECKOUT / "docs" / "third-party.md")] = "daphnis/third-party.md"
 
 
 def built_jars() -> list[Path]:

@@ -30,7 +30,7 @@ def test_series_have_units_and_the_bits_of_the_file(ring: daphnis.Run) -> None:
     assert series.attrs["units"]["time"] == "s"
     assert series.attrs["units"]["granular_temperature"] == "m^2/s^2"
     last = (ring.path / "series.csv").read_text().splitlines()[-1].split(",")
-    for name, text in zip(series.columns, last):
+    for name, text in zip(series.columns, last, strict=True):
         assert series[name].iloc[-1] == float(text) or np.isnan(series[name].iloc[-1])
     assert series["time"].iloc[-1] == ring.summary["time"]  # type: ignore[index]
     assert set(ring.transport.attrs["units"]) == set(ring.transport.columns)
@@ -111,9 +111,7 @@ def test_a_second_run_into_a_directory_is_refused_and_changes_nothing(ring: daph
         ({"restitution": 0.5}, "restitution: is 0.5; it must be a function"),
     ],
 )
-def test_wrong_arguments_are_one_line_and_leave_nothing(
-    arguments: dict[str, Any], words: str, tmp_path: Path
-) -> None:
+def test_wrong_arguments_are_one_line_and_leave_nothing(arguments: dict[str, Any], words: str, tmp_path: Path) -> None:
     with pytest.raises(daphnis.InputError, match=words) as caught:
         daphnis.run(**{"scenario": "ring-patch", "out": tmp_path / "run", **arguments})
     assert "\n" not in str(caught.value)
@@ -128,7 +126,9 @@ def test_what_is_no_run_is_not_opened(tmp_path: Path) -> None:
         daphnis.open(tmp_path / "missing")
 
 
-def test_a_run_that_was_ended_goes_on_to_the_same_bits(ring: daphnis.Run, patch: dict[str, Any], tmp_path: Path) -> None:
+def test_a_run_that_was_ended_goes_on_to_the_same_bits(
+    ring: daphnis.Run, patch: dict[str, Any], tmp_path: Path
+) -> None:
     until = ring.scenario.to_dict()["until"]  # type: ignore[union-attr]
     times: list[float] = []
 

@@ -15,9 +15,10 @@ from ._jvm import start
 from ._version import __version__
 from .laws import Force, Restitution, Spheres, acceleration, kick, restitution
 from .report import Picture, Report, analyze
-from .runs import Run, open, resume, run
+from .runs import Run, open
 from .scenarios import Scenario, scenario, scenarios
 from .simulation import Simulation
+from .starting import resume, run
 from .states import State, States
 
 __all__ = [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import methodcaller
 from typing import Any
 
 import jpype
@@ -27,7 +28,7 @@ def numbers(name: str, values: ArrayLike, shape: tuple[int | str, ...]) -> NDArr
         raise InputError(f"{name}: rows differ in length; its shape must be {_said(shape)}") from None
     if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
         raise InputError(f"{name}: holds {array.dtype}; it must hold numbers that fit into float64")
-    if array.ndim != len(shape) or any(isinstance(n, int) and n != m for n, m in zip(shape, array.shape)):
+    if array.ndim != len(shape) or any(isinstance(n, int) and n != m for n, m in zip(shape, array.shape, strict=True)):
         raise InputError(f"{name}: has shape {array.shape}; it must be {_said(shape)}")
     array = array.astype(np.float64, copy=False)
     wrong = np.argwhere(~np.isfinite(array))
@@ -61,36 +62,36 @@ def ids(values: ArrayLike | None, n: int) -> NDArray[np.int32]:
 def doubles(array: NDArray[np.float64]) -> Any:
     """A Java ``double[]`` with the numbers of a 1-d `array`: one copy."""
     java = jpype.JArray(jpype.JDouble)(len(array))
-    _buffer(np.ascontiguousarray(array), "asDoubleBuffer", lambda buffer: buffer.get(java))
+    _buffer(np.ascontiguousarray(array), "asDoubleBuffer", methodcaller("get", java))
     return java
 
 
 def ints(array: NDArray[np.int32]) -> Any:
     """A Java ``int[]`` with the numbers of a 1-d `array`: one copy."""
     java = jpype.JArray(jpype.JInt)(len(array))
-    _buffer(np.ascontiguousarray(array), "asIntBuffer", lambda buffer: buffer.get(java))
+    _buffer(np.ascontiguousarray(array), "asIntBuffer", methodcaller("get", java))
     return java
 
 
 def of_doubles(java: Any) -> NDArray[np.float64]:
     """The numbers of a Java ``double[]``: one copy, straight into the memory of NumPy."""
     array = np.empty(len(java))
-    _buffer(array, "asDoubleBuffer", lambda buffer: buffer.put(java))
+    _buffer(array, "asDoubleBuffer", methodcaller("put", java))
     return array
 
 
 def of_ints(java: Any) -> NDArray[np.int32]:
     """The numbers of a Java ``int[]``: one copy."""
     array = np.empty(len(java), np.int32)
-    _buffer(array, "asIntBuffer", lambda buffer: buffer.put(java))
+    _buffer(array, "asIntBuffer", methodcaller("put", java))
     return array
 
 
 def columns(x: Any, y: Any, z: Any) -> NDArray[np.float64]:
     """Three Java ``double[]`` of length n as one array of shape (n, 3), whose columns are contiguous: one copy."""
     block = np.empty((3, len(x)))
-    for row, java in zip(block, (x, y, z)):
-        _buffer(row, "asDoubleBuffer", lambda buffer: buffer.put(java))
+    for row, java in zip(block, (x, y, z), strict=True):
+        _buffer(row, "asDoubleBuffer", methodcaller("put", java))
     return block.T
 
 

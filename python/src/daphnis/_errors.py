@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Iterator
+from typing import Any
 
 import jpype
 
@@ -105,7 +106,9 @@ def of(e: Any) -> DaphnisError:
     elif isinstance(e, jpype.JClass("java.io.IOException")):
         error = RunError(f"{_last(name)}: {message}")
     else:
-        error = RunError(f"unexpected {_last(name)}: {message}; this is a fault of daphnis, .java.stacktrace() says where")
+        error = RunError(
+            f"unexpected {_last(name)}: {message}; this is a fault of daphnis, .java.stacktrace() says where"
+        )
     error.args = (" ".join(str(error).split("\n")),)
     error.java = e
     return error
@@ -117,7 +120,9 @@ def _in_words(e: Any) -> str:
     if e.isArgument():
         source = _ARGUMENTS.get(source, re.sub("[A-Z]", lambda letter: "_" + letter.group().lower(), source))
     way_out = e.getWayOut()
-    return str(e.message(source, None if way_out is None else _WAYS_OUT.get(str(way_out.name()), str(way_out.getWords()))))
+    return str(
+        e.message(source, None if way_out is None else _WAYS_OUT.get(str(way_out.name()), str(way_out.getWords())))
+    )
 
 
 def _last(name: str) -> str:

@@ -1,4 +1,4 @@
-"""The Java virtual machine in which daphnis computes: found, and started once per process with the jars of the wheel."""
+"""The Java virtual machine in which daphnis computes: found, and started once in a process."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ import shlex
 import shutil
 import subprocess
 import threading
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NamedTuple, Sequence
+from typing import Any, NamedTuple
 
 import jpype
 
@@ -122,7 +123,11 @@ def flags(java: Java, given: Sequence[str] = ()) -> list[str]:
     """
     own = [*shlex.split(os.environ.get("JAVA_OPTS", "")), *given]
     all_given = [*own, os.environ.get("JAVA_TOOL_OPTIONS", ""), os.environ.get("JDK_JAVA_OPTIONS", "")]
-    options = ["--enable-native-access=ALL-UNNAMED", "-Dsun.misc.unsafe.memory.access=allow", "-Djava.awt.headless=true"]
+    options = [
+        "--enable-native-access=ALL-UNNAMED",
+        "-Dsun.misc.unsafe.memory.access=allow",
+        "-Djava.awt.headless=true",
+    ]
     if not re.search(r"-XX:\+Use\w*GC", " ".join(all_given)):
         options += ["-XX:+UseSerialGC", "-XX:MaxNewSize=64m"]
     wanted = os.environ.get("DAPHNIS_VECTOR", "") != "no"

@@ -6,7 +6,8 @@ import functools
 import hashlib
 import inspect
 import math
-from typing import Any, Callable, Sequence, Union
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import jpype
 import numpy as np
@@ -43,7 +44,7 @@ class Spheres:
 
     @functools.cached_property
     def velocity(self) -> NDArray[np.float64]:
-        """Velocities, shape (n, 3), in units of length per unit of time; in Hill's frame those in the rotating frame."""
+        """Velocities, shape (n, 3), in units of length per unit of time; in Hill's frame in the rotating frame."""
         return self._columns("Vx", "Vy", "Vz")
 
     @functools.cached_property
@@ -170,7 +171,7 @@ class Force:
         return jpype.JProxy(java("daphnis.core.force.Force"), dict=calls)
 
 
-Law = Union[Restitution, Callable[[float], float]]
+Law = Restitution | Callable[[float], float]
 
 
 def restitution(function: Callable[[float], float]) -> Restitution:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from collections.abc import Sequence
+from typing import Any
 
 import jpype
 
@@ -10,7 +11,8 @@ from . import laws
 from ._errors import PythonFailure, translated
 from ._jvm import java
 from .laws import Force, Restitution
-from .scenarios import Scenario
+from .scenarios import Scenario, ScenarioLike
+from .scenarios import scenario as as_scenario
 
 
 def engines() -> Any:
@@ -18,6 +20,16 @@ def engines() -> Any:
     factory = java("daphnis.core.engine.EngineFactory")
     every = [java("daphnis.core.Engines").INSTANCE, java("daphnis.actors.ActorEngines").INSTANCE]
     return java("daphnis.core.engine.CombinedEngines")(jpype.JArray(factory)(every))
+
+
+def guarded(scenario: ScenarioLike, settings: dict[str, Any]) -> dict[str, Any]:
+    """`settings` with a guard against collapse, if neither they nor `scenario` have one.
+
+    Nobody knows whether a law of Python is elastic at low speed, so the guard is that of a constant coefficient.
+    """
+    if as_scenario(scenario, set=settings).to_dict().get("guard"):
+        return settings
+    return {**settings, "guard": {"type": "floor-speed", "relative": 1e-6}}
 
 
 def setup_of(scenario: Scenario, population: Any = None) -> Any:
@@ -88,8 +100,14 @@ class Program:
 
         def simulation(population: Any) -> Any:
             return simulation_of(
-                self._setup, self._scenario.source, population, self._law, self._forces, self._failure,
-                records=records, time=resolved.getStartTime(),
+                self._setup,
+                self._scenario.source,
+                population,
+                self._law,
+                self._forces,
+                self._failure,
+                records=records,
+                time=resolved.getStartTime(),
             )
 
         calls = {

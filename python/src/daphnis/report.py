@@ -102,7 +102,7 @@ class Report:
         numbers = self.numbers
         if key not in numbers.index:
             raise KeyError(f"{key!r}: no such number in this report; there are {', '.join(numbers.index)}")
-        return float(numbers.at[key, "value"])
+        return float(numbers["value"][key])
 
     def _repr_html_(self) -> str:
         return str(self.numbers.to_html(na_rep="", float_format=lambda value: f"{value:.5g}"))

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import math
 import os
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Mapping, Union
+from typing import Any, Union
 
 import numpy as np
 
@@ -59,7 +60,7 @@ class Scenario:
         return None if omega is None else 2 * math.pi / omega
 
     @property
-    def units(self) -> "Units":
+    def units(self) -> Units:
         """Names of its units."""
         return Units(self._java.getUnits())
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import TracebackType
-from typing import Any, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,8 +13,9 @@ from . import _arrays, laws
 from ._errors import InputError, PythonFailure, RunError, translated
 from ._jvm import java
 from .laws import Force, Law
-from .program import setup_of, simulation_of
-from .scenarios import ScenarioLike, Settings, scenario as as_scenario
+from .program import guarded, setup_of, simulation_of
+from .scenarios import ScenarioLike, Settings
+from .scenarios import scenario as as_scenario
 from .states import State
 
 _TOLERANCE = 1e-9
@@ -90,8 +91,8 @@ class Simulation:
             settings["engine.name"] = engine
         if threads is not None or settings["engine.name"] == "serial":
             settings["engine.threads"] = 0 if threads is None else threads
-        if law is not None and not as_scenario(scenario, set=settings).to_dict().get("guard"):
-            settings["guard"] = {"type": "floor-speed", "relative": 1e-6}
+        if law is not None:
+            settings = guarded(scenario, settings)
         self.scenario = as_scenario(scenario, set=settings, seed=seed)
         self._failure = PythonFailure()
         population = None
@@ -109,8 +110,14 @@ class Simulation:
             _check_start(population, setup.getBoundary(), start)
         with translated():
             self._java = simulation_of(
-                setup, self.scenario.source, setup.getPopulation(), law, kicks, self._failure,
-                records=False, time=start,
+                setup,
+                self.scenario.source,
+                setup.getPopulation(),
+                law,
+                kicks,
+                self._failure,
+                records=False,
+                time=start,
             )
         self._first_body = int(setup.getScenario().getFirstBody())
         self._mine = True
@@ -136,7 +143,7 @@ class Simulation:
             )
 
     @classmethod
-    def _watched(cls, simulation: Any) -> "Simulation":
+    def _watched(cls, simulation: Any) -> Simulation:
         """The simulation of a run, to look at."""
         watched = cls.__new__(cls)
         watched._java = simulation
@@ -150,7 +157,7 @@ class Simulation:
         """The ``daphnis.core.Simulation``."""
         return self._java
 
-    def advance(self, steps: int = 1) -> "Simulation":
+    def advance(self, steps: int = 1) -> Simulation:
         """Takes `steps` steps. Ctrl-C ends it after a whole step.
 
         Raises:
@@ -164,8 +171,8 @@ class Simulation:
                 self._java.advance()
         return self
 
-    def advance_to(self, time: float) -> "Simulation":
-        """Takes steps until `time`, in units of time, is reached; a difference of round-off, 1e-9, counts as reached."""
+    def advance_to(self, time: float) -> Simulation:
+        """Takes steps until `time`, in units of time, is reached but for a round-off of 1e-9."""
         end = float(_arrays.numbers("time", time, ()))
         self._require_mine()
         slack = 1e-9 * max(abs(end), abs(self.time))
@@ -231,7 +238,7 @@ class Simulation:
             with translated():
                 self._java.close()
 
-    def __enter__(self) -> "Simulation":
+    def __enter__(self) -> Simulation:
         return self
 
     def __exit__(

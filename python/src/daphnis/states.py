@@ -32,7 +32,7 @@ class State:
         run: the run of which it is, if it is of a recorded one.
     """
 
-    def __init__(self, snapshot: Any, units: Any = None, run: "Run | None" = None) -> None:
+    def __init__(self, snapshot: Any, units: Any = None, run: Run | None = None) -> None:
         self._java = snapshot
         self.units = units
         self.run = run
@@ -67,7 +67,7 @@ class State:
 
     @functools.cached_property
     def velocity(self) -> NDArray[np.float64]:
-        """Velocities, shape (n, 3), in units of length per unit of time; in Hill's frame those in the rotating frame."""
+        """Velocities, shape (n, 3), in units of length per unit of time; in Hill's frame in the rotating frame."""
         return _arrays.columns(*self._java.getVelocity())
 
     @functools.cached_property
@@ -111,7 +111,7 @@ class State:
     vy = property(lambda self: self.velocity[:, 1], doc="Second column of `velocity`.")
     vz = property(lambda self: self.velocity[:, 2], doc="Third column of `velocity`.")
 
-    def to_frame(self) -> "pd.DataFrame":
+    def to_frame(self) -> pd.DataFrame:
         """All spheres as a table with a row for each, indexed by id; units in ``attrs["units"]``."""
         import pandas as pd
 
@@ -119,10 +119,12 @@ class State:
         table = pd.DataFrame({name: getattr(self, name) for name in names}, index=pd.Index(self.id, name="id"))
         if self.units is not None:
             dimensions = ["length"] * 3 + ["length/time"] * 3 + ["length", "mass"]
-            table.attrs["units"] = {name: self.units.of(dimension) for name, dimension in zip(names, dimensions)}
+            table.attrs["units"] = {
+                name: self.units.of(dimension) for name, dimension in zip(names, dimensions, strict=True)
+            }
         return table
 
-    def plot(self, ax: "Axes | None" = None, *, view: str = "top", color: Any = None, **keywords: Any) -> "Axes":
+    def plot(self, ax: Axes | None = None, *, view: str = "top", color: Any = None, **keywords: Any) -> Axes:
         """Draws the spheres to scale with matplotlib.
 
         Args:
@@ -148,8 +150,14 @@ class State:
         if ax is None:
             ax = pyplot.subplots()[1]
         drawn = EllipseCollection(
-            discs, discs, np.zeros(len(self)), units="xy", transOffset=ax.transData,
-            offsets=self.position[order][:, (1, upward)], array=values[order], **keywords,
+            discs,
+            discs,
+            np.zeros(len(self)),
+            units="xy",
+            transOffset=ax.transData,
+            offsets=self.position[order][:, (1, upward)],
+            array=values[order],
+            **keywords,
         )
         ax.add_collection(drawn)
         ax.set_aspect("equal")
@@ -175,13 +183,14 @@ class State:
 class States:
     """The states of a run, each read when it is come to. Going through them again sees what was written since."""
 
-    def __init__(self, run: "Run") -> None:
+    def __init__(self, run: Run) -> None:
         self._run = run
 
     def __iter__(self) -> Iterator[State]:
         with translated():
-            # The class of the object has no name, under which Python would find its methods.
-            iterator = java("java.lang.Iterable").iterator(self._run.java.states())
+            # The class of the object has no name, under which JPype would find its methods; Java itself does.
+            method = java("java.lang.Class").forName("java.lang.Iterable").getMethod("iterator")
+            iterator = method.invoke(self._run.java.states())
         while True:
             with translated():
                 if not iterator.hasNext():

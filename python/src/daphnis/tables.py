@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any
 
 import pandas as pd
 
@@ -53,7 +53,7 @@ def read_table(path: Path, unit: Callable[[str], str] | None = None) -> pd.DataF
 def _declared(path: Path, table: pd.DataFrame, unit: Callable[[str], str] | None) -> pd.DataFrame:
     """A table of a run, whose columns the library knows."""
     units = {}
-    for column in getattr(java(_DECLARED[path.name]), "INSTANCE").getColumns():
+    for column in java(_DECLARED[path.name]).INSTANCE.getColumns():
         name = str(column.getName())
         if name in table:
             if not pd.api.types.is_numeric_dtype(table[name]) and len(table):
