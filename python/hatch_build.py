@@ -40,6 +40,7 @@ class Jars(BuildHookInterface):
         for jar in jars:
             forced[str(jar)] = f"daphnis/jars/{jar.name}"
         forced[str(VERSION)] = "daphnis/version.txt"
+        forced[str(CHECKOUT / "docs" / "notebooks" / "daphnis.json")] = "daphnis/kotlin.json"
         forced[str(CHECKOUT / "LICENSE")] = "daphnis/LICENSE"
         forced[str(CHECKOUT / "docs" / "third-party.md")] = "daphnis/third-party.md"
 

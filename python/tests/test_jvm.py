@@ -87,7 +87,7 @@ def test_jars_are_what_the_manifest_names_and_no_leftovers(tmp_path: Path) -> No
         jar.writestr("META-INF/MANIFEST.MF", "Manifest-Version: 1.0\r\n")
     assert _built.built_jars(tmp_path) == []
     with zipfile.ZipFile(target / "any-name-3.jar", "w") as jar:
-        manifest = "Manifest-Version: 1.0\r\nMain-Class: daphnis.app.MainKt\r\nClass-Path: lib/now-2.jar lib/oth\r\n er.jar\r\n"
+        manifest = "Main-Class: daphnis.app.MainKt\r\nClass-Path: lib/now-2.jar lib/oth\r\n er.jar\r\n"
         jar.writestr("META-INF/MANIFEST.MF", manifest)
     names = [path.relative_to(target).as_posix() for path in _built.built_jars(tmp_path)]
     assert names == ["any-name-3.jar", "lib/now-2.jar", "lib/other.jar"]

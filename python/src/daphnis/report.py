@@ -89,7 +89,7 @@ class Report:
 
     @property
     def tables(self) -> Tables:
-        """Its tables by name, such as ``report.tables["profile_z"]``; units in ``attrs["units"]``."""
+        """Its tables by name, such as ``report.tables["profile-vertical"]``; units in ``attrs["units"]``."""
         return Tables(self.path / "tables")
 
     @property
@@ -128,7 +128,7 @@ def analyze(
 
     Args:
         what: a `Run`, the path of a run directory, or of a file of states (H5MD, extended XYZ, LAMMPS, …).
-        scenario: what the box and the frame of a file are.
+        scenario: what box, frame and units of a file are, or of a run with laws or forces of Python.
         from_: averages begin at this time, in units of time; without it after 3/8 of the run, or where it is steady.
         slabs: slabs of azimuth for streamlines; 0 chooses by the number of particles.
         groups: groups of equal count in each; 0 as for `slabs`.
@@ -149,14 +149,12 @@ def analyze(
     java_path = java("java.nio.file.Path").of(str(path))
     inputs = java("daphnis.analysis.input.AnalysisInput")
     with translated():
+        given = None if scenario is None else as_scenario(scenario)
         if path.is_file():
-            given = None if scenario is None else as_scenario(scenario)
             source = inputs.ofFile(java_path, given and given.java, "" if given is None else given.source)
             directory = path.with_name(f"{path.name}-analysis")
         else:
-            if scenario is not None:
-                raise InputError(f"scenario: is for files; the run in {path} has its own")
-            source = inputs.ofRun(java_path, accept_loss)
+            source = inputs.ofRun(java_path, accept_loss, given and given.java)
             directory = path
         if out is not None:
             directory = Path(out)
