@@ -192,3 +192,40 @@ except daphnis.Interrupted as e:
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, env=os.environ)
     assert done.stdout.split() == ["4", "True"], done.stderr
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_what_a_user_should_know_is_a_warning(patch: dict[str, Any], tmp_path: Path) -> None:
+    coarse = {**patch, "timeStep": {"type": "orbit-fraction", "steps": 20}}
+    with pytest.warns(daphnis.DaphnisWarning, match="timeStep") as caught:
+        run = daphnis.run("ring-patch", tmp_path / "run", set=coarse, steps=2)
+    assert [str(warning.message) for warning in caught] == run.notices
+    assert caught[0].filename == __file__
+    with pytest.warns(daphnis.DaphnisWarning, match="timeStep"):
+        daphnis.Simulation("ring-patch", set=coarse).close()
+
+
+def test_relative_paths_are_of_the_present_working_directory(
+    patch: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    daphnis.scenarios()
+    monkeypatch.chdir(tmp_path)
+    run = daphnis.run("ring-patch", "runs/here", set=patch, steps=1)
+    assert run.path == tmp_path / "runs" / "here" and run.path.is_dir()
+    assert repr(run) == "<Run 'runs/here'>"
+    monkeypatch.chdir("/")
+    assert len(run.series) == 1 or run.last().step == 1
+    daphnis.scenario("ring-patch", set=patch).write(tmp_path / "mine.json")
+    monkeypatch.chdir(tmp_path)
+    assert daphnis.scenario("mine.json").name == "ring-patch"
+
+
+def test_a_forked_process_is_told_to_spawn() -> None:
+    daphnis.scenarios()
+    child = os.fork()
+    if child == 0:
+        try:
+            daphnis.scenarios()
+        except daphnis.JavaError as e:
+            os._exit(0 if "spawn" in str(e) else 2)
+        os._exit(3)
+    assert os.waitpid(child, 0)[1] == 0

@@ -10,7 +10,7 @@ memory, step by step. Laws and forces may be functions of Python: `restitution`,
 and masses are in the scenario's units. docs/python.md is the guide.
 """
 
-from ._errors import DaphnisError, FormatError, InputError, Interrupted, JavaError, RunError
+from ._errors import DaphnisError, DaphnisWarning, FormatError, InputError, Interrupted, JavaError, RunError
 from ._jvm import start
 from ._version import __version__
 from .laws import Force, Restitution, Spheres, acceleration, kick, restitution
@@ -23,6 +23,7 @@ from .states import State, States
 
 __all__ = [
     "DaphnisError",
+    "DaphnisWarning",
     "Force",
     "FormatError",
     "InputError",

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import sys
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -36,6 +38,10 @@ class RunError(DaphnisError, RuntimeError):
     """A run or a step failed. A step is as if it had not begun; a run goes on from its last checkpoint."""
 
 
+class DaphnisWarning(UserWarning):
+    """What a user should know about a run or a file, in one line."""
+
+
 class Interrupted(KeyboardInterrupt):
     """Ctrl-C ended a run after its step, with a checkpoint.
 
@@ -46,6 +52,16 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, message: str, path: Any) -> None:
         super().__init__(message)
         self.path = path
+
+
+def noted(notices: list[str]) -> None:
+    """Warns of each of `notices`, at the line outside of this package that called it."""
+    depth = 1
+    frame = sys._getframe()
+    while frame is not None and frame.f_globals.get("__name__", "").startswith("daphnis."):
+        frame, depth = frame.f_back, depth + 1  # type: ignore[assignment]
+    for notice in notices:
+        warnings.warn(notice, DaphnisWarning, stacklevel=depth)
 
 
 class PythonFailure:

@@ -12,7 +12,7 @@ from typing import Any
 
 import jpype
 
-from ._errors import Interrupted, PythonFailure, translated
+from ._errors import Interrupted, PythonFailure, noted, translated
 from .simulation import Simulation
 
 Watch = Callable[[Simulation], object]
@@ -29,11 +29,12 @@ def carried_out(
     """Carries out the ``daphnis.core.run.Run`` that `start` makes, and gives its notices."""
     with translated(failure):
         carried = start()
+    notices = [str(notice) for notice in carried.getNotices()]
     try:
+        noted(notices)
         execution = _Execution(carried, watch, progress, failure)
         with execution, translated(failure):
             summary = carried.execute(execution.watcher(), execution.cancelled())
-        notices = [str(notice) for notice in carried.getNotices()]
         if execution.interrupted:
             if summary.getFinished():
                 raise Interrupted("interrupted at the end: the run is complete, there is nothing to resume", directory)

@@ -26,6 +26,7 @@ VECTOR_FROM = 25
 _LIBRARIES = ("lib/server/libjvm.so", "lib/server/libjvm.dylib", "bin/server/jvm.dll")
 _lock = threading.Lock()
 _ready = False
+_process = 0
 
 
 class Java(NamedTuple):
@@ -155,7 +156,7 @@ def start(*options: str, java_home: str | os.PathLike[str] | None = None) -> Non
 
 
 def _start(options: Sequence[str] = (), java_home: str | os.PathLike[str] | None = None) -> None:
-    global _ready
+    global _ready, _process
     with _lock:
         if _ready:
             return
@@ -173,6 +174,7 @@ def _start(options: Sequence[str] = (), java_home: str | os.PathLike[str] | None
                 why = " ".join(str(e).split()) or type(e).__name__
                 raise JavaError(f"Java does not start, {java.library}: {why}") from None
         _check_version()
+        _process = os.getpid()
         _ready = True
 
 
@@ -190,4 +192,12 @@ def java(name: str) -> Any:
     """The Java class `name`, after a start of Java if it has not begun."""
     if not _ready:
         _start()
+    elif os.getpid() != _process:
+        # Its threads are not in the copy of the process, so a call would wait for ever.
+        raise JavaError("this process was forked from one with Java; use multiprocessing.get_context('spawn')")
     return jpype.JClass(name)
+
+
+def java_path(path: str | os.PathLike[str]) -> Any:
+    """`path` as Java's, absolute: Java keeps the working directory in which it was started."""
+    return java("java.nio.file.Path").of(os.path.abspath(path))

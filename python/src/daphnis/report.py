@@ -9,8 +9,9 @@ from typing import Any
 
 import pandas as pd
 
-from ._errors import InputError, translated
-from ._jvm import java
+from ._errors import InputError, noted, translated
+from ._jvm import java, java_path
+from ._paths import shown_path
 from .tables import Tables, read_table
 
 _MOST = 100_000
@@ -34,7 +35,7 @@ class Picture:
         return self.png
 
     def __repr__(self) -> str:
-        return f"<Picture {self.path}>"
+        return f"<Picture {shown_path(self.path)!r}>"
 
 
 class Pictures(Mapping[str, Picture]):
@@ -55,7 +56,7 @@ class Pictures(Mapping[str, Picture]):
         return len(list(iter(self)))
 
     def __repr__(self) -> str:
-        return f"<pictures in {self._directory}: {', '.join(self)}>"
+        return f"<pictures in {shown_path(self._directory)!r}: {', '.join(self)}>"
 
 
 class Report:
@@ -108,7 +109,7 @@ class Report:
         return str(self.numbers.to_html(na_rep="", float_format=lambda value: f"{value:.5g}"))
 
     def __repr__(self) -> str:
-        return f"<Report {self.html}, {len(self.numbers)} numbers>"
+        return f"<Report {shown_path(self.html)!r}, {len(self.numbers)} numbers>"
 
 
 def analyze(
@@ -146,22 +147,24 @@ def analyze(
 
     _check(slabs, groups, elevation, azimuth, frames)
     path = Path(getattr(what, "path", what))
-    java_path = java("java.nio.file.Path").of(str(path))
+    there = java_path(path)
     inputs = java("daphnis.analysis.input.AnalysisInput")
     with translated():
         given = None if scenario is None else as_scenario(scenario)
         if path.is_file():
-            source = inputs.ofFile(java_path, given and given.java, "" if given is None else given.source)
+            source = inputs.ofFile(there, given and given.java, "" if given is None else given.source)
             directory = path.with_name(f"{path.name}-analysis")
         else:
-            source = inputs.ofRun(java_path, accept_loss, given and given.java)
+            source = inputs.ofRun(there, accept_loss, given and given.java)
             directory = path
         if out is not None:
             directory = Path(out)
         begin = None if from_ is None else java("java.lang.Double")(from_)
         options = java("daphnis.analysis.report.AnalysisOptions")(begin, slabs, groups, elevation, frames, azimuth)
-        java("daphnis.analysis.report.Analysis")(source, options).write(java("java.nio.file.Path").of(str(directory)))
-    return Report(directory, [str(notice) for notice in source.getNotices()])
+        java("daphnis.analysis.report.Analysis")(source, options).write(java_path(directory))
+    notices = [str(notice) for notice in source.getNotices()]
+    noted(notices)
+    return Report(Path(os.path.abspath(directory)), notices)
 
 
 def _check(slabs: int, groups: int, elevation: float, azimuth: float, frames: int) -> None:

@@ -11,7 +11,8 @@ from typing import Any
 import pandas as pd
 
 from ._errors import FormatError, InputError, translated
-from ._jvm import java
+from ._jvm import java, java_path
+from ._paths import shown_path
 from .report import Report, analyze
 from .scenarios import Scenario, Units
 from .states import State, States
@@ -29,10 +30,10 @@ class Run:
     """
 
     def __init__(self, path: str | os.PathLike[str], notices: Sequence[str] = ()) -> None:
-        self.path = Path(path)
+        self.path = Path(os.path.abspath(path))
         self.notices = list(notices)
         with translated():
-            self._java = java("daphnis.core.run.Run").open(java("java.nio.file.Path").of(str(self.path)))
+            self._java = java("daphnis.core.run.Run").open(java_path(self.path))
             found = self._java.scenario()
         self._scenario = None if found is None else Scenario(found, str(self.path / "scenario.json"))
 
@@ -156,11 +157,13 @@ class Run:
     def _repr_html_(self) -> str:
         entries = self.summary or {}
         shown = ("finished", "scenario", "particles", "steps", "time", "collisions", "stateDigest")
-        column = pd.Series({"directory": str(self.path), **{name: entries[name] for name in shown if name in entries}})
+        column = pd.Series(
+            {"directory": shown_path(self.path), **{name: entries[name] for name in shown if name in entries}}
+        )
         return str(column.to_frame().to_html(header=False))
 
     def __repr__(self) -> str:
-        return f"<Run {str(self.path)!r}>"
+        return f"<Run {shown_path(self.path)!r}>"
 
 
 def open(path: str | os.PathLike[str]) -> Run:

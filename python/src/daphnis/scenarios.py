@@ -12,7 +12,7 @@ from typing import Any, Union
 import numpy as np
 
 from ._errors import InputError, translated
-from ._jvm import java
+from ._jvm import java, java_path
 
 Settings = Mapping[str, Any]
 """Values for keys of a scenario, such as ``{"timeStep.dt": 0.05, "forces[0].massRatio": 1e-11}``."""
@@ -155,11 +155,11 @@ def _read(what: ScenarioLike, settings: list[str]) -> tuple[Any, str]:
         if os.sep not in word and not word.endswith(".json"):
             return built_in.scenario(word, _list(settings)), word
         raise InputError(f"{word}: no such file")
-    return _at_home(parser.read(java("java.nio.file.Path").of(word), _list(settings)), path.resolve().parent), word
+    return _at_home(parser.read(java_path(word), _list(settings)), path.resolve().parent), word
 
 
 def _at_home(found: Any, home: Path) -> Any:
-    return java("daphnis.core.run.ParticleFileKt").atHome(found, java("java.nio.file.Path").of(str(home)))
+    return java("daphnis.core.run.ParticleFileKt").atHome(found, java_path(home))
 
 
 def _list(words: list[str]) -> Any:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, laws
-from ._errors import InputError, PythonFailure, RunError, translated
+from ._errors import InputError, PythonFailure, RunError, noted, translated
 from ._jvm import java
 from .laws import Force, Law
 from .program import guarded, setup_of, simulation_of
@@ -119,6 +119,7 @@ class Simulation:
                 records=False,
                 time=start,
             )
+        noted([*map(str, setup.getNotices()), *map(str, java("daphnis.core.scenario.WarningsKt").warnings(setup))])
         self._first_body = int(setup.getScenario().getFirstBody())
         self._mine = True
 

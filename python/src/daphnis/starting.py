@@ -12,7 +12,7 @@ import jpype
 from . import laws
 from ._errors import InputError, PythonFailure, translated
 from ._execution import Watch, carried_out
-from ._jvm import java
+from ._jvm import java, java_path
 from .laws import Force, Law
 from .program import Program, engines, guarded
 from .runs import Run
@@ -95,7 +95,7 @@ def run(
 
         def start() -> Any:
             return java("daphnis.core.run.Run").start(
-                asked.java, asked.source, _path(directory), force, engines(), java("java.util.HashMap")(), origin
+                asked.java, asked.source, java_path(directory), force, engines(), java("java.util.HashMap")(), origin
             )
 
         return _carried(start, directory, PythonFailure(), watch, progress)
@@ -104,7 +104,7 @@ def run(
     failure = PythonFailure()
     program = Program(asked, law, kicks, failure)
     return _carried(
-        lambda: java("daphnis.core.run.Run").start(program.proxy(), _path(directory), force),
+        lambda: java("daphnis.core.run.Run").start(program.proxy(), java_path(directory), force),
         directory,
         failure,
         watch,
@@ -152,7 +152,7 @@ def resume(
 
         def start() -> Any:
             end = None if until is None else java("java.lang.Double")(until)
-            return java("daphnis.core.run.Run").resume(_path(directory), end, engines(), accept_loss)
+            return java("daphnis.core.run.Run").resume(java_path(directory), end, engines(), accept_loss)
 
         return _carried(start, directory, PythonFailure(), watch, progress)
     if scenario is None:
@@ -163,7 +163,7 @@ def resume(
     failure = PythonFailure()
     program = Program(as_scenario(scenario, set=settings), law, kicks, failure, until)
     return _carried(
-        lambda: java("daphnis.core.run.Run").resume(program.proxy(), _path(directory), accept_loss),
+        lambda: java("daphnis.core.run.Run").resume(program.proxy(), java_path(directory), accept_loss),
         directory,
         failure,
         watch,
@@ -180,10 +180,6 @@ def _carried(
 ) -> Run:
     """The run that `start` makes, carried out."""
     return Run(directory, carried_out(start, directory, failure, watch, progress))
-
-
-def _path(path: Path) -> Any:
-    return java("java.nio.file.Path").of(str(path))
 
 
 def _origin(origin: Origin) -> Any:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from . import _arrays
 from ._errors import InputError, translated
 from ._jvm import java
+from ._paths import shown_path
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -205,4 +206,4 @@ class States:
         return self._run.at_step(self._run.steps[k])
 
     def __repr__(self) -> str:
-        return f"<{len(self)} states of {self._run.path}>"
+        return f"<{len(self)} states of {shown_path(self._run.path)!r}>"

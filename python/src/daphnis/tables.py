@@ -12,6 +12,7 @@ import pandas as pd
 
 from ._errors import FormatError, InputError
 from ._jvm import java
+from ._paths import shown_path
 
 _DECLARED = {
     "series.csv": "daphnis.core.run.SeriesColumns",
@@ -101,4 +102,4 @@ class Tables(Mapping[str, pd.DataFrame]):
         return name in list(self)
 
     def __repr__(self) -> str:
-        return f"<tables in {self._directory}: {', '.join(self)}>"
+        return f"<tables in {shown_path(self._directory)!r}: {', '.join(self)}>"
