@@ -179,7 +179,7 @@ def restitution(function: Callable[[float], float]) -> Restitution:
 
     ``function(impact_speed)`` is given the normal component of the relative velocity at contact, ≥ 0, in units of speed
     of the scenario, and gives ε in [0, 1]. It must be a pure function. It is called for every collision, from any
-    thread of the engine, one at a time. That is much slower than a law of Java; it suits some 10⁷ collisions.
+    thread of the engine, one at a time, which takes far longer than a law of Java.
 
     An exception in it comes out of the run or the step as it is, and the state is as before the step.
 
