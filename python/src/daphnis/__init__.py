@@ -15,7 +15,10 @@ from ._jvm import start
 from ._version import __version__
 from .laws import Force, Restitution, Spheres, acceleration, kick, restitution
 from .report import Picture, Report, analyze
-from .runs import Run, open
+from .runs import Run
+
+# Not in __all__: a star would put it in the place of Python's own.
+from .runs import open as open
 from .scenarios import Scenario, scenario, scenarios
 from .simulation import Simulation
 from .starting import resume, run
@@ -43,7 +46,6 @@ __all__ = [
     "acceleration",
     "analyze",
     "kick",
-    "open",
     "restitution",
     "resume",
     "run",
