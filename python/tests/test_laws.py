@@ -167,18 +167,43 @@ def test_a_run_with_a_law_goes_on_to_the_same_bits_and_with_that_law_only(
 
 
 def test_an_exception_in_a_run_comes_out_and_the_run_goes_on(patch: dict[str, Any], tmp_path: Path) -> None:
-    calls = 0
-    limit = 40
+    calls: list[float] = []
+    limits = [40]
 
     def law(speed: float) -> float:
-        nonlocal calls
-        calls += 1
-        if calls > limit:
+        calls.append(speed)
+        if len(calls) > limits[0]:
             raise OSError("the law's own")
         return 0.5
 
     asked: dict[str, Any] = {"set": {**patch, "output.checkpointEvery": 2, "until": 8000.0}, "restitution": law}
     with pytest.raises(OSError, match="the law's own"):
         daphnis.run("ring-patch", tmp_path / "run", **asked)
-    limit = 10**9
+    limits[0] = 10**9
     assert daphnis.resume(tmp_path / "run", "ring-patch", **asked).summary["finished"]  # type: ignore[index]
+
+
+def test_a_fingerprint_is_of_the_code_and_not_of_its_place() -> None:
+    from functools import partial
+
+    from daphnis.laws import fingerprint
+
+    def power(exponent: float) -> Any:
+        return lambda speed, factor=1.0: factor * speed**exponent
+
+    def other(speed: float, exponent: float) -> float:
+        return speed**exponent
+
+    here = daphnis.restitution(lambda speed: 0.5 if speed > 1 else 1.0)
+    there = daphnis.restitution(
+        # Elsewhere, the same.
+        lambda speed: 0.5 if speed > 1 else 1.0
+    )
+    assert fingerprint("a", here) == fingerprint("a", there)
+    different = [here, lambda speed: 0.6 if speed > 1 else 1.0, power(-0.2), power(-0.3)]
+    different += [partial(other, exponent=-0.2), partial(other, exponent=-0.3)]
+    # Nested code, whose address differs from run to run, and code without a source.
+    different += [lambda v: sum(k for k in (v, 1)), lambda v: sum(k for k in (v, 2)), eval("lambda v: 0.25"), abs]
+    assert len({fingerprint(function) for function in different}) == len(different)
+    nested = [eval("lambda v: sum(k for k in (v, 1))") for _ in range(2)]
+    assert fingerprint(nested[0]) == fingerprint(nested[1])

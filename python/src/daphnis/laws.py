@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import functools
 import hashlib
-import inspect
 import math
 from collections.abc import Callable, Sequence
+from types import CodeType
 from typing import Any
 
 import jpype
@@ -242,17 +242,35 @@ def as_forces(forces: Sequence[Force]) -> list[Force]:
 
 
 def fingerprint(*parts: Any) -> str:
-    """A word that is another one when a text or the source of a function in `parts` is."""
+    """A word that is another one when a text or the code of a function in `parts` is.
+
+    Where a function stands, and what it is called, changes nothing. Numbers and words that it closes over count; what it
+    reads of its module, and what can change by itself, such as a list, is not looked at.
+    """
     digest = hashlib.sha256()
     for part in parts:
-        function = getattr(part, "function", part)
-        if callable(function):
-            try:
-                text = inspect.getsource(function)
-            except (OSError, TypeError):
-                code = getattr(function, "__code__", None)
-                text = repr(function) if code is None else repr((code.co_code, code.co_consts, code.co_names))
-        else:
-            text = str(part)
-        digest.update(text.encode() + b"\0")
+        digest.update(_described(getattr(part, "function", part)).encode() + b"\0")
     return digest.hexdigest()[:16]
+
+
+def _described(part: Any) -> str:
+    """`part` in words that are the same in every process."""
+    if isinstance(part, functools.partial):
+        return repr((_described(part.func), *map(_described, part.args), *map(_described, part.keywords.items())))
+    if isinstance(part, CodeType):
+        return repr((part.co_code.hex(), part.co_names, [_described(constant) for constant in part.co_consts]))
+    if isinstance(part, (frozenset, tuple)):
+        words = [_described(entry) for entry in part]
+        return repr(sorted(words) if isinstance(part, frozenset) else words)
+    code = getattr(part, "__code__", None)
+    if code is not None:
+        cells = [cell.cell_contents for cell in part.__closure__ or ()]
+        return repr((_described(code), *map(_described, part.__defaults__ or ()), *map(_described, cells)))
+    if callable(part):
+        # An object that is called: its code, and those of its values that are plain.
+        plain = {name: value for name, value in getattr(part, "__dict__", {}).items() if isinstance(value, _PLAIN)}
+        return repr((type(part).__qualname__, _described(getattr(type(part).__call__, "__code__", None)), plain))
+    return repr(part) if part is None or isinstance(part, _PLAIN) else type(part).__qualname__
+
+
+_PLAIN = (bool, bytes, complex, float, int, str)

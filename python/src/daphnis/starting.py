@@ -133,7 +133,7 @@ def resume(
         set: see `scenario`.
         until: a new end, in units of time.
         accept_loss: whether it goes on with damaged tables as they are; ``notices`` tell what is lost.
-        restitution: as at the start. Another law is refused: a checkpoint knows the source of its functions.
+        restitution: as at the start. Another law is refused: the run knows the code of its functions.
         forces: as `restitution`.
         watch: as for `run`.
         progress: as for `run`.
