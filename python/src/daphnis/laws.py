@@ -244,7 +244,7 @@ def as_forces(forces: Sequence[Force]) -> list[Force]:
 def fingerprint(*parts: Any) -> str:
     """A word that is another one when a text or the code of a function in `parts` is.
 
-    Where a function stands, and what it is called, changes nothing. Numbers and words that it closes over count; what it
+    Where a function stands, and what it is called, changes nothing. Numbers and words that it closes over count. What it
     reads of its module, and what can change by itself, such as a list, is not looked at.
     """
     digest = hashlib.sha256()
