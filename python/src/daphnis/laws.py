@@ -244,8 +244,8 @@ def as_forces(forces: Sequence[Force]) -> list[Force]:
 def fingerprint(*parts: Any) -> str:
     """A word that is another one when a text or the code of a function in `parts` is.
 
-    Where a function stands, and what it is called, changes nothing. Numbers and words that it closes over count. What it
-    reads of its module, and what can change by itself, such as a list, is not looked at.
+    Where a function stands, and what it is called, changes nothing. Numbers and words that it closes over count. What
+    it reads of its module, and what can change by itself, such as a list, is not looked at.
     """
     digest = hashlib.sha256()
     for part in parts:
