@@ -23,7 +23,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     private val what by argument("dir-or-file", help = "run directory, or a particle file: ${SnapshotFormats.known}")
     private val scenario by option(
         "--scenario",
-        help = "for a file: scenario file or built-in name that says what the box and the frame are",
+        help = "for a file, or the run of a program: scenario file or built-in name that says what box and frame are",
     )
     private val settings by option(
         "--set",
@@ -68,11 +68,11 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     override fun run() {
         checkOptions()
         val path = pathOf(what, "dir-or-file")
+        val given = scenario?.let { scenarioNamed(it, settings) }
         val input = if (Files.isRegularFile(path)) {
-            AnalysisInput.ofFile(path, scenario?.let { scenarioNamed(it, settings) }, scenario.orEmpty())
+            AnalysisInput.ofFile(path, given, scenario.orEmpty())
         } else {
-            if (scenario != null) throw InputException("--scenario", null, "is for files; the run in $path has its own")
-            AnalysisInput.ofRun(path, acceptLoss)
+            AnalysisInput.ofRun(path, acceptLoss, given)
         }
         for (notice in input.notices) warn(notice)
         val directory =

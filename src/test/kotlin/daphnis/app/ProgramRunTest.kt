@@ -74,6 +74,21 @@ class ProgramRunTest {
     }
 
     @Test
+    fun `a scenario says what its box and frame are, but not which law was at work`() {
+        val sheared = run("sheared") { LeesEdwards(it, 0.3) }
+        val boundary = "boundary={\"type\":\"lees-edwards\",\"shearRate\":0.3}"
+        val given = arrayOf("--scenario", "cooling-gas", "--set", boundary, "--from", "0", "--quiet")
+        assertDone(daphnis("analyze", sheared, *given))
+        val numbers = Files.readString(home.resolve("sheared/tables/numbers.csv"))
+        assertTrue("viscosity_collisional" in numbers && "reduced_pressure" in numbers) { numbers }
+        val page = Files.readString(home.resolve("sheared/report.html"))
+        assertTrue("of the program 'gas in a program'" in page.replace("&#39;", "'") && "constant" !in page)
+        assertTrue("inelastic" !in page && "scenario.json" !in page)
+        val wrong = daphnis("analyze", sheared, *given, "--set", "box.lengths[1]=30")
+        assertRefused(wrong, "--scenario: box.lengths[1]: is 30.0; in the run", "the box is 21.8781, periodic along y")
+    }
+
+    @Test
     fun `what only its program or a scenario can tell is refused in one line`() {
         assertRefused(
             daphnis("resume", run("gas")),
@@ -82,7 +97,7 @@ class ProgramRunTest {
             "only it can continue the run",
         )
         val sheared = run("sheared") { LeesEdwards(it, 0.3) }
-        assertRefused(daphnis("analyze", sheared), "images slide", "export it")
+        assertRefused(daphnis("analyze", sheared), "images slide", "analyze it with one")
         assertRefused(daphnis("run", "cooling-gas", "--out", sheared), "exists")
     }
 }

@@ -90,18 +90,30 @@ public class AnalysisInput internal constructor(
          * The run in [path], finished or still going on.
          *
          * @param acceptLoss whether files that are not what the run wrote are taken as they are; [notices] say which
-         * @throws InputException when there is no run, it has no snapshot, or a file is not what the run wrote
+         * @param scenario for the run of a program's own, which knows of none: what its box, frame, units and bodies are
+         * @throws InputException when there is no run, it has no snapshot, a file is not what the run wrote, or
+         * [scenario] is of another box or not needed
          * @throws FormatException when a file cannot be read
          */
         @JvmStatic
         @JvmOverloads
-        public fun ofRun(path: Path, acceptLoss: Boolean = false): AnalysisInput {
+        public fun ofRun(path: Path, acceptLoss: Boolean = false, scenario: Scenario? = null): AnalysisInput {
             val run = RunDirectory(path)
             run.requireRun()
-            if (Files.exists(run.program)) return ofProgram(run, acceptLoss)
+            if (Files.exists(run.program)) {
+                return if (scenario == null) ofProgram(run, acceptLoss) else ofProgram(run, acceptLoss, scenario)
+            }
+            if (scenario != null) {
+                val why = "is for files and for runs of programs; the run in $path has its own"
+                throw InputException("scenario", null, why, isArgument = true)
+            }
+            return ofScenario(run, acceptLoss)
+        }
+
+        private fun ofScenario(run: RunDirectory, acceptLoss: Boolean): AnalysisInput {
             val read = ScenarioJson.read(run.scenario)
             val notices = checked(run, read, acceptLoss)
-            val scenario = read.atHome(path)
+            val scenario = read.atHome(run.path)
             val steps = steps(run)
             val around = Surroundings.of(scenario, run.scenario.toString())
             val dt = (around.timeStep as? TimeStepSpec.Fixed)?.dt
@@ -121,7 +133,7 @@ public class AnalysisInput internal constructor(
                 val snapshot = run.readSnapshot(steps[it])
                 if (snapshot.shearOffset != 0.0) {
                     val why = "holds a run of $record, in which images slide; it takes a scenario to say how"
-                    throw InputException("${run.path}", null, "$why: export it, and analyze the file with one")
+                    throw InputException("${run.path}", null, "$why: analyze it with one")
                 }
                 snapshot.time
             }
@@ -136,6 +148,34 @@ public class AnalysisInput internal constructor(
                 null,
                 notices + notice,
             )
+        }
+
+        /** The run of a program's own, in the space and time of [scenario]. */
+        private fun ofProgram(run: RunDirectory, acceptLoss: Boolean, scenario: Scenario): AnalysisInput {
+            val record = ProgramRecord.read(run.program)
+            val notices = checked(run, null, acceptLoss)
+            val around = Surroundings.of(scenario, "scenario")
+            val steps = steps(run)
+            val times = DoubleArray(steps.size) {
+                val snapshot = run.readSnapshot(steps[it])
+                requireBox(around.boundary, snapshot, run)
+                snapshot.time
+            }
+            // Which laws and forces were at work, only the program knows.
+            val known = scenario.copy(description = "")
+            return ofRun(run, record.program, known, steps, times, around.boundary, around.angularSpeed, notices)
+        }
+
+        /** A box of other lengths would be that of another run. */
+        private fun requireBox(boundary: BoundaryConditions, snapshot: Snapshot, run: RunDirectory) {
+            for (axis in 0..2) {
+                if (!boundary.repeats(axis) && !snapshot.periodic[axis]) continue
+                val length = boundary.box.length(axis)
+                if (snapshot.periodic[axis] && boundary.repeats(axis) && length == snapshot.lengths[axis]) continue
+                val there = "${snapshot.lengths[axis]}, ${if (snapshot.periodic[axis]) "" else "not "}periodic"
+                val why = "is $length; in the run ${run.path} the box is $there along ${"xyz"[axis]}"
+                throw InputException("scenario", "box.lengths[$axis]", why, isArgument = true)
+            }
         }
 
         private fun steps(run: RunDirectory): List<Long> = run.snapshotSteps().ifEmpty {

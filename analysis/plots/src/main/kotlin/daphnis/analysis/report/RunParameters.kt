@@ -5,7 +5,9 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.report.ReportText.count
 import daphnis.analysis.report.ReportText.short
 import daphnis.analysis.table.UnitNames
+import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Summary
+import java.nio.file.Files
 import kotlin.math.PI
 
 /** What was run, in names and values. */
@@ -46,11 +48,17 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     private fun scenario(): List<Pair<String, String>> {
         val scenario = input.scenario ?: return emptyList()
         val speed = "speed ${short(scenario.units.speedInCmPerSecond)} cm/s"
+        val units = "units" to speed + (scenario.units.lengthInMetres?.let { ", length ${short(it)} m" } ?: "")
+        val program = input.directory?.program
+        if (program != null && Files.exists(program)) {
+            // The scenario was given for space, time and units only.
+            return listOf("restitution, forces" to "of ${ProgramRecord.read(program)}", units)
+        }
         return listOf(
             "seed" to "${scenario.seed}",
             "restitution" to word(scenario.restitution),
             "forces" to scenario.forces.joinToString { word(it) }.ifEmpty { "none" },
-            "units" to speed + (scenario.units.lengthInMetres?.let { ", length ${short(it)} m" } ?: ""),
+            units,
         )
     }
 

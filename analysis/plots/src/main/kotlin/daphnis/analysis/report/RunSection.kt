@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import java.nio.file.Files
 import java.nio.file.Path
 
 /** What was run, and the commands that do it again. */
@@ -11,7 +12,9 @@ internal class RunSection(private val study: Study) : Section {
 
     override fun write(page: ReportPage) {
         page.parameters(RunParameters(input, study.last).rows())
-        val run = input.directory?.path ?: return
+        val directory = input.directory ?: return
+        if (Files.exists(directory.program)) return
+        val run = directory.path
         page.paragraph(
             "To do it again, from the directory in which this report was made: the scenario as it was resolved is in " +
                 "the run directory; it gives the same state digest on any machine, with any engine and number of " +

@@ -1,0 +1,55 @@
+"""daphnis simulates very many colliding spheres, event by event: planetary rings and granular gases.
+
+    import daphnis
+
+    run = daphnis.run("ring-patch", "runs/ring", set={"particles.opticalDepth": 0.5})
+    print(run.analyze().numbers)
+
+`run`, `resume` and `open` give a `Run`, with tables as pandas and states as NumPy arrays. `Simulation` is the same in
+memory, step by step. Laws and forces may be functions of Python: `restitution`, `kick`, `acceleration`. Lengths, times
+and masses are in the scenario's units. docs/python.md is the guide.
+"""
+
+from ._errors import DaphnisError, DaphnisWarning, FormatError, InputError, Interrupted, JavaError, RunError
+from ._jvm import start
+from ._version import __version__
+from .laws import Force, Restitution, Spheres, acceleration, kick, restitution
+from .report import Picture, Report, analyze
+from .runs import Run
+
+# Not in __all__: a star would put it in the place of Python's own.
+from .runs import open as open
+from .scenarios import Scenario, scenario, scenarios
+from .simulation import Simulation
+from .starting import resume, run
+from .states import State, States
+
+__all__ = [
+    "DaphnisError",
+    "DaphnisWarning",
+    "Force",
+    "FormatError",
+    "InputError",
+    "Interrupted",
+    "JavaError",
+    "Picture",
+    "Report",
+    "Restitution",
+    "Run",
+    "RunError",
+    "Scenario",
+    "Simulation",
+    "Spheres",
+    "State",
+    "States",
+    "__version__",
+    "acceleration",
+    "analyze",
+    "kick",
+    "restitution",
+    "resume",
+    "run",
+    "scenario",
+    "scenarios",
+    "start",
+]

@@ -1,0 +1,179 @@
+"""What an analysis gives."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from ._errors import InputError, noted, translated
+from ._jvm import java, java_path
+from ._paths import shown_path
+from .tables import Tables, read_table
+
+_MOST = 100_000
+
+
+class Picture:
+    """A picture of a report. A notebook shows it.
+
+    Attributes:
+        path: of its PNG; the SVG lies beside it.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    @property
+    def png(self) -> bytes:
+        return self.path.read_bytes()
+
+    def _repr_png_(self) -> bytes:
+        return self.png
+
+    def __repr__(self) -> str:
+        return f"<Picture {shown_path(self.path)!r}>"
+
+
+class Pictures(Mapping[str, Picture]):
+    """The pictures that ``analyze`` drew, by name."""
+
+    def __init__(self, directory: Path) -> None:
+        self._directory = directory
+
+    def __getitem__(self, name: str) -> Picture:
+        if name not in list(self):
+            raise KeyError(f"{name!r}: no such picture in {self._directory}; there are {', '.join(self)}")
+        return Picture(self._directory / f"{name}.png")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(sorted(path.stem for path in self._directory.glob("*.png")))
+
+    def __len__(self) -> int:
+        return len(list(iter(self)))
+
+    def __repr__(self) -> str:
+        return f"<pictures in {shown_path(self._directory)!r}: {', '.join(self)}>"
+
+
+class Report:
+    """What ``analyze`` wrote into a directory. A notebook shows its numbers.
+
+    Attributes:
+        path: the directory.
+        notices: what a reader should know of the files, a line each.
+    """
+
+    def __init__(self, path: Path, notices: list[str]) -> None:
+        self.path = path
+        self.notices = notices
+
+    @property
+    def html(self) -> Path:
+        """The page, self-contained: ``report.html``."""
+        return self.path / "report.html"
+
+    @property
+    def numbers(self) -> pd.DataFrame:
+        """The numbers of the report, indexed by the keys of docs/analysis.md.
+
+        Columns: ``value``; ``standard_error``, NaN where none can be given; ``unit``; ``reference``, what is published,
+        else NaN; ``remark``, why there is no error, else empty.
+        """
+        table = read_table(self.path / "tables" / "numbers.csv").set_index("quantity")
+        for name in ("unit", "remark"):
+            table[name] = table[name].fillna("").astype(str)
+        return table.astype({name: float for name in ("value", "standard_error", "reference") if name in table})
+
+    @property
+    def tables(self) -> Tables:
+        """Its tables by name, such as ``report.tables["profile-vertical"]``; units in ``attrs["units"]``."""
+        return Tables(self.path / "tables")
+
+    @property
+    def pictures(self) -> Pictures:
+        """Its pictures by name."""
+        return Pictures(self.path / "plots")
+
+    def __getitem__(self, key: str) -> float:
+        """The value of a number: ``report["velocity_dispersion"]``."""
+        numbers = self.numbers
+        if key not in numbers.index:
+            raise KeyError(f"{key!r}: no such number in this report; there are {', '.join(numbers.index)}")
+        return float(numbers["value"][key])
+
+    def _repr_html_(self) -> str:
+        return str(self.numbers.to_html(na_rep="", float_format=lambda value: f"{value:.5g}"))
+
+    def __repr__(self) -> str:
+        return f"<Report {shown_path(self.html)!r}, {len(self.numbers)} numbers>"
+
+
+def analyze(
+    what: Any,
+    *,
+    scenario: Any = None,
+    from_: float | None = None,
+    slabs: int = 0,
+    groups: int = 0,
+    elevation: float = 28.0,
+    azimuth: float = 0.0,
+    frames: int = 40,
+    out: str | os.PathLike[str] | None = None,
+    accept_loss: bool = False,
+) -> Report:
+    """Analyses a run or a file of states, as ``daphnis analyze`` does, and writes ``report.html``, tables and pictures.
+
+    Args:
+        what: a `Run`, the path of a run directory, or of a file of states (H5MD, extended XYZ, LAMMPS, …).
+        scenario: what box, frame and units of a file are, or of a run with laws or forces of Python.
+        from_: averages begin at this time, in units of time; without it after 3/8 of the run, or where it is steady.
+        slabs: slabs of azimuth for streamlines; 0 chooses by the number of particles.
+        groups: groups of equal count in each; 0 as for `slabs`.
+        elevation: of the rays of the occultation above the x-y plane, in degrees, in (0, 90].
+        azimuth: direction in which they climb, from x toward y, in degrees.
+        frames: states that are averaged at most.
+        out: where to write; into the run directory without it, beside a file as NAME-analysis.
+        accept_loss: whether files that differ from what the run wrote are accepted.
+
+    Raises:
+        InputError: something above is wrong.
+        FormatError: a file is damaged.
+    """
+    from .scenarios import scenario as as_scenario
+
+    _check(slabs, groups, elevation, azimuth, frames)
+    path = Path(getattr(what, "path", what))
+    there = java_path(path)
+    inputs = java("daphnis.analysis.input.AnalysisInput")
+    with translated():
+        given = None if scenario is None else as_scenario(scenario)
+        if path.is_file():
+            source = inputs.ofFile(there, given and given.java, "" if given is None else given.source)
+            directory = path.with_name(f"{path.name}-analysis")
+        else:
+            source = inputs.ofRun(there, accept_loss, given and given.java)
+            directory = path
+        if out is not None:
+            directory = Path(out)
+        begin = None if from_ is None else java("java.lang.Double")(from_)
+        options = java("daphnis.analysis.report.AnalysisOptions")(begin, slabs, groups, elevation, frames, azimuth)
+        java("daphnis.analysis.report.Analysis")(source, options).write(java_path(directory))
+    notices = [str(notice) for notice in source.getNotices()]
+    noted(notices)
+    return Report(Path(os.path.abspath(directory)), notices)
+
+
+def _check(slabs: int, groups: int, elevation: float, azimuth: float, frames: int) -> None:
+    for name, value, holds, right in (
+        ("slabs", slabs, 0 <= slabs <= _MOST, f"in 1..{_MOST}, or 0"),
+        ("groups", groups, 0 <= groups <= _MOST, f"in 1..{_MOST}, or 0"),
+        ("elevation", elevation, 0 < elevation <= 90, "in (0, 90] degrees"),
+        ("azimuth", azimuth, -360 <= azimuth <= 360, "in -360..360 degrees"),
+        ("frames", frames, frames >= 1, ">= 1"),
+    ):
+        if not holds:
+            raise InputError(f"{name}: is {value}; it must be {right}")

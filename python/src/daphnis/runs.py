@@ -1,0 +1,171 @@
+"""Runs: simulations in a directory, with tables and states."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from ._errors import FormatError, InputError, translated
+from ._jvm import java, java_path
+from ._paths import shown_path
+from .report import Report, analyze
+from .scenarios import Scenario, Units
+from .states import State, States
+from .tables import Tables, read_table
+
+
+class Run:
+    """A run in its directory, finished or still going on. Made by `run`, `resume` and `open`.
+
+    Everything is read when it is asked for, and of a run that goes on it is what is there then.
+
+    Attributes:
+        path: the run directory.
+        notices: what a user should know about its start, a line each.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], notices: Sequence[str] = ()) -> None:
+        self.path = Path(os.path.abspath(path))
+        self.notices = list(notices)
+        with translated():
+            self._java = java("daphnis.core.run.Run").open(java_path(self.path))
+            found = self._java.scenario()
+        self._scenario = None if found is None else Scenario(found, str(self.path / "scenario.json"))
+
+    @property
+    def java(self) -> Any:
+        """The ``daphnis.core.run.RecordedRun``."""
+        return self._java
+
+    @property
+    def scenario(self) -> Scenario | None:
+        """The scenario that is run; None if laws or forces of Python took part, which no scenario knows."""
+        return self._scenario
+
+    @property
+    def units(self) -> Units | None:
+        """Names of the units of the scenario; None without one."""
+        return None if self._scenario is None else self._scenario.units
+
+    @property
+    def summary(self) -> dict[str, Any] | None:
+        """The entries of ``summary.json``, see docs/guide.md; None while the run has none.
+
+        ``run.summary["stateDigest"]`` is the same for equal bits of all states.
+        """
+        path = self.path / "summary.json"
+        try:
+            found = json.loads(path.read_text(encoding="utf-8"))
+        except FileNotFoundError:
+            return None
+        except (OSError, ValueError) as e:
+            raise FormatError(f"{path}: is not a summary of daphnis: {e}") from None
+        if not isinstance(found, dict):
+            raise FormatError(f"{path}: is not a summary of daphnis")
+        return found
+
+    @property
+    def series(self) -> pd.DataFrame:
+        """``series.csv``: a row every ``output.seriesEvery`` steps; units in ``attrs["units"]``, see docs/guide.md."""
+        return self._table("series.csv", "output.seriesEvery")
+
+    @property
+    def transport(self) -> pd.DataFrame:
+        """``transport.csv``: moments and sums for viscosities, a row every ``output.transportEvery`` steps."""
+        return self._table("transport.csv", "output.transportEvery")
+
+    @property
+    def impacts(self) -> pd.DataFrame:
+        """``impacts.csv``: the distribution of impact speeds since the start."""
+        return self._table("impacts.csv", "output.transportEvery")
+
+    @property
+    def collisions(self) -> pd.DataFrame:
+        """``collisions.csv``: a row for each collision of two spheres."""
+        return self._table("collisions.csv", "output.collisionLog")
+
+    def _table(self, name: str, key: str) -> pd.DataFrame:
+        path = self.path / name
+        if not path.is_file():
+            raise InputError(f"{self.path}: has no {name}; run with {key} in set=")
+        units = self.units
+        return read_table(path, None if units is None else units.of)
+
+    @property
+    def tables(self) -> Tables:
+        """The tables that `analyze` wrote, by name."""
+        return Tables(self.path / "tables")
+
+    @property
+    def steps(self) -> list[int]:
+        """Steps after which there is a state, ascending."""
+        with translated():
+            return [int(step) for step in self._java.steps()]
+
+    def states(self) -> States:
+        """All states in the order of time, each read when the iteration comes to it; ``states()[-1]`` is the last."""
+        return States(self)
+
+    def at(self, time: float | None = None, *, orbits: float | None = None) -> State:
+        """The state at `time`, in units of time, or after a number of `orbits`; round-off of 1e-9 is allowed.
+
+        Raises:
+            InputError: there is none; the message names those next to it.
+        """
+        if (time is None) == (orbits is None):
+            raise InputError("at: needs one of time and orbits")
+        if time is None:
+            orbit = None if self._scenario is None else self._scenario.orbit
+            if orbit is None or orbits is None:
+                raise InputError(f"{self.path}: orbits need a run in Hill's frame; give a time")
+            time = orbits * orbit
+        with translated():
+            return State(self._java.at(float(time)), self.units, self)
+
+    def at_step(self, step: int) -> State:
+        """The state after `step` steps. Raises InputError if there is none."""
+        with translated():
+            return State(self._java.atStep(int(step)), self.units, self)
+
+    def last(self) -> State:
+        """The latest state. Raises InputError if there is none."""
+        with translated():
+            return State(self._java.last(), self.units, self)
+
+    def analyze(self, **options: Any) -> Report:
+        """`daphnis.analyze` of this run, with its options."""
+        return analyze(self, **options)
+
+    @property
+    def report(self) -> Report:
+        """What `analyze` wrote before."""
+        if not (self.path / "report.html").is_file():
+            raise InputError(f"{self.path}: has no report yet; analyze() writes it")
+        return Report(self.path, [])
+
+    def resume(self, **options: Any) -> Run:
+        """`daphnis.resume` of this run, with its options."""
+        from .starting import resume
+
+        return resume(self.path, **options)
+
+    def _repr_html_(self) -> str:
+        entries = self.summary or {}
+        shown = ("finished", "scenario", "particles", "steps", "time", "collisions", "stateDigest")
+        column = pd.Series(
+            {"directory": shown_path(self.path), **{name: entries[name] for name in shown if name in entries}}
+        )
+        return str(column.to_frame().to_html(header=False))
+
+    def __repr__(self) -> str:
+        return f"<Run {shown_path(self.path)!r}>"
+
+
+def open(path: str | os.PathLike[str]) -> Run:
+    """The run in the directory `path`, finished or still going on. Raises InputError if there is none."""
+    return Run(path)

@@ -1,0 +1,272 @@
+"""A simulation in memory, advanced step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, laws
+from ._errors import InputError, PythonFailure, RunError, noted, translated
+from ._jvm import java
+from .laws import Force, Law
+from .program import guarded, setup_of, simulation_of
+from .scenarios import ScenarioLike, Settings
+from .scenarios import scenario as as_scenario
+from .states import State
+
+_TOLERANCE = 1e-9
+"""How deep spheres may overlap at the start, as a part of the sum of two radii."""
+
+
+class Simulation:
+    """Spheres in memory, advanced one step at a time, without a directory.
+
+    The physics is that of a scenario; the spheres are either those that it describes, or arrays. With arrays the
+    scenario needs only ``box``, ``boundary``, ``restitution`` and ``timeStep`` (docs/scenario.md):
+
+        sim = daphnis.Simulation(
+            {"box": {"lengths": [20, 20, 20]}, "boundary": {"type": "periodic"},
+             "restitution": {"type": "constant", "coefficient": 0.9}, "timeStep": {"type": "fixed", "dt": 0.1}},
+            position=position, velocity=velocity, radius=0.5, mass=1.0)
+        with sim:
+            sim.advance(100)
+            print(sim.state().velocity)
+
+    One thread at a time uses a simulation; several simulations may go on at once, each on a thread of its own, since
+    Java computes without the lock of Python. After an exception in a step everything is as before it, to the bit, and
+    the step may be done again.
+
+    Args:
+        scenario: as for `daphnis.scenario`.
+        position: centres, shape (n, 3), in units of length; in any order and layout. Copied, like all arrays.
+        velocity: shape (n, 3), in units of length per unit of time; at rest without it. In Hill's frame those in the
+            rotating frame, whose mean flow is v_y = −(3/2) Ω x.
+        radius: one number, or shape (n,).
+        mass: one number, or shape (n,); without it as of ``particles.density``, or 1 per volume.
+        id: distinct whole numbers ≥ 0, shape (n,); 0, 1, 2, … without it.
+        set: values for keys of the scenario.
+        seed: of the initial state, without arrays.
+        time: of the initial state, in units of time; it sets where sliding images and satellites are.
+        engine: as for `daphnis.run`; "serial" without it.
+        threads: of the engine.
+        restitution: a law of Python in place of the scenario's.
+        forces: forces of Python beside the scenario's.
+
+    Raises:
+        InputError: an array has another shape or type or holds a NaN, spheres overlap or are outside the box, or the
+            scenario is wrong.
+    """
+
+    def __init__(
+        self,
+        scenario: ScenarioLike,
+        *,
+        position: ArrayLike | None = None,
+        velocity: ArrayLike | None = None,
+        radius: ArrayLike | None = None,
+        mass: ArrayLike | None = None,
+        id: ArrayLike | None = None,
+        set: Settings | None = None,
+        seed: int | None = None,
+        time: float | None = None,
+        engine: str | None = None,
+        threads: int | None = None,
+        restitution: Law | None = None,
+        forces: Sequence[Force] = (),
+    ) -> None:
+        law = laws.as_law(restitution)
+        kicks = laws.as_forces(forces)
+        begin = None if time is None else float(_arrays.numbers("time", time, ()))
+        settings = dict(set or {})
+        given = scenario if isinstance(scenario, Mapping) else {}
+        if given and not {"until", "untilOrbits"} & (given.keys() | settings.keys()):
+            # A simulation in memory ends when its owner says so.
+            settings["until"] = 1.0
+        settings.setdefault("engine.name", "serial")
+        if engine is not None:
+            settings["engine.name"] = engine
+        if threads is not None or settings["engine.name"] == "serial":
+            settings["engine.threads"] = 0 if threads is None else threads
+        if law is not None:
+            settings = guarded(scenario, settings)
+        self.scenario = as_scenario(scenario, set=settings, seed=seed)
+        self._failure = PythonFailure()
+        population = None
+        if position is None:
+            for name, array in (("velocity", velocity), ("radius", radius), ("mass", mass), ("id", id), ("time", time)):
+                if array is not None:
+                    raise InputError(f"{name}: is given without position")
+        else:
+            if seed is not None:
+                raise InputError("seed: is of an initial state; position is one")
+            population = self._population(position, velocity, radius, mass, id)
+        setup = setup_of(self.scenario, population)
+        start = float(setup.getScenario().getStartTime()) if begin is None else begin
+        if population is not None:
+            _check_start(population, setup.getBoundary(), start)
+        with translated():
+            self._java = simulation_of(
+                setup,
+                self.scenario.source,
+                setup.getPopulation(),
+                law,
+                kicks,
+                self._failure,
+                records=False,
+                time=start,
+            )
+        noted([*map(str, setup.getNotices()), *map(str, java("daphnis.core.scenario.WarningsKt").warnings(setup))])
+        self._first_body = int(setup.getScenario().getFirstBody())
+        self._mine = True
+
+    def _population(self, position: Any, velocity: Any, radius: Any, mass: Any, id: Any) -> Any:
+        places = _arrays.numbers("position", position, ("n", 3))
+        n = len(places)
+        if n == 0:
+            raise InputError("position: has no row; there must be one sphere at least")
+        speeds = np.zeros((n, 3)) if velocity is None else _arrays.numbers("velocity", velocity, (n, 3))
+        if radius is None:
+            raise InputError("radius: is missing; give one number, or one for each sphere")
+        radii = _arrays.each("radius", radius, n)
+        if mass is None:
+            density = (self.scenario.to_dict().get("particles") or {}).get("density", 1.0)
+            masses = density * 4 / 3 * np.pi * radii**3
+        else:
+            masses = _arrays.each("mass", mass, n)
+        columns = [*places.T, *speeds.T, radii, masses]
+        with translated():
+            return java("daphnis.core.population.Population")(
+                *[_arrays.doubles(column) for column in columns], _arrays.ints(_arrays.ids(id, n))
+            )
+
+    @classmethod
+    def _watched(cls, simulation: Any) -> Simulation:
+        """The simulation of a run, to look at."""
+        watched = cls.__new__(cls)
+        watched._java = simulation
+        watched._failure = PythonFailure()
+        watched._first_body = 2**31 - 1
+        watched._mine = False
+        return watched
+
+    @property
+    def java(self) -> Any:
+        """The ``daphnis.core.Simulation``."""
+        return self._java
+
+    def advance(self, steps: int = 1) -> Simulation:
+        """Takes `steps` steps. Ctrl-C ends it after a whole step.
+
+        Raises:
+            RunError: a step failed, or the simulation is closed; everything is as before that step.
+        """
+        if isinstance(steps, bool) or not isinstance(steps, (int, np.integer)) or steps < 0:
+            raise InputError(f"steps: is {steps!r}; it must be a whole number >= 0")
+        self._require_mine()
+        for _ in range(steps):
+            with translated(self._failure):
+                self._java.advance()
+        return self
+
+    def advance_to(self, time: float) -> Simulation:
+        """Takes steps until `time`, in units of time, is reached but for a round-off of 1e-9."""
+        end = float(_arrays.numbers("time", time, ()))
+        self._require_mine()
+        slack = 1e-9 * max(abs(end), abs(self.time))
+        while self.time < end - slack:
+            self.advance()
+        return self
+
+    def _require_mine(self) -> None:
+        if not self._mine:
+            raise RunError("a simulation that is watched is advanced by its run")
+
+    @property
+    def time(self) -> float:
+        """Time at the end of the last step, in units of time."""
+        return float(self._java.getTime())
+
+    @property
+    def step(self) -> int:
+        """Steps since the start."""
+        return int(self._java.getStep())
+
+    def __len__(self) -> int:
+        return int(self._java.getPopulation().getSize())
+
+    @property
+    def collisions(self) -> int:
+        """Collisions between two spheres since the start."""
+        return int(self._java.getCollisions().getCounters().getCollisions())
+
+    @property
+    def kinetic_energy(self) -> float:
+        """Σ m v²/2 with the mean flow in it, in units of energy, without round-off."""
+        return float(self._java.conserved().getKineticEnergy())
+
+    @property
+    def momentum(self) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Σ m v, shape (3,), without round-off."""
+        sums = self._java.conserved()
+        return np.array([sums.getMomentumX(), sums.getMomentumY(), sums.getMomentumZ()])
+
+    @property
+    def granular_temperature(self) -> float:
+        """⟨c²⟩/3, weighted by mass, c the peculiar velocity; in units of speed squared."""
+        flow = self._java.getBoundary().getMeanFlow()
+        temperatures = java("daphnis.core.population.GranularTemperatureKt")
+        return float(temperatures.granularTemperature(self._java.getPopulation(), flow, self._first_body))
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 over positions and velocities in the order of ids; equal if every bit is."""
+        return str(java("daphnis.core.population.DigestKt").stateDigest(self._java.getPopulation()))
+
+    def state(self) -> State:
+        """A copy of all spheres at the end of the last step, in the order of ids."""
+        snapshots = java("daphnis.core.format.Snapshot")
+        live = self._java
+        units = self.scenario.units if self._mine else None
+        return State(snapshots.of(live.getPopulation(), live.getBoundary(), live.getStep(), live.getTime()), units)
+
+    def close(self) -> None:
+        """Ends the threads of the engine. Twice is allowed; steps are refused from then on, reading is not."""
+        if self._mine:
+            with translated():
+                self._java.close()
+
+    def __enter__(self) -> Simulation:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Simulation of {len(self)} spheres at time {self.time:.10g}, step {self.step}>"
+
+
+def _check_start(population: Any, boundary: Any, time: float) -> None:
+    """Spheres of arrays must be inside the box and must not overlap, like those of a scenario."""
+    open_axis = java("daphnis.core.boundary.ContactFaces").OPEN
+    box = boundary.getBox()
+    identities = _arrays.of_ints(population.getId())
+    for axis, name in enumerate("xyz"):
+        if boundary.contactFaces(axis) == open_axis:
+            continue
+        places = _arrays.of_doubles(population.position(axis))
+        outside = np.flatnonzero((places < box.lower(axis)) | (places > box.upper(axis)))
+        if len(outside):
+            k = outside[0]
+            limits = f"{name} from {box.lower(axis)} to {box.upper(axis)}"
+            raise InputError(f"position: sphere {identities[k]} at {name} = {places[k]} is outside the box, {limits}")
+    with translated():
+        overlap = java("daphnis.core.search.Overlap").deepest(population, boundary, time)
+    if overlap.getDepth() > _TOLERANCE:
+        pair = f"spheres {overlap.getFirst()} and {overlap.getSecond()}"
+        raise InputError(f"position: {pair} overlap by {overlap.getDepth():.3g} of the sum of their radii")

@@ -1,0 +1,209 @@
+"""States: all spheres at one time."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arrays
+from ._errors import InputError, translated
+from ._jvm import java
+from ._paths import shown_path
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+    from .runs import Run
+
+
+class State:
+    """All spheres at one time, in the order of their ids: of a snapshot, a checkpoint or a simulation.
+
+    Java's arrays lie where Java may move them, so NumPy cannot look at them in place. Each array below is copied once,
+    in bulk, when it is first used, and then kept; `x` … `vz` are views of `position` and `velocity` without a copy. The
+    arrays are the reader's own: writing to them changes nothing else.
+
+    Attributes:
+        units: names of the units of a run's scenario; None where they are not known.
+        run: the run of which it is, if it is of a recorded one.
+    """
+
+    def __init__(self, snapshot: Any, units: Any = None, run: Run | None = None) -> None:
+        self._java = snapshot
+        self.units = units
+        self.run = run
+
+    @property
+    def java(self) -> Any:
+        """The ``daphnis.core.format.Snapshot``, of which nothing may be changed."""
+        return self._java
+
+    @property
+    def time(self) -> float:
+        """In units of time."""
+        return float(self._java.getTime())
+
+    @property
+    def step(self) -> int:
+        """Steps since the start of the run."""
+        return int(self._java.getStep())
+
+    def __len__(self) -> int:
+        return int(self._java.getSize())
+
+    @functools.cached_property
+    def id(self) -> NDArray[np.int32]:
+        """Ids, shape (n,), ascending, with gaps where spheres were removed."""
+        return _arrays.of_ints(self._java.getId())
+
+    @functools.cached_property
+    def position(self) -> NDArray[np.float64]:
+        """Centres, shape (n, 3), in units of length; each of the three columns is contiguous."""
+        return _arrays.columns(*self._java.getPosition())
+
+    @functools.cached_property
+    def velocity(self) -> NDArray[np.float64]:
+        """Velocities, shape (n, 3), in units of length per unit of time; in Hill's frame in the rotating frame."""
+        return _arrays.columns(*self._java.getVelocity())
+
+    @functools.cached_property
+    def radius(self) -> NDArray[np.float64]:
+        """Radii, shape (n,), in units of length."""
+        return _arrays.of_doubles(self._java.getRadius())
+
+    @functools.cached_property
+    def mass(self) -> NDArray[np.float64]:
+        """Masses, shape (n,), in units of mass."""
+        return _arrays.of_doubles(self._java.getMass())
+
+    @functools.cached_property
+    def image(self) -> NDArray[np.int32] | None:
+        """Boxes crossed since the start, shape (n, 3); ``position + image @ cell`` is the place without wrapping.
+
+        None where it is not known.
+        """
+        image = self._java.getImage()
+        return None if image is None else np.stack([_arrays.of_ints(axis) for axis in image], axis=1)
+
+    @functools.cached_property
+    def box(self) -> NDArray[np.float64]:
+        """Edges along x, y and z, shape (3,), in units of length, the box centred on the origin; NaN on open axes."""
+        return _arrays.of_doubles(self._java.getLengths())
+
+    @functools.cached_property
+    def periodic(self) -> NDArray[np.bool_]:
+        """Whether the box repeats along x, y and z, shape (3,)."""
+        return np.array([bool(axis) for axis in self._java.getPeriodic()])
+
+    @functools.cached_property
+    def cell(self) -> NDArray[np.float64]:
+        """Edge vectors of the box by row, shape (3, 3), in units of length; one leans where images slide."""
+        return np.stack([_arrays.of_doubles(row) for row in self._java.edges()])
+
+    x = property(lambda self: self.position[:, 0], doc="First column of `position`: radially outward in Hill's frame.")
+    y = property(lambda self: self.position[:, 1], doc="Second column of `position`: along the orbit in Hill's frame.")
+    z = property(lambda self: self.position[:, 2], doc="Third column of `position`: vertical.")
+    vx = property(lambda self: self.velocity[:, 0], doc="First column of `velocity`.")
+    vy = property(lambda self: self.velocity[:, 1], doc="Second column of `velocity`.")
+    vz = property(lambda self: self.velocity[:, 2], doc="Third column of `velocity`.")
+
+    def to_frame(self) -> pd.DataFrame:
+        """All spheres as a table with a row for each, indexed by id; units in ``attrs["units"]``."""
+        import pandas as pd
+
+        names = ("x", "y", "z", "vx", "vy", "vz", "radius", "mass")
+        table = pd.DataFrame({name: getattr(self, name) for name in names}, index=pd.Index(self.id, name="id"))
+        if self.units is not None:
+            dimensions = ["length"] * 3 + ["length/time"] * 3 + ["length", "mass"]
+            table.attrs["units"] = {
+                name: self.units.of(dimension) for name, dimension in zip(names, dimensions, strict=True)
+            }
+        return table
+
+    def plot(self, ax: Axes | None = None, *, view: str = "top", color: Any = None, **keywords: Any) -> Axes:
+        """Draws the spheres to scale with matplotlib.
+
+        Args:
+            ax: where to draw; a new figure without it.
+            view: "top" shows y to the right and x upward, "side" y to the right and z upward.
+            color: a number for each sphere, shape (n,), in the order of ids. Without it the coordinate toward the
+                reader.
+            keywords: for matplotlib's ``EllipseCollection``, such as ``cmap``.
+
+        Returns:
+            The axes. Their last collection is a mappable for ``colorbar``.
+        """
+        if view not in ("top", "side"):
+            raise InputError(f'view: is {view!r}; it must be "top" or "side"')
+        from matplotlib import pyplot
+        from matplotlib.collections import EllipseCollection
+
+        upward, toward = (0, 2) if view == "top" else (2, 0)
+        values = self.position[:, toward] if color is None else _arrays.numbers("color", color, (len(self),))
+        # What is nearer to the reader lies above.
+        order = np.argsort(self.position[:, toward], kind="stable")
+        discs = 2 * self.radius[order]
+        if ax is None:
+            ax = pyplot.subplots()[1]
+        drawn = EllipseCollection(
+            discs,
+            discs,
+            np.zeros(len(self)),
+            units="xy",
+            transOffset=ax.transData,
+            offsets=self.position[order][:, (1, upward)],
+            array=values[order],
+            **keywords,
+        )
+        ax.add_collection(drawn)
+        ax.set_aspect("equal")
+        for name, axis, limit in (("y", 1, ax.set_xlim), ("xyz"[upward], upward, ax.set_ylim)):
+            limit(self._limits(axis))
+            label = name if self.units is None else f"{name} [{self.units.length}]"
+            (ax.set_xlabel if axis == 1 else ax.set_ylabel)(label)
+        return ax
+
+    def _limits(self, axis: int) -> tuple[float, float]:
+        """What to show along `axis`: the box where it repeats, else all spheres."""
+        if self.periodic[axis]:
+            return -self.box[axis] / 2, self.box[axis] / 2
+        if len(self) == 0:
+            return -1.0, 1.0
+        ends = self.position[:, axis]
+        return float((ends - self.radius).min()), float((ends + self.radius).max())
+
+    def __repr__(self) -> str:
+        return f"<State of {len(self)} spheres at time {self.time:.10g}, step {self.step}>"
+
+
+class States:
+    """The states of a run, each read when it is come to. Going through them again sees what was written since."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+
+    def __iter__(self) -> Iterator[State]:
+        with translated():
+            # The class of the object has no name, under which JPype would find its methods; Java itself does.
+            method = java("java.lang.Class").forName("java.lang.Iterable").getMethod("iterator")
+            iterator = method.invoke(self._run.java.states())
+        while True:
+            with translated():
+                if not iterator.hasNext():
+                    return
+                snapshot = iterator.next()
+            yield State(snapshot, self._run.units, self._run)
+
+    def __len__(self) -> int:
+        return len(self._run.steps)
+
+    def __getitem__(self, k: int) -> State:
+        return self._run.at_step(self._run.steps[k])
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} states of {shown_path(self._run.path)!r}>"

@@ -1,0 +1,59 @@
+"""What the documentation shows is run as it stands."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import daphnis
+from daphnis.kotlin import descriptor
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+
+
+def run_blocks(page: Path) -> int:
+    """Runs the blocks of Python in `page` one after the other, as one program; the number of them."""
+    blocks = re.findall(r"^```python\n(.*?)^```$", page.read_text("utf-8"), re.M | re.S)
+    known: dict[str, Any] = {}
+    for block in blocks:
+        exec(compile(block, str(page), "exec"), known)
+    return len(blocks)
+
+
+@pytest.mark.parametrize("page", ["README.md", "python/README.md", "docs/python.md"])
+def test_blocks_of_python_run(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run_blocks(CHECKOUT / page) > 0
+    assert capsys.readouterr().out
+
+
+def test_the_notebook_runs_and_was_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("DAPHNIS_NOTEBOOK_ORBITS", "4")
+    path = CHECKOUT / "docs" / "notebooks" / "ring-patch.ipynb"
+    assert path.stat().st_size < 1_000_000
+    known: dict[str, Any] = {}
+    cells = [cell for cell in json.loads(path.read_text("utf-8"))["cells"] if cell["cell_type"] == "code"]
+    for cell in cells:
+        assert cell["execution_count"], "run the notebook: jupyter nbconvert --to notebook --execute --inplace"
+        assert not [output for output in cell["outputs"] if output["output_type"] == "error"]
+        exec(compile("".join(cell["source"]), str(path), "exec"), known)
+    # Pictures and numbers are kept in it.
+    kinds = {kind for cell in cells for output in cell["outputs"] for kind in output.get("data", {})}
+    assert {"image/png", "text/html"} <= kinds
+
+
+def test_the_kotlin_descriptor_names_this_version_and_jars_that_are_there() -> None:
+    page = json.loads((CHECKOUT / "docs" / "notebooks" / "daphnis.json").read_text("utf-8"))
+    assert page["properties"] == [{"name": "v", "value": daphnis.__version__}]
+    own = descriptor()
+    assert own["imports"] == page["imports"] and "properties" not in own
+    assert len(own["dependencies"]) > 10 and all(Path(jar).is_file() for jar in own["dependencies"])

@@ -1,0 +1,209 @@
+"""Laws and forces of Python: the same bits with every engine, and exceptions that leave the state as it was."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import daphnis
+
+
+@daphnis.restitution
+def ice(speed: float) -> float:
+    return float(min(1.0, 0.6 * speed**-0.234)) if speed > 0 else 1.0
+
+
+@daphnis.acceleration(potential=lambda spheres, time: 5e-11 * (spheres.mass[:, None] * spheres.position**2).sum(1))
+def spring(spheres: daphnis.Spheres, time: float) -> Any:
+    return -1e-10 * spheres.position
+
+
+def test_a_law_of_python_gives_the_same_bits_with_every_engine(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    threads: set[int] = set()
+
+    def law(speed: float) -> float:
+        threads.add(threading.get_ident())
+        return ice(speed)
+
+    digests = set()
+    for engine, count in (("serial", 1), ("horizon", 2), ("islands", 2), ("thread-pool", 2), ("bricks", 2)):
+        with daphnis.Simulation(gas, **spheres, engine=engine, threads=count, restitution=law, forces=[spring]) as one:
+            digests.add(one.advance(10).digest)
+    assert len(digests) == 1
+    assert len(threads) > 1, "no engine called the law from a thread of its own"
+
+
+def test_a_law_of_python_is_that_of_java_when_it_gives_the_same(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    with daphnis.Simulation(gas, **spheres, restitution=lambda speed: 0.9) as python:
+        with daphnis.Simulation(gas, **spheres) as java:
+            assert python.advance(20).digest == java.advance(20).digest
+            assert python.collisions > 100
+
+
+@pytest.mark.parametrize("engine", ["serial", "horizon", "islands", "bricks", "thread-pool", "actors", "pekko"])
+def test_an_exception_in_a_law_leaves_the_state_to_the_bit(
+    gas: dict[str, Any], spheres: dict[str, Any], engine: str
+) -> None:
+    broken = False
+
+    def law(speed: float) -> float:
+        if broken:
+            raise ZeroDivisionError("in the law")
+        return 0.9
+
+    threads = 1 if engine == "serial" else 2
+    with daphnis.Simulation(gas, **spheres, engine=engine, threads=threads, restitution=law) as simulation:
+        digest = simulation.advance(5).digest
+        broken = True
+        for _ in range(2):
+            with pytest.raises(ZeroDivisionError, match="in the law"):
+                simulation.advance()
+        assert (simulation.digest, simulation.step) == (digest, 5)
+        broken = False
+        after = simulation.advance(5).digest
+    with daphnis.Simulation(gas, **spheres) as undisturbed:
+        assert undisturbed.advance(10).digest == after
+
+
+@pytest.mark.parametrize("value", [1.5, -0.1, float("nan"), "0.5x", None])
+def test_a_law_that_gives_no_coefficient_is_refused(gas: dict[str, Any], spheres: dict[str, Any], value: Any) -> None:
+    with daphnis.Simulation(gas, **spheres, restitution=lambda speed: value) as simulation:
+        with pytest.raises((ValueError, TypeError)) as caught:
+            simulation.advance(10)
+        if isinstance(value, float):
+            assert "it must be in [0, 1]" in str(caught.value)
+
+
+def test_a_force_sees_the_spheres_in_the_order_of_ids(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    seen: list[Any] = []
+
+    @daphnis.kick
+    def look(spheres: daphnis.Spheres, time: float, duration: float) -> Any:
+        seen.append((time, duration, spheres.id.copy(), spheres.position.copy(), spheres.mass.copy()))
+        assert spheres.radius.shape == (len(spheres),) and not spheres.velocity.flags.writeable
+        return np.zeros((len(spheres), 3))
+
+    with daphnis.Simulation(gas, **spheres, forces=[look]) as simulation:
+        state = simulation.advance(3).state()
+    assert len(seen) == 6 and all(duration == 0.05 for _, duration, *_ in seen)
+    assert all(np.array_equal(id, np.arange(1000)) for _, _, id, _, _ in seen)
+    assert np.array_equal(seen[-1][3], state.position)
+
+
+def test_an_acceleration_acts_for_the_whole_step(gas: dict[str, Any]) -> None:
+    one = {"position": [[0.0, 0.0, 0.0]], "radius": 0.5}
+    with daphnis.Simulation(gas, **one, forces=[daphnis.acceleration(lambda s, t: [[0, 2.0, 0]])]) as simulation:
+        state = simulation.advance(5).state()
+        assert state.velocity[0] == pytest.approx([0, 1.0, 0]) and state.y[0] == pytest.approx(0.25)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (lambda s, t: np.zeros((3, len(s))), r"it must be \(1000, 3\)"),
+        (lambda s, t: 0.0, r"it must be \(1000, 3\)"),
+        (lambda s, t: np.full((len(s), 3), np.inf), "it must be finite"),
+        (lambda s, t: None, "holds object"),
+    ],
+)
+def test_a_force_that_gives_no_accelerations_is_refused(
+    gas: dict[str, Any], spheres: dict[str, Any], given: Any, words: str
+) -> None:
+    with daphnis.Simulation(gas, **spheres, forces=[daphnis.acceleration(given)]) as simulation:
+        digest = simulation.digest
+        with pytest.raises(daphnis.InputError, match=words):
+            simulation.advance()
+        assert simulation.digest == digest and simulation.step == 0
+
+
+def test_a_force_that_fails_after_the_drift_leaves_the_state(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    calls = 0
+
+    def fails_second(spheres: daphnis.Spheres, time: float) -> Any:
+        nonlocal calls
+        calls += 1
+        if calls == 2:
+            raise RuntimeError("after the drift")
+        return -spheres.velocity
+
+    with daphnis.Simulation(gas, **spheres, forces=[daphnis.acceleration(fails_second)]) as simulation:
+        digest = simulation.digest
+        with pytest.raises(RuntimeError, match="after the drift"):
+            simulation.advance()
+        assert simulation.digest == digest
+
+
+def test_a_step_within_a_step_is_refused(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    def law(speed: float) -> float:
+        simulation.advance()
+        return 0.9
+
+    with daphnis.Simulation(gas, **spheres, restitution=law) as simulation:
+        with pytest.raises(daphnis.RunError, match="advance\\(\\) was called from within it"):
+            simulation.advance(10)
+
+
+def test_a_run_with_a_law_goes_on_to_the_same_bits_and_with_that_law_only(
+    patch: dict[str, Any], tmp_path: Path
+) -> None:
+    whole = daphnis.run("ring-patch", tmp_path / "whole", set=patch, steps=30, restitution=ice, forces=[spring])
+    until = whole.summary["time"]  # type: ignore[index]
+    asked: dict[str, Any] = {"set": {**patch, "until": until}, "restitution": ice, "forces": [spring]}
+    part = daphnis.run("ring-patch", tmp_path / "part", **asked, watch=lambda simulation: simulation.step == 11)
+    assert not part.summary["finished"]  # type: ignore[index]
+    with pytest.raises(daphnis.InputError, match="would make another run"):
+        daphnis.resume(part.path, "ring-patch", **{**asked, "restitution": lambda speed: 0.5})
+    with pytest.raises(daphnis.InputError, match="only it can continue the run"):
+        daphnis.resume(part.path)
+    rest = daphnis.resume(part.path, "ring-patch", **asked)
+    assert rest.summary["stateDigest"] == whole.summary["stateDigest"]  # type: ignore[index]
+    assert rest.transport.equals(whole.transport)
+    assert rest.scenario is None and len(rest.last()) == 116
+    assert np.isfinite(rest.series["potential_energy"]).all()
+
+
+def test_an_exception_in_a_run_comes_out_and_the_run_goes_on(patch: dict[str, Any], tmp_path: Path) -> None:
+    calls: list[float] = []
+    limits = [40]
+
+    def law(speed: float) -> float:
+        calls.append(speed)
+        if len(calls) > limits[0]:
+            raise OSError("the law's own")
+        return 0.5
+
+    asked: dict[str, Any] = {"set": {**patch, "output.checkpointEvery": 2, "until": 8000.0}, "restitution": law}
+    with pytest.raises(OSError, match="the law's own"):
+        daphnis.run("ring-patch", tmp_path / "run", **asked)
+    limits[0] = 10**9
+    assert daphnis.resume(tmp_path / "run", "ring-patch", **asked).summary["finished"]  # type: ignore[index]
+
+
+def test_a_fingerprint_is_of_the_code_and_not_of_its_place() -> None:
+    from functools import partial
+
+    from daphnis.laws import fingerprint
+
+    def power(exponent: float) -> Any:
+        return lambda speed, factor=1.0: factor * speed**exponent
+
+    def other(speed: float, exponent: float) -> float:
+        return speed**exponent
+
+    here = daphnis.restitution(lambda speed: 0.5 if speed > 1 else 1.0)
+    there = daphnis.restitution(
+        # Elsewhere, the same.
+        lambda speed: 0.5 if speed > 1 else 1.0
+    )
+    assert fingerprint("a", here) == fingerprint("a", there)
+    different = [here, lambda speed: 0.6 if speed > 1 else 1.0, power(-0.2), power(-0.3)]
+    different += [partial(other, exponent=-0.2), partial(other, exponent=-0.3)]
+    # Nested code, whose address differs from run to run, and code without a source.
+    different += [lambda v: sum(k for k in (v, 1)), lambda v: sum(k for k in (v, 2)), eval("lambda v: 0.25"), abs]
+    assert len({fingerprint(function) for function in different}) == len(different)
+    nested = [eval("lambda v: sum(k for k in (v, 1))") for _ in range(2)]
+    assert fingerprint(nested[0]) == fingerprint(nested[1])

@@ -1,0 +1,90 @@
+"""Analyses as tables, numbers and pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import daphnis
+
+
+@pytest.fixture(scope="module")
+def report(ring: daphnis.Run, tmp_path_factory: pytest.TempPathFactory) -> daphnis.Report:
+    return ring.analyze(out=tmp_path_factory.mktemp("report"), from_=0.0, frames=4)
+
+
+def test_numbers_are_those_of_the_page(report: daphnis.Report, ring: daphnis.Run) -> None:
+    numbers = report.numbers
+    assert list(numbers.columns[:2]) == ["value", "standard_error"]
+    assert numbers["value"]["optical_depth"] == report["optical_depth"]
+    state = ring.last()
+    depth = np.pi * (state.radius**2).sum() / (state.box[0] * state.box[1])
+    assert report["optical_depth"] == pytest.approx(depth, rel=1e-12)
+    assert numbers["unit"]["velocity_dispersion"]
+    assert numbers["standard_error"].isna().any()
+    assert report.html.is_file() and "optical_depth" in report._repr_html_()
+    with pytest.raises(KeyError, match="no such number in this report; there are"):
+        report["velocity"]
+
+
+def test_tables_and_pictures_are_looked_up_by_name(report: daphnis.Report) -> None:
+    assert "numbers" in report.tables and len(report.tables) > 1
+    with_units = [table for table in report.tables.values() if any(table.attrs["units"].values())]
+    assert with_units
+    for table in with_units:
+        assert not any("[" in name for name in table.columns)
+    with pytest.raises(KeyError, match="no such table"):
+        report.tables["nothing"]
+    for picture in report.pictures.values():
+        assert picture._repr_png_().startswith(b"\x89PNG")
+    with pytest.raises(KeyError, match="no such picture"):
+        report.pictures["nothing"]
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"from_": 1e12}, "from_: is .*; the last state is at time 14345.571"),
+        ({"elevation": 0}, "elevation: is 0; it must be in"),
+        ({"frames": 0}, "frames: is 0; it must be >= 1"),
+        ({"slabs": -1}, "slabs: is -1"),
+        ({"scenario": "ring-patch"}, "scenario: is for files"),
+    ],
+)
+def test_wrong_options_are_refused(ring: daphnis.Run, options: dict[str, Any], words: str) -> None:
+    with pytest.raises(daphnis.InputError, match=words):
+        ring.analyze(**options)
+
+
+def test_a_file_of_states_is_analysed_with_a_scenario(ring: daphnis.Run, tmp_path: Path) -> None:
+    file = ring.path / "snapshots" / "0000000060.h5"
+    found = daphnis.analyze(file, scenario=ring.scenario, out=tmp_path)
+    state = ring.last()
+    assert found["optical_depth"] == pytest.approx(np.pi * (state.radius**2).sum() / 1600, rel=1e-12)
+
+
+def test_a_run_without_a_report_says_so(ring: daphnis.Run) -> None:
+    with pytest.raises(daphnis.InputError, match=r"has no report yet; analyze\(\) writes it"):
+        _ = ring.report
+    assert "none, before analyze" in str(pytest.raises(KeyError, lambda: ring.tables["numbers"]).value)
+
+
+def test_states_are_drawn_to_scale(ring: daphnis.Run) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    state = ring.last()
+    axes = state.plot(color=state.vx, cmap="viridis")
+    (drawn,) = axes.collections
+    assert len(drawn.get_offsets()) == len(state) and axes.get_xlabel() == "y [m]" and axes.get_ylabel() == "x [m]"
+    assert axes.get_xlim() == (-20, 20)
+    side = state.plot(view="side")
+    assert side.get_ylim()[1] >= state.z.max()
+    for wrong in ({"view": "below"}, {"color": np.zeros(3)}):
+        with pytest.raises(daphnis.InputError):
+            state.plot(**wrong)  # type: ignore[arg-type]
+    pyplot.close("all")

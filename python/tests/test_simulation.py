@@ -1,0 +1,144 @@
+"""Simulations in memory: arrays of every kind, two at once, closed."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any
+
+import numpy as np
+import pytest
+
+import daphnis
+
+
+def advanced(gas: dict[str, Any], spheres: dict[str, Any], **others: Any) -> str:
+    with daphnis.Simulation(gas, **{**spheres, **others}) as simulation:
+        return simulation.advance(20).digest
+
+
+@pytest.fixture
+def digest(gas: dict[str, Any], spheres: dict[str, Any]) -> str:
+    return advanced(gas, spheres)
+
+
+def test_order_layout_type_and_engine_of_arrays_change_no_bit(
+    gas: dict[str, Any], spheres: dict[str, Any], digest: str
+) -> None:
+    position, velocity = spheres["position"], spheres["velocity"]
+    n = len(position)
+    mixed = np.random.default_rng(2).permutation(n)
+    wide = np.zeros((n, 6))
+    wide[:, ::2] = position
+    backward = np.ascontiguousarray(position[::-1])[::-1]
+    frozen = velocity.copy()
+    frozen.flags.writeable = False
+    same = [
+        {"position": position[mixed], "velocity": velocity[mixed], "id": mixed},
+        {"position": np.asfortranarray(position), "velocity": frozen},
+        {"position": wide[:, ::2], "radius": np.full(n, 0.5, np.float32), "mass": np.ones(n, np.int8)},
+        {"position": backward.astype(">f8"), "id": np.arange(n, dtype=np.uint64)},
+        {"position": position.tolist(), "engine": "horizon", "threads": 2},
+        {"engine": "islands", "threads": 2},
+    ]
+    assert [advanced(gas, spheres, **others) for others in same] == [digest] * len(same)
+
+
+def test_the_arrays_given_are_copied(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    before = spheres["position"].copy()
+    with daphnis.Simulation(gas, **spheres) as simulation:
+        simulation.advance(3)
+        assert np.array_equal(spheres["position"], before)
+        spheres["position"][:] = np.nan
+        assert np.isfinite(simulation.state().position).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"position": np.zeros((3, 1000))}, r"position: has shape \(3, 1000\); it must be \(n, 3\)"),
+        ({"position": np.zeros(3)}, r"position: has shape \(3,\)"),
+        ({"position": [[1, 2, 3], [1, 2]]}, "rows differ in length"),
+        ({"position": np.empty((0, 3))}, "position: has no row"),
+        ({"position": "abc"}, "position: holds <U3"),
+        ({"velocity": np.zeros((999, 3))}, r"velocity: has shape \(999, 3\); it must be \(1000, 3\)"),
+        ({"velocity": np.zeros((1000, 3), complex)}, "velocity: holds complex128"),
+        ({"radius": None}, "radius: is missing"),
+        ({"radius": [0.5, 0.5]}, r"radius: has shape \(2,\); it must be \(1000,\)"),
+        ({"radius": -0.5}, "radius of particle 0 is -0.5; it must be > 0"),
+        ({"mass": np.nan}, "mass is nan; it must be finite"),
+        ({"mass": 0}, "mass of particle 0 is 0.0"),
+        ({"radius": 1.5}, "overlap by"),
+        ({"id": np.zeros(1000, int)}, "id 0 occurs twice"),
+        ({"id": np.arange(1000) - 1}, "ids must be in 0"),
+        ({"id": np.arange(1000.0)}, "id: holds float64"),
+        ({"id": np.arange(999)}, r"id: has shape \(999,\)"),
+        ({"time": np.inf}, "time is inf"),
+        ({"seed": 3}, "seed: is of an initial state"),
+        ({"position": None}, "velocity: is given without position"),
+    ],
+)
+def test_wrong_arrays_are_refused(
+    gas: dict[str, Any], spheres: dict[str, Any], change: dict[str, Any], words: str
+) -> None:
+    with pytest.raises(daphnis.InputError, match=words) as caught:
+        daphnis.Simulation(gas, **{**spheres, **change})
+    assert "\n" not in str(caught.value)
+
+
+def test_a_nan_is_named_by_its_place(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    spheres["velocity"][7, 2] = np.nan
+    with pytest.raises(daphnis.InputError, match=r"velocity\[7, 2\] is nan; it must be finite"):
+        daphnis.Simulation(gas, **spheres)
+
+
+def test_a_sphere_outside_the_box_is_named(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    spheres["position"][5, 1] = 11
+    with pytest.raises(daphnis.InputError, match="sphere 5 at y = 11.0 is outside the box, y from -10.0 to 10.0"):
+        daphnis.Simulation(gas, **spheres)
+
+
+def test_elastic_spheres_keep_energy_and_momentum(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    with daphnis.Simulation(gas, **spheres, set={"restitution.coefficient": 1}) as simulation:
+        energy, momentum = simulation.kinetic_energy, simulation.momentum
+        assert energy == pytest.approx((spheres["velocity"] ** 2).sum() / 2, rel=1e-14)
+        simulation.advance_to(2.0)
+        assert simulation.time == pytest.approx(2.0) and simulation.step == 20 and simulation.collisions > 100
+        assert simulation.kinetic_energy == pytest.approx(energy, rel=1e-12)
+        assert np.allclose(simulation.momentum, momentum, atol=1e-11)
+        assert simulation.granular_temperature == pytest.approx(2 * energy / 3000, rel=0.01)
+
+
+def test_a_scenario_is_simulated_in_memory_as_in_a_directory(ring: daphnis.Run, patch: dict[str, Any]) -> None:
+    with daphnis.Simulation("ring-patch", set=patch) as simulation:
+        simulation.advance(60)
+        assert simulation.digest == ring.summary["stateDigest"]  # type: ignore[index]
+        assert simulation.state().units.length == "m"
+        assert np.array_equal(simulation.state().position, ring.last().position)
+
+
+def test_closed_simulations_are_read_but_not_advanced(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    simulation = daphnis.Simulation(gas, **spheres)
+    simulation.advance(2)
+    simulation.close()
+    simulation.close()
+    with pytest.raises(daphnis.RunError, match="the simulation is closed"):
+        simulation.advance()
+    assert simulation.step == 2 and len(simulation.state()) == 1000
+    for steps in (-1, 1.5, True):
+        with pytest.raises(daphnis.InputError, match="steps: is"):
+            simulation.advance(steps)  # type: ignore[arg-type]
+
+
+def test_two_simulations_go_on_at_once(gas: dict[str, Any], spheres: dict[str, Any], digest: str) -> None:
+    found: list[str] = []
+    workers = [threading.Thread(target=lambda: found.append(advanced(gas, spheres))) for _ in range(2)]
+    for worker in workers:
+        worker.start()
+    with daphnis.Simulation(gas, **spheres) as one, daphnis.Simulation(gas, **spheres) as other:
+        for _ in range(20):
+            one.advance()
+            other.advance()
+        assert one.digest == other.digest == digest
+    for worker in workers:
+        worker.join()
+    assert found == [digest, digest]
