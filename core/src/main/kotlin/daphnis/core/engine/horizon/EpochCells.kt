@@ -207,14 +207,20 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     fun hasCell(slot: Int): Boolean = cellOf[slot] < cells
 
     /** The boxes by which the line in [slot] is to be moved back to be near its cell at the middle of the epoch. */
-    fun imageAtCell(slot: Int): Int = imageOf(slot) { position, k ->
+    fun imageAtCell(slot: Int): Int = imageOf(lines, slot) { position, k ->
         Math.rint((position - middleOf(coordinate(slot, k), k)) / frame.length[k]).toInt()
     }
 
-    /** The boxes by which the line in [slot] is to be moved back to be in the box at the middle of the epoch. */
-    fun imageInBox(slot: Int): Int = imageOf(slot) { position, k -> boxes(position, k) }
+    /** The boxes by which the line in [slot] of [lines] is to be moved back to be in the box at that time. */
+    fun imageInBox(lines: Lines, slot: Int): Int = imageOf(lines, slot) { position, k -> boxes(position, k) }
 
-    private inline fun imageOf(slot: Int, boxes: (position: Double, k: Int) -> Int): Int {
+    /** The row of cells, counted through all layers, in which the line in [slot] is at the middle of the epoch. */
+    fun rowAtMiddle(slot: Int): Int {
+        val c1 = cellAt(lines.at(slot, frame.axes[1], frame.middle), 1)
+        return cellAt(lines.at(slot, frame.axes[2], frame.middle), 2) * count[1] + c1
+    }
+
+    private inline fun imageOf(lines: Lines, slot: Int, boxes: (position: Double, k: Int) -> Int): Int {
         val t = frame.middle
         val slow = if (frame.isPeriodic[2]) boxes(lines.at(slot, frame.axes[2], t), 2) else 0
         val middle = if (frame.isPeriodic[1]) boxes(lines.at(slot, frame.axes[1], t), 1) else 0

@@ -40,6 +40,10 @@ internal class EpochFrame {
         private set
     var middle = 0.0
         private set
+
+    /** Number of the present step, from 0, and when it begins. */
+    var step = 0
+    val stepStart: Double get() = step * duration
     var largestRadius = 0.0
         private set
 
@@ -136,11 +140,11 @@ internal class EpochFrame {
     }
 
     /**
-     * Whether step number [index] of this epoch can be [step], whose images are [now].
+     * Whether [next], whose images are [now], can be the present step of this epoch.
      */
-    fun continues(step: CollisionStep, index: Int, now: Images): Boolean {
-        if (index >= steps || step.duration != duration || step.boundary !== boundary) return false
-        return !slides || abs(now.shearOffset - offset(index * duration)) <= rounding
+    fun continues(next: CollisionStep, now: Images): Boolean {
+        if (step >= steps || next.duration != duration || next.boundary !== boundary) return false
+        return !slides || abs(now.shearOffset - offset(stepStart)) <= rounding
     }
 
     /** Displacement along the rows, at time [t], of the image one box up the slow axis. */

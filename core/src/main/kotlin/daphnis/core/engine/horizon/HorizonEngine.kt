@@ -53,7 +53,7 @@ public class HorizonEngine internal constructor(
         if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
     private val isEager = fewest == 0
     private val pieces: RangeLoop = if (isEager) FineLoop(gate) else gate
-    private val epoch = Epoch(prepared, pieces, FilterChoice(filter, always = isEager))
+    private val epoch = Epoch(prepared, pieces, FilterChoice(filter, always = isEager), isEager)
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
@@ -77,6 +77,7 @@ public class HorizonEngine internal constructor(
         }
         val before = step.counters.collisions
         other.advance(step)
+        if (epoch.hasFailed) step.counters.causalityReplays++
         if (size > 0) epoch.observe((step.counters.collisions - before).toDouble() / size)
     }
 
