@@ -59,7 +59,7 @@ internal class Epoch(
     private val whole = group(wholePlaces, calendars[0], loop.workers)
     private val groupPlaces = SlotPlaces()
     private val groups = if (loop.workers == 1) emptyList() else calendars.mapIndexed { g, c -> group(groupPlaces, c, g) }
-    private val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop)
+    val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop)
 
     /** By worker. */
     private val searches = if (groups.isEmpty()) listOf(whole.search) else groups.map { it.search }
@@ -147,7 +147,7 @@ internal class Epoch(
 
     /** @return whether there can be an epoch from [step] on, and it should be quicker than the serial engine */
     private fun layOut(step: CollisionStep, fixed: HorizonTuning?): Boolean {
-        frame.takeOver(step, prepared.reach)
+        frame.takeOver(step, prepared.reach, loop)
         cells.measure(step.population)
         filter = filters.choose(step.population.size)
         val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter) ?: return false
@@ -181,10 +181,9 @@ internal class Epoch(
     private fun searchAll() {
         loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
         plan.searched(searches.sumOf { it.tested }.toDouble() / spheres)
-        // Each sees the roamers before it.
-        for (slot in cells.members until spheres) {
-            whole.search.around(slot, 0.0, NOBODY)
-            roamers.add(slot)
+        for (slot in cells.members until spheres) roamers.add(slot)
+        loop.run(spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
+            for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
         }
     }
 

@@ -4,7 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.Extremes
-import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.search.Reach
 import daphnis.core.step.CollisionStep
 import kotlin.math.abs
@@ -74,11 +74,11 @@ internal class EpochFrame {
     val slides: Boolean get() = images.normalAxis >= 0
 
     /** Takes over the space of [step], whose population [reach] has measured; [begin] follows. */
-    fun takeOver(step: CollisionStep, reach: Reach) {
+    fun takeOver(step: CollisionStep, reach: Reach, loop: RangeLoop) {
         boundary = step.boundary
         duration = step.duration
         largestRadius = reach.largestRadius
-        layOutAxes(step)
+        layOutAxes(step, loop)
         reach.measured.fastest.copyInto(speed)
     }
 
@@ -110,7 +110,7 @@ internal class EpochFrame {
         return rounding < MOST_ROUNDING * largestRadius && isComputable()
     }
 
-    private fun layOutAxes(step: CollisionStep) {
+    private fun layOutAxes(step: CollisionStep, loop: RangeLoop) {
         val boundary = step.boundary
         val flow = boundary.meanFlow
         images.prepare(boundary, step.start)
@@ -124,7 +124,7 @@ internal class EpochFrame {
                 low[k] = boundary.box.lower(axes[k])
                 length[k] = boundary.box.length(axes[k])
             } else {
-                extremes.measure(step.population.position(axes[k]), step.population.size, InlineLoop)
+                extremes.measure(step.population.position(axes[k]), step.population.size, loop)
                 low[k] = extremes.least
                 length[k] = extremes.greatest - extremes.least
             }

@@ -63,6 +63,9 @@ public class HorizonEngine internal constructor(
     /** Spheres that were found off their lines, at the starts of steps, since the start. */
     internal val strays: Long get() = epoch.strays
 
+    /** How threads have shared collisions. */
+    internal val shared: SharedCollisions get() = epoch.shared
+
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
         val size = step.population.size

@@ -32,6 +32,12 @@ internal class LastGroup(
 
     val hasFailed: Boolean get() = group.hasFailed
 
+    /** Spheres whose clusters were dropped, since the start, and rounds of processing anew. */
+    var reopenings = 0L
+        private set
+    var rounds = 0L
+        private set
+
     /** @return false when the step cannot be ended in this way */
     fun process(
         step: CollisionStep,
@@ -49,9 +55,9 @@ internal class LastGroup(
         for (list in meetings) list.forEach { i, j, _ -> doomed.add(i, j, 0) }
         for (other in groups) other.crossings.forEach { i, j, _ -> doomed.add(i, j, 0) }
         if (doomed.size == 0) return true
-        var rounds = 0
+        val most = rounds + MOST_ROUNDS
         do {
-            if (++rounds > MOST_ROUNDS) return false
+            if (++rounds > most) return false
             reopen()
             begin(step, order, tracks)
             doomed.clear()
@@ -96,6 +102,7 @@ internal class LastGroup(
             places.forget(s)
             if (count == reopened.size) reopened = reopened.copyOf(2 * count)
             reopened[count++] = s
+            reopenings++
         }
     }
 

@@ -93,13 +93,26 @@ internal class LineSearch(
         scan(slot, NOBODY)
     }
 
-    /** Finds the pairs of the line in [slot] from time [from] on with all others, except that in slot [except]. */
-    fun around(slot: Int, from: Double, except: Int) {
+    /** Finds, at the start of the epoch, the pairs of the roamer in [slot] with all members, and roamers before it. */
+    fun aheadOfRoamer(slot: Int) {
+        aroundMembers(slot, 0.0, NOBODY)
+        look.forEachNear(lines, slot, 0.0) { e, image ->
+            val other = roamers.slotOf(e)
+            if (other < slot) found.pair(slot, other, image, 0.0)
+        }
+    }
+
+    private fun aroundMembers(slot: Int, from: Double, except: Int) {
         cover(slot, from)
         for (layer in least[2]..most[2]) {
             for (row in least[1]..most[1]) addRow(row, layer)
         }
         scan(slot, except)
+    }
+
+    /** Finds the pairs of the line in [slot] from time [from] on with all others, except that in slot [except]. */
+    fun around(slot: Int, from: Double, except: Int) {
+        aroundMembers(slot, from, except)
         look.forEachNear(lines, slot, from) { e, image ->
             val other = roamers.slotOf(e)
             if (other != slot && other != except && roamers.isPresent(e, sight.of(other))) {

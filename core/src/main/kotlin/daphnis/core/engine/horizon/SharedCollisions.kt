@@ -43,6 +43,14 @@ internal class SharedCollisions(
     private val last = LastGroup(space, groups, places, last)
     private val counted = CollisionCounters()
 
+    /** Steps that groups have ended since the start. */
+    var steps = 0L
+        private set
+
+    /** Spheres whose collisions were processed anew, since the start, and in how many rounds. */
+    val reopened: Long get() = last.reopenings
+    val rounds: Long get() = last.rounds
+
     /** Whether a law, or a limit, ended the last attempt. */
     var hasFailed = false
         private set
@@ -142,6 +150,7 @@ internal class SharedCollisions(
         for (group in groups) group.newRoamers.forEachPresent(lines) { space.roamers.add(it) }
         last.store(columns)
         for (group in groups) group.rest()
+        steps++
     }
 
     private fun settle(slot: Int) {
