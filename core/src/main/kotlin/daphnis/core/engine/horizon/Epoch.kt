@@ -36,6 +36,9 @@ import daphnis.core.step.PreparedStep
  * the numbers of the population. So the collisions are those of the serial engine, in the same order and with the same
  * bits; lines, cells and deviation decide only how often is asked in vain.
  *
+ * With several threads the searches and the passes are shared by ranges of spheres, the collisions by groups of spheres
+ * that lie side by side, see [SharedCollisions].
+ *
  * Nothing in an epoch depends on what happened to the step before: a step that was taken back, or a population that was
  * moved by hand, shows by spheres that are not on their lines.
  */
@@ -58,7 +61,8 @@ internal class Epoch(
     /** What one thread does alone. */
     private val whole = group(wholePlaces, calendars[0], loop.workers)
     private val groupPlaces = SlotPlaces()
-    private val groups = if (loop.workers == 1) emptyList() else calendars.mapIndexed { g, c -> group(groupPlaces, c, g) }
+    private val groups =
+        if (space.isShared) calendars.mapIndexed { g, calendar -> group(groupPlaces, calendar, g) } else emptyList()
     val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop)
 
     /** By worker. */

@@ -16,7 +16,7 @@ import daphnis.core.step.PreparedStep
 /**
  * Looks ahead over several steps at once: it searches for neighbours once in an [Epoch], where the serial engine
  * searches in every step. In a dilute system the search is most of the work. Threads share the search and the passes
- * over all spheres; collisions are processed on one of them, in order of time.
+ * over all spheres by ranges, and the collisions of a step by groups of spheres that lie side by side.
  *
  * It takes the same collisions in the same order and fails at the same collision as the serial engine, with the same
  * words. Where lines cannot be used ([EpochFrame.begin]), where a sphere is suddenly too fast for the bounds of the

@@ -123,13 +123,13 @@ internal class LastGroup(
             meet(piece)
         }
         seeds.forEach { i, j, code -> group.ask(i, j, code) }
-        for (lists in due) {
-            for (g in groups.indices) {
-                lists[g].forEach { i, j, code ->
-                    if ((group.bodies.has(i) || group.bodies.has(j)) && !haveChanged(i) && !haveChanged(j)) group.ask(i, j, code)
-                }
-            }
-        }
+        for (lists in due) for (g in groups.indices) lists[g].forEach { i, j, code -> askAgain(i, j, code) }
+    }
+
+    /** A pair of a group that is due: whether it is one of this group now. */
+    private fun askAgain(i: Int, j: Int, code: Int) {
+        if (!group.bodies.has(i) && !group.bodies.has(j)) return
+        if (!haveChanged(i) && !haveChanged(j)) group.ask(i, j, code)
     }
 
     /** Compares [piece] with all that groups have kept. */

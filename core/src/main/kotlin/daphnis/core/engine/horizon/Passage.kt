@@ -99,13 +99,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
         return true
     }
 
-    private fun pass(
-        population: Population,
-        columns: PopulationColumns,
-        from: Int,
-        to: Int,
-        strays: Strays,
-    ) {
+    private fun pass(population: Population, columns: PopulationColumns, from: Int, to: Int, strays: Strays) {
         population.mass.copyInto(columns.mass, from, from, to)
         population.id.copyInto(columns.id, from, from, to)
         val x = population.x

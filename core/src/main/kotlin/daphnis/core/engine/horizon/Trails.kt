@@ -27,7 +27,6 @@ internal class Trails(private val frame: EpochFrame, private val cells: EpochCel
     var until = DoubleArray(INITIAL)
         private set
 
-
     /** By piece: whether it follows a collision, and whether spheres of other groups may come near it. */
     private var isNew = BooleanArray(INITIAL)
     private var isOpen = BooleanArray(INITIAL)
