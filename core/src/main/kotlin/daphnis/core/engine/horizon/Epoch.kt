@@ -1,12 +1,9 @@
 package daphnis.core.engine.horizon
 
-import daphnis.core.collision.StepRows
-import daphnis.core.collision.contactTime
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.step.CollisionStep
-import daphnis.core.step.Impact.End
 import daphnis.core.step.PreparedStep
 
 /**
@@ -39,6 +36,9 @@ import daphnis.core.step.PreparedStep
  * the numbers of the population. So the collisions are those of the serial engine, in the same order and with the same
  * bits; lines, cells and deviation decide only how often is asked in vain.
  *
+ * With several threads the searches and the passes are shared by ranges of spheres, the collisions by groups of spheres
+ * that lie side by side, see [SharedCollisions].
+ *
  * Nothing in an epoch depends on what happened to the step before: a step that was taken back, or a population that was
  * moved by hand, shows by spheres that are not on their lines.
  */
@@ -46,26 +46,32 @@ internal class Epoch(
     private val prepared: PreparedStep,
     private val loop: RangeLoop,
     private val filters: FilterChoice,
-) : EpochImpact.Course {
-    private val frame = EpochFrame()
-    private val lines = Lines(frame)
-    private val cells = EpochCells(frame, lines, loop)
-    private val roamers = Roamers(frame, lines)
+    private val isEager: Boolean,
+) {
+    private val space = EpochSpace(loop)
+    private val frame = space.frame
+    private val lines = space.lines
+    private val cells = space.cells
+    private val roamers = space.roamers
 
-    /** By worker. The first is also for what is on one thread. */
+    /** One for each group; the first is also that of [whole]. */
     private val calendars = List(loop.workers) { PairCalendar(lines) }
-    private val searches = calendars.map { LineSearch(frame, lines, cells, roamers, Filer(it)) }
-    private val calendar = calendars[0]
-    private val search = searches[0]
-    private val passage = Passage(frame, lines, loop)
-    private val bodies = EpochBodies()
-    private val impact = EpochImpact(prepared, bodies, this)
+    private val wholePlaces = SlotPlaces()
+
+    /** What one thread does alone. */
+    private val whole = group(wholePlaces, calendars[0], loop.workers)
+    private val groupPlaces = SlotPlaces()
+    private val groups =
+        if (space.isShared) calendars.mapIndexed { g, calendar -> group(groupPlaces, calendar, g) } else emptyList()
+    val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop)
+
+    /** By worker. */
+    private val searches = if (groups.isEmpty()) listOf(whole.search) else groups.map { it.search }
+    private val passage = Passage(space, loop)
 
     private val plan = EpochPlan(loop.workers)
     private var filter: LineFilter = ScalarFilter
 
-    /** Number of the present step, from 0. */
-    private var index = 0
     private var spheres = 0
 
     /** Collisions, and spheres found off their lines, in this epoch. */
@@ -75,8 +81,10 @@ internal class Epoch(
     /** Whether the step after the present one may belong to this epoch. */
     private var isOpen = false
 
-    /** Whether collisions are under way: pairs that are due are asked at once. */
-    private var isUnderWay = false
+    /** Whether groups process the collisions of the present step, and whether the last attempt of theirs failed. */
+    private var isShared = false
+    var hasFailed = false
+        private set
 
     /** Epochs begun since the start. */
     var begun = 0L
@@ -88,6 +96,7 @@ internal class Epoch(
 
     /** The next step begins a new epoch. */
     fun drop() {
+        hasFailed = false
         isOpen = false
     }
 
@@ -109,40 +118,40 @@ internal class Epoch(
         prepared.prepareWithoutGrid()
         val wasOpen = isOpen
         isOpen = false
-        isUnderWay = false
+        hasFailed = false
         val population = step.population
-        index++
+        frame.step++
         var goesOn = wasOpen &&
             spheres == population.size &&
             calendars.sumOf { it.size.toLong() } <= MOST_ENTRIES * spheres + FEW_ENTRIES &&
-            frame.continues(step, index, prepared.images)
+            frame.continues(step, prepared.images)
         if (wasOpen && !goesOn) ended(isBroken = false)
         if (!goesOn && !layOut(step, fixed)) return false
         val tracks = step.law.guard.needsLastCollision
         val columns = population.columnsToWrite(tracks)
-        if (goesOn && !passage.next(population, columns, index)) {
+        if (goesOn && !passage.next(population, columns)) {
             goesOn = false
             ended(isBroken = true)
             if (!layOut(step, fixed)) return false
         }
         if (!goesOn) begin(population, columns)
         val order = if (goesOn) null else cells.order
-        bodies.begin(population, order, frame.duration, tracks)
         if (goesOn) searchChanged(population) else searchAll()
-        if (!collide(step) || lines.isLost) return false
+        if (!collide(step, order, tracks) || lines.isLost) return false
         if (tracks) age(population, columns, order)
-        bodies.store(columns, frame.duration)
+        store(columns)
         population.take(columns)
         step.record?.sort()
-        step.counters.add(impact.counted)
-        collisions += impact.counted.collisions
+        val before = step.counters.collisions
+        if (isShared) shared.addTo(step.counters) else step.counters.add(whole.impact.counted)
+        collisions += step.counters.collisions - before
         isOpen = true
         return true
     }
 
     /** @return whether there can be an epoch from [step] on, and it should be quicker than the serial engine */
     private fun layOut(step: CollisionStep, fixed: HorizonTuning?): Boolean {
-        frame.takeOver(step, prepared.reach)
+        frame.takeOver(step, prepared.reach, loop)
         cells.measure(step.population)
         filter = filters.choose(step.population.size)
         val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter) ?: return false
@@ -152,122 +161,78 @@ internal class Epoch(
     }
 
     private fun begin(population: Population, columns: PopulationColumns) {
-        index = 0
+        frame.step = 0
         begun++
         collisions = 0
         strayed = 0
         spheres = population.size
         for (calendar in calendars) calendar.begin(frame.steps)
         passage.first(population, cells, columns)
+        space.settle(spheres)
         roamers.begin(spheres, cells.fastest)
-        for (search in searches) search.begin(filter)
+        wholePlaces.reserve(spheres)
+        if (groups.isNotEmpty()) shared.divide(spheres)
+        whole.beginEpoch(filter)
+        for (group in groups) group.beginEpoch(filter)
     }
 
-    /** The epoch ends before step [index]. */
+    /** The epoch ends before the present step. */
     private fun ended(isBroken: Boolean) {
-        val sphereSteps = spheres.toDouble() * index
-        plan.ended(index, collisions / sphereSteps, strayed / sphereSteps, isBroken)
+        val sphereSteps = spheres.toDouble() * frame.step
+        plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, isBroken)
     }
 
     private fun searchAll() {
-        loop.run(search.rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
+        loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
         plan.searched(searches.sumOf { it.tested }.toDouble() / spheres)
-        // Each sees the roamers before it.
-        for (slot in cells.members until spheres) {
-            search.around(slot, 0.0, NOBODY)
-            roamers.add(slot)
+        for (slot in cells.members until spheres) roamers.add(slot)
+        loop.run(spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
+            for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
         }
     }
 
     private fun searchChanged(population: Population) {
-        val t = index * frame.duration
+        val t = frame.stepStart
         strays += passage.changed
         strayed += passage.changed
         for (k in 0 until passage.changed) {
             val slot = passage.slots[k]
             val p = population
             lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
-            settle(slot, t)
+            whole.settle(slot, t)
+            space.settleLine(slot)
         }
         if (lines.isLost) return
-        for (k in 0 until passage.changed) search.around(passage.slots[k], t, NOBODY)
-    }
-
-    /** The line in [slot] is new from time [from] on. */
-    private fun settle(slot: Int, from: Double) {
-        lines.version[slot]++
-        if (lines.isLost) return
-        if (cells.hasCell(slot)) {
-            lines.moveBack(slot, cells.imageAtCell(slot))
-            if (cells.holds(slot, from)) return
+        loop.run(passage.changed, SEARCHES_A_PIECE) { worker, from, to ->
+            for (k in from until to) searches[worker].around(passage.slots[k], t, NOBODY)
         }
-        lines.moveBack(slot, cells.imageInBox(slot))
-        roamers.add(slot)
     }
 
     /** @return false when the step cannot be ended in this way */
-    private fun collide(step: CollisionStep): Boolean {
+    private fun collide(step: CollisionStep, order: IntArray?, tracks: Boolean): Boolean {
         if (lines.isLost) return false
-        impact.begin(step.record)
-        isUnderWay = true
-        for (calendar in calendars) calendar.forEachDue(index) { i, j, code -> ask(i, j, code) }
-        val queue = bodies.queue
-        while (queue.pop()) {
-            if (impact.process(queue.time, queue.first, queue.second, queue.image) != End.DONE) return false
+        isShared = groups.isNotEmpty() && (isEager || shared.isWorthIt())
+        if (isShared) {
+            val isDone = shared.process(step, order, tracks)
+            hasFailed = shared.hasFailed
+            return isDone
         }
-        return true
+        whole.begin(step.population, order, tracks, keepsPaths = false)
+        whole.open(step.record)
+        for (calendar in calendars) calendar.forEachDue(frame.step) { i, j, code -> whole.ask(i, j, code) }
+        val isDone = whole.process()
+        whole.rest()
+        return isDone
     }
 
-    /** Files what a worker finds. */
-    private inner class Filer(private val calendar: PairCalendar) : LineSearch.Found {
-        override fun pair(slot: Int, other: Int, code: Int, from: Double) {
-            file(calendar, slot, other, code, from)
-        }
-    }
-
-    private fun file(calendar: PairCalendar, slot: Int, other: Int, code: Int, from: Double) {
-        val touch = lines.touch(slot, other, code, from)
-        if (touch > frame.end) return
-        val due = frame.stepAt(touch)
-        if (due > index || !isUnderWay) {
-            if (due < frame.steps) calendar.file(maxOf(due, index), slot, other, code)
+    /** Writes the spheres with rows to [columns]; everybody knows their lines from now on. */
+    private fun store(columns: PopulationColumns) {
+        if (isShared) {
+            shared.store(columns)
         } else {
-            ask(slot, other, code)
+            whole.bodies.store(columns, frame.duration)
+            whole.bodies.forEachSlot { space.settleLine(it) }
         }
-    }
-
-    /** Finds out whether two spheres touch in the present step; if not, files them under a later one. */
-    private fun ask(i: Int, j: Int, code: Int) {
-        val first = bodies.placeOf(i)
-        val second = bodies.placeOf(j)
-        val image = lines.spheresImage(code, i, j)
-        val time = contactTime(bodies.rows, first, second, image, prepared.images)
-        if (time <= frame.duration) {
-            bodies.queue.add(time, first, second, image)
-            return
-        }
-        val next = index + 1
-        if (next == frame.steps) return
-        val touch = lines.touch(i, j, code, next * frame.duration)
-        if (touch > frame.end) return
-        val due = maxOf(frame.stepAt(touch), next)
-        if (due < frame.steps) calendar.file(due, i, j, code)
-    }
-
-    override fun bend(slot: Int, place: Int) {
-        val state = bodies.rows.state
-        val p = place * StepRows.STRIDE
-        val v = p + StepRows.VX
-        val t = index * frame.duration + state[p + StepRows.TIME]
-        lines.put(slot, state[p], state[p + 1], state[p + 2], state[v], state[v + 1], state[v + 2], t)
-        settle(slot, t)
-    }
-
-    override fun lookOut(slot: Int, place: Int, except: Int): Boolean {
-        if (lines.isLost) return false
-        val local = bodies.rows.state[place * StepRows.STRIDE + StepRows.TIME]
-        search.around(slot, index * frame.duration + local, except)
-        return true
     }
 
     /** Times since the last collisions of spheres that do not collide in this step. */
@@ -277,11 +242,17 @@ internal class Epoch(
         for (k in 0 until population.size) to[k] = from[if (order == null) k else order[k]] - frame.duration
     }
 
+    private fun group(places: SlotPlaces, calendar: PairCalendar, number: Int) =
+        CollisionGroup(prepared, space, calendar, places, number, loop.workers + 1)
+
     private companion object {
         const val NOBODY = -1
 
         /** Rows of cells that a worker takes at a time. */
         const val ROWS_A_PIECE = 16
+
+        /** Spheres that a worker searches for at a time. */
+        const val SEARCHES_A_PIECE = 64
 
         /** Entries of the calendar per sphere, and some more, with which an epoch ends: they take memory. */
         const val MOST_ENTRIES = 16L

@@ -59,6 +59,10 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private var imageOfIndex = IntArray(0)
     private val perLength = DoubleArray(AXES)
 
+    /** Of velocities, by part of the spheres and axis: sum of squares, and greatest. */
+    private var sums = DoubleArray(0)
+    private var maxima = DoubleArray(0)
+
     private val cells: Int get() = count[0] * count[1] * count[2]
 
     /** Sorts [spheres], which have been measured, into cells. */
@@ -71,19 +75,41 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
 
     /** Measures velocities relative to the mean flow: [rms] and [fastest]. */
     fun measure(spheres: SphereColumns) {
+        // Parts of the same length each time, whose sums are added in order: the same bits with any number of threads.
+        val parts = (spheres.size - 1) / MEASURED_AT_ONCE + 1
+        if (sums.size < AXES * parts) {
+            sums = DoubleArray(AXES * parts)
+            maxima = DoubleArray(AXES * parts)
+        }
+        loop.run(parts, 1) { _, from, to -> for (part in from until to) measure(spheres, part) }
+        for (k in 0 until AXES) {
+            var sum = 0.0
+            var most = 0.0
+            for (part in 0 until parts) {
+                sum += sums[AXES * part + k]
+                most = maxOf(most, maxima[AXES * part + k])
+            }
+            rms[k] = sqrt(sum / spheres.size)
+            fastest[k] = most
+        }
+    }
+
+    private fun measure(spheres: SphereColumns, part: Int) {
+        val from = part * MEASURED_AT_ONCE
+        val to = minOf(from + MEASURED_AT_ONCE, spheres.size)
         val normal = spheres.position(frame.axes[2])
         for (k in 0 until AXES) {
             val velocity = spheres.velocity(frame.axes[k])
             val rate = if (k == 0) frame.flowRate else 0.0
             var sum = 0.0
             var most = 0.0
-            for (i in 0 until spheres.size) {
+            for (i in from until to) {
                 val own = velocity[i] - rate * normal[i]
                 sum += own * own
                 if (abs(own) > most) most = abs(own)
             }
-            rms[k] = sqrt(sum / spheres.size)
-            fastest[k] = most
+            sums[AXES * part + k] = sum
+            maxima[AXES * part + k] = most
         }
     }
 
@@ -207,14 +233,20 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     fun hasCell(slot: Int): Boolean = cellOf[slot] < cells
 
     /** The boxes by which the line in [slot] is to be moved back to be near its cell at the middle of the epoch. */
-    fun imageAtCell(slot: Int): Int = imageOf(slot) { position, k ->
+    fun imageAtCell(slot: Int): Int = imageOf(lines, slot) { position, k ->
         Math.rint((position - middleOf(coordinate(slot, k), k)) / frame.length[k]).toInt()
     }
 
-    /** The boxes by which the line in [slot] is to be moved back to be in the box at the middle of the epoch. */
-    fun imageInBox(slot: Int): Int = imageOf(slot) { position, k -> boxes(position, k) }
+    /** The boxes by which the line in [slot] of [lines] is to be moved back to be in the box at that time. */
+    fun imageInBox(lines: Lines, slot: Int): Int = imageOf(lines, slot) { position, k -> boxes(position, k) }
 
-    private inline fun imageOf(slot: Int, boxes: (position: Double, k: Int) -> Int): Int {
+    /** The row of cells, counted through all layers, in which the line in [slot] is at the middle of the epoch. */
+    fun rowAtMiddle(slot: Int): Int {
+        val c1 = cellAt(lines.at(slot, frame.axes[1], frame.middle), 1)
+        return cellAt(lines.at(slot, frame.axes[2], frame.middle), 2) * count[1] + c1
+    }
+
+    private inline fun imageOf(lines: Lines, slot: Int, boxes: (position: Double, k: Int) -> Int): Int {
         val t = frame.middle
         val slow = if (frame.isPeriodic[2]) boxes(lines.at(slot, frame.axes[2], t), 2) else 0
         val middle = if (frame.isPeriodic[1]) boxes(lines.at(slot, frame.axes[1], t), 1) else 0
@@ -259,6 +291,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         const val MOST_CELLS_ALONG = 1e5
         const val CELLS_A_SPHERE = 4L
         const val LEAST_CELLS = 64L
+        const val MEASURED_AT_ONCE = 8192
         const val SHRINKING = 0.8
     }
 }

@@ -58,9 +58,9 @@ internal class EpochCost(
         val all = filter.perRun * rows + filter.perLine * tests
         val ahead = SEARCH + all / 2
         val around = SEARCH + ROAMERS + FAR * all
-        val shared = PASS + (EPOCH + ahead) / steps
-        val alone = SORT / steps + collisions * COLLISION + (2 * collisions + strays) * around
-        return shared / threads + alone
+        val impacts = collisions * COLLISION + (2 * collisions + strays) * around
+        val shared = PASS + (EPOCH + ahead) / steps + if (threads == 1) impacts else impacts * GROUPS
+        return shared / threads + SORT / steps
     }
 
     /** In steps that are not part of an epoch. */
@@ -108,6 +108,9 @@ internal class EpochCost(
         const val EPOCH = 40.0
         const val SORT = 10.0
         const val SERIAL_PASS = 35.0
+
+        /** What groups cost more than one thread before threads share it. */
+        const val GROUPS = 1.15
 
         /** What islands cost more than the serial engine before threads share it. */
         const val ISLANDS = 1.2

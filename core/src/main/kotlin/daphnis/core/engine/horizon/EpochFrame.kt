@@ -4,7 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.Extremes
-import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.search.Reach
 import daphnis.core.step.CollisionStep
 import kotlin.math.abs
@@ -40,6 +40,10 @@ internal class EpochFrame {
         private set
     var middle = 0.0
         private set
+
+    /** Number of the present step, from 0, and when it begins. */
+    var step = 0
+    val stepStart: Double get() = step * duration
     var largestRadius = 0.0
         private set
 
@@ -70,11 +74,11 @@ internal class EpochFrame {
     val slides: Boolean get() = images.normalAxis >= 0
 
     /** Takes over the space of [step], whose population [reach] has measured; [begin] follows. */
-    fun takeOver(step: CollisionStep, reach: Reach) {
+    fun takeOver(step: CollisionStep, reach: Reach, loop: RangeLoop) {
         boundary = step.boundary
         duration = step.duration
         largestRadius = reach.largestRadius
-        layOutAxes(step)
+        layOutAxes(step, loop)
         reach.measured.fastest.copyInto(speed)
     }
 
@@ -106,7 +110,7 @@ internal class EpochFrame {
         return rounding < MOST_ROUNDING * largestRadius && isComputable()
     }
 
-    private fun layOutAxes(step: CollisionStep) {
+    private fun layOutAxes(step: CollisionStep, loop: RangeLoop) {
         val boundary = step.boundary
         val flow = boundary.meanFlow
         images.prepare(boundary, step.start)
@@ -120,7 +124,7 @@ internal class EpochFrame {
                 low[k] = boundary.box.lower(axes[k])
                 length[k] = boundary.box.length(axes[k])
             } else {
-                extremes.measure(step.population.position(axes[k]), step.population.size, InlineLoop)
+                extremes.measure(step.population.position(axes[k]), step.population.size, loop)
                 low[k] = extremes.least
                 length[k] = extremes.greatest - extremes.least
             }
@@ -136,11 +140,11 @@ internal class EpochFrame {
     }
 
     /**
-     * Whether step number [index] of this epoch can be [step], whose images are [now].
+     * Whether [next], whose images are [now], can be the present step of this epoch.
      */
-    fun continues(step: CollisionStep, index: Int, now: Images): Boolean {
-        if (index >= steps || step.duration != duration || step.boundary !== boundary) return false
-        return !slides || abs(now.shearOffset - offset(index * duration)) <= rounding
+    fun continues(next: CollisionStep, now: Images): Boolean {
+        if (step >= steps || next.duration != duration || next.boundary !== boundary) return false
+        return !slides || abs(now.shearOffset - offset(stepStart)) <= rounding
     }
 
     /** Displacement along the rows, at time [t], of the image one box up the slow axis. */

@@ -8,6 +8,9 @@ internal class EpochImpact(prepared: PreparedStep, private val bodies: EpochBodi
     Impact(prepared, bodies.rows, bodies.queue) {
     /** The rest of the epoch. */
     interface Course {
+        /** The spheres at the places [first] and [second] have met. */
+        fun met(first: Int, second: Int)
+
         /** The sphere at [place], in [slot], has another path from its local time on. */
         fun bend(slot: Int, place: Int)
 
@@ -22,12 +25,14 @@ internal class EpochImpact(prepared: PreparedStep, private val bodies: EpochBodi
     override fun slotOf(place: Int): Int = bodies.slotOf(place)
 
     override fun changed(first: Int, second: Int, time: Double) {
+        course.met(first, second)
         course.bend(bodies.slotOf(first), first)
         course.bend(bodies.slotOf(second), second)
     }
 
     override fun outrun(first: Int, second: Int): Boolean {
-        prepared.widen(rows, first, second)
+        // Groups share the bound. It only grows, so that it matters to nobody who enlarges it first.
+        synchronized(prepared) { prepared.widen(rows, first, second) }
         return true
     }
 

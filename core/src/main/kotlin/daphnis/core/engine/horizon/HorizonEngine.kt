@@ -16,7 +16,7 @@ import daphnis.core.step.PreparedStep
 /**
  * Looks ahead over several steps at once: it searches for neighbours once in an [Epoch], where the serial engine
  * searches in every step. In a dilute system the search is most of the work. Threads share the search and the passes
- * over all spheres; collisions are processed on one of them, in order of time.
+ * over all spheres by ranges, and the collisions of a step by groups of spheres that lie side by side.
  *
  * It takes the same collisions in the same order and fails at the same collision as the serial engine, with the same
  * words. Where lines cannot be used ([EpochFrame.begin]), where a sphere is suddenly too fast for the bounds of the
@@ -53,7 +53,7 @@ public class HorizonEngine internal constructor(
         if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
     private val isEager = fewest == 0
     private val pieces: RangeLoop = if (isEager) FineLoop(gate) else gate
-    private val epoch = Epoch(prepared, pieces, FilterChoice(filter, always = isEager))
+    private val epoch = Epoch(prepared, pieces, FilterChoice(filter, always = isEager), isEager)
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
@@ -62,6 +62,9 @@ public class HorizonEngine internal constructor(
 
     /** Spheres that were found off their lines, at the starts of steps, since the start. */
     internal val strays: Long get() = epoch.strays
+
+    /** How threads have shared collisions. */
+    internal val shared: SharedCollisions get() = epoch.shared
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
@@ -77,6 +80,7 @@ public class HorizonEngine internal constructor(
         }
         val before = step.counters.collisions
         other.advance(step)
+        if (epoch.hasFailed) step.counters.causalityReplays++
         if (size > 0) epoch.observe((step.counters.collisions - before).toDouble() / size)
     }
 

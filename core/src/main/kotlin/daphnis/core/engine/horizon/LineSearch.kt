@@ -6,13 +6,15 @@ import daphnis.core.search.SlotRuns
  * Finds the pairs of lines that come so near, from some time to the end of the epoch, that their spheres may touch.
  * Most candidates are dismissed by a [LineFilter], in floats.
  *
+ * @param newRoamers spheres which a group has made roamers in the present step, of which nobody else knows yet
  * @param found is told of the pairs that are left, some of which are not near after all
  */
 internal class LineSearch(
     private val frame: EpochFrame,
-    private val lines: Lines,
     private val cells: EpochCells,
     private val roamers: Roamers,
+    private val newRoamers: Roamers,
+    private val sight: Sight,
     private val found: Found,
 ) : SlotRuns() {
     /** Takes the pairs that a search finds. */
@@ -41,6 +43,9 @@ internal class LineSearch(
     private val least = IntArray(AXES)
     private val most = IntArray(AXES)
     private var time = 0.0
+    private val lines = sight.now
+    private val look = RoamerLook(frame, roamers)
+    private val lookAtNew = RoamerLook(frame, newRoamers)
     private val query = LineQuery(frame)
     private var hits = IntArray(INITIAL_HITS)
 
@@ -88,15 +93,37 @@ internal class LineSearch(
         scan(slot, NOBODY)
     }
 
-    /** Finds the pairs of the line in [slot] from time [from] on with all others, except that in slot [except]. */
-    fun around(slot: Int, from: Double, except: Int) {
+    /** Finds, at the start of the epoch, the pairs of the roamer in [slot] with all members, and roamers before it. */
+    fun aheadOfRoamer(slot: Int) {
+        aroundMembers(slot, 0.0, NOBODY)
+        look.forEachNear(lines, slot, 0.0) { e, image ->
+            val other = roamers.slotOf(e)
+            if (other < slot) found.pair(slot, other, image, 0.0)
+        }
+    }
+
+    private fun aroundMembers(slot: Int, from: Double, except: Int) {
         cover(slot, from)
         for (layer in least[2]..most[2]) {
             for (row in least[1]..most[1]) addRow(row, layer)
         }
         scan(slot, except)
-        roamers.forEachNear(slot, from) { other, image ->
-            if (other != slot && other != except) found.pair(slot, other, image, from)
+    }
+
+    /** Finds the pairs of the line in [slot] from time [from] on with all others, except that in slot [except]. */
+    fun around(slot: Int, from: Double, except: Int) {
+        aroundMembers(slot, from, except)
+        look.forEachNear(lines, slot, from) { e, image ->
+            val other = roamers.slotOf(e)
+            if (other != slot && other != except && roamers.isPresent(e, sight.of(other))) {
+                found.pair(slot, other, image, from)
+            }
+        }
+        lookAtNew.forEachNear(lines, slot, from) { e, image ->
+            val other = newRoamers.slotOf(e)
+            if (other != slot && other != except && newRoamers.isPresent(e, lines)) {
+                found.pair(slot, other, image, from)
+            }
         }
     }
 
@@ -187,11 +214,15 @@ internal class LineSearch(
             tested += end - first
             if (hits.size < end - first) hits = IntArray(2 * (end - first))
             query.toward(image[r])
-            val near = filter.near(lines.state, query, first, end, hits)
-            for (k in 0 until near) {
-                val other = hits[k]
-                if (other != slot && other != except) found.pair(slot, other, image[r], time)
-            }
+            sight.forEachPart(first, end) { lines, a, b -> near(lines, a, b, slot, except, image[r]) }
+        }
+    }
+
+    private fun near(lines: Lines, first: Int, end: Int, slot: Int, except: Int, image: Int) {
+        val near = filter.near(lines.state, query, first, end, hits)
+        for (k in 0 until near) {
+            val other = hits[k]
+            if (other != slot && other != except) found.pair(slot, other, image, time)
         }
     }
 

@@ -23,7 +23,7 @@ internal class Lines(private val frame: EpochFrame) {
     var image = IntArray(0)
         private set
 
-    /** Counts the lines that a sphere has had in this epoch. */
+    /** A number by which the lines that a sphere has had in this epoch differ; 0 for the first. */
     var version = IntArray(0)
         private set
 
@@ -35,11 +35,43 @@ internal class Lines(private val frame: EpochFrame) {
     fun begin(count: Int) {
         isLost = false
         if (image.size < count) {
-            state = FloatArray((count + LANES - 1) / LANES * BLOCK)
+            state = FloatArray(floats(count))
             version = IntArray(count)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
             image = IntArray(count)
         }
         version.fill(0, 0, count)
+    }
+
+    /** Makes room for one line more than [count], and keeps those. */
+    fun reserve(count: Int) {
+        if (count < image.size) return
+        val room = maxOf(LANES, 2 * count)
+        state = state.copyOf(floats(room))
+        version = version.copyOf(room)
+        image = image.copyOf(room)
+    }
+
+    private fun floats(count: Int): Int = (count + LANES - 1) / LANES * BLOCK
+
+    /** Gives slot [i] the line in slot [j] of [other], with its version. */
+    fun copy(i: Int, other: Lines, j: Int) {
+        val p = place(i)
+        val q = place(j)
+        for (k in 0..RADIUS step LANES) state[p + k] = other.state[q + k]
+        image[i] = other.image[j]
+        version[i] = other.version[j]
+    }
+
+    /** Gives the slots [from] until [to] the lines of [other], with their versions. */
+    fun copyRange(other: Lines, from: Int, to: Int) {
+        if (from % LANES == 0 && to % LANES == 0) {
+            other.state.copyInto(state, place(from), place(from), place(to))
+            other.image.copyInto(image, from, from, to)
+            other.version.copyInto(version, from, from, to)
+        } else {
+            for (i in from until to) copy(i, other, i)
+        }
     }
 
     /** Gives slot [i] the line of a sphere that is at ([px], [py], [pz]) at [time] of the epoch. */
@@ -93,28 +125,40 @@ internal class Lines(private val frame: EpochFrame) {
     /** Velocity along [axis] of the line in slot [i]. */
     fun velocity(i: Int, axis: Int): Double = state[place(i) + U + axis * LANES].toDouble()
 
-    /** For the image [code] of line [j] as seen from line [i], the image of sphere j as seen from sphere i. */
-    fun spheresImage(code: Int, i: Int, j: Int): Int {
+    /**
+     * For the image [code] of line [j] of [other] as seen from line [i], the image of the one sphere as seen from the
+     * other.
+     */
+    fun spheresImage(code: Int, i: Int, other: Lines, j: Int): Int {
         val p = image[i]
-        val q = image[j]
+        val q = other.image[j]
         return if (p == q) code else sum(sum(code, p), Images.negated(q))
     }
 
+    /** The reverse of [spheresImage]: for the image [code] of the sphere, that of line [j] of [other]. */
+    fun linesImage(code: Int, i: Int, other: Lines, j: Int): Int {
+        val p = image[i]
+        val q = other.image[j]
+        return if (p == q) code else sum(sum(code, Images.negated(p)), q)
+    }
+
     /**
-     * A moment before which the spheres in slots [i] and [j], at the image [code] of the second line, cannot touch from
-     * time [t] on as long as both keep their lines; [NEVER] when they cannot at all.
+     * A moment before which the sphere in slot [i] and that in slot [j] of [other], at the image [code] of the second
+     * line, cannot touch from time [t] on as long as both keep their lines; [NEVER] when they cannot at all.
      */
-    fun touch(i: Int, j: Int, code: Int, t: Double): Double {
+    fun touch(i: Int, other: Lines, j: Int, code: Int, t: Double): Double {
         val images = frame.images
+        val mine = state
+        val theirs = other.state
         val p = place(i)
         val q = place(j)
-        val ux = (state[q + U].toDouble() - state[p + U]) + images.slide(code, 0)
-        val uy = (state[q + V].toDouble() - state[p + V]) + images.slide(code, 1)
-        val uz = state[q + W].toDouble() - state[p + W]
-        val dx = (state[q].toDouble() - state[p]) + images.shift(code, 0) + ux * t
-        val dy = (state[q + Y].toDouble() - state[p + Y]) + images.shift(code, 1) + uy * t
-        val dz = (state[q + Z].toDouble() - state[p + Z]) + images.shift(code, 2) + uz * t
-        val s = state[p + RADIUS].toDouble() + state[q + RADIUS] + frame.inflation
+        val ux = (theirs[q + U].toDouble() - mine[p + U]) + images.slide(code, 0)
+        val uy = (theirs[q + V].toDouble() - mine[p + V]) + images.slide(code, 1)
+        val uz = theirs[q + W].toDouble() - mine[p + W]
+        val dx = (theirs[q].toDouble() - mine[p]) + images.shift(code, 0) + ux * t
+        val dy = (theirs[q + Y].toDouble() - mine[p + Y]) + images.shift(code, 1) + uy * t
+        val dz = (theirs[q + Z].toDouble() - mine[p + Z]) + images.shift(code, 2) + uz * t
+        val s = mine[p + RADIUS].toDouble() + theirs[q + RADIUS] + frame.inflation
         val c = dx * dx + dy * dy + dz * dz - s * s
         if (c <= 0) return t
         val b = dx * ux + dy * uy + dz * uz

@@ -6,6 +6,7 @@ package daphnis.core.engine.horizon
  */
 internal class PairCalendar(private val lines: Lines) {
     private var heads = IntArray(0)
+    private var counts = IntArray(0)
     private var data = IntArray(INITIAL * WIDTH)
 
     /** Entries filed since [begin], stale ones included. */
@@ -14,23 +15,34 @@ internal class PairCalendar(private val lines: Lines) {
 
     /** Forgets all, for an epoch of [steps] steps. */
     fun begin(steps: Int) {
-        if (heads.size < steps) heads = IntArray(steps)
+        if (heads.size < steps) {
+            counts = IntArray(steps)
+            heads = IntArray(steps)
+        }
         heads.fill(NONE)
+        counts.fill(0)
         size = 0
     }
 
-    /** Files slots [i] and [j], at the image [code] of the second line, under [step]. */
-    fun file(step: Int, i: Int, j: Int, code: Int) {
+    /**
+     * Files slots [i] and [j], at the image [code] of the second line, under [step]. It holds as long as their lines
+     * have the versions [version] and [other].
+     */
+    fun file(step: Int, i: Int, j: Int, code: Int, version: Int, other: Int) {
         val p = size * WIDTH
         if (p == data.size) data = data.copyOf(data.size * 2)
         data[p] = i
         data[p + 1] = j
         data[p + 2] = code
-        data[p + 3] = lines.version[i]
-        data[p + 4] = lines.version[j]
+        data[p + 3] = version
+        data[p + 4] = other
         data[p + 5] = heads[step]
         heads[step] = size++
+        counts[step]++
     }
+
+    /** Entries filed under [step], stale ones included. */
+    fun count(step: Int): Int = counts[step]
 
     /**
      * Calls [use] for each pair that is filed under [step] and holds. Pairs may be filed under later steps meanwhile.

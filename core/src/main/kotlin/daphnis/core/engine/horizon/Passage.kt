@@ -12,7 +12,10 @@ import daphnis.core.population.PopulationColumns
  * A sphere whose place at both ends of the step is within [EpochFrame.deviation] of its line is within it in between
  * too, since both are straight.
  */
-internal class Passage(private val frame: EpochFrame, private val lines: Lines, private val loop: RangeLoop) {
+internal class Passage(private val space: EpochSpace, private val loop: RangeLoop) {
+    private val frame = space.frame
+    private val lines = space.lines
+
     /** Slots of the spheres which have left their lines, in order; the first [changed] entries count. */
     var slots = IntArray(INITIAL)
         private set
@@ -39,6 +42,7 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines, 
     /** The first step of an epoch: puts spheres into the order of [cells] and gives each its line. */
     fun first(population: Population, cells: EpochCells, columns: PopulationColumns) {
         lines.begin(population.size)
+        if (space.isShared) space.before.begin(population.size)
         changed = 0
         loop.run(population.size) { _, from, to -> first(population, cells, columns, from, to) }
     }
@@ -67,11 +71,11 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines, 
     }
 
     /**
-     * A later step, number [step] of the epoch; slots are indices of [population].
+     * A later step; slots are indices of [population].
      *
      * @return false when so many have left their lines, or a sphere has grown, that a new epoch is due
      */
-    fun next(population: Population, columns: PopulationColumns, step: Int): Boolean {
+    fun next(population: Population, columns: PopulationColumns): Boolean {
         changed = 0
         isOver = false
         for (strays in found) strays.count = 0
@@ -80,7 +84,7 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines, 
             var k = from
             while (k < to && !isOver) {
                 val end = minOf(k + BLOCK, to)
-                pass(population, columns, step, k, end, found[worker])
+                pass(population, columns, k, end, found[worker])
                 if (found[worker].count > most) isOver = true
                 k = end
             }
@@ -95,14 +99,7 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines, 
         return true
     }
 
-    private fun pass(
-        population: Population,
-        columns: PopulationColumns,
-        step: Int,
-        from: Int,
-        to: Int,
-        strays: Strays,
-    ) {
+    private fun pass(population: Population, columns: PopulationColumns, from: Int, to: Int, strays: Strays) {
         population.mass.copyInto(columns.mass, from, from, to)
         population.id.copyInto(columns.id, from, from, to)
         val x = population.x
@@ -122,7 +119,7 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines, 
         val line = lines.state
         val image = lines.image
         val dt = frame.duration
-        val t = step * dt
+        val t = frame.stepStart
         val most = frame.deviation * frame.deviation
         for (k in from until to) {
             val u = vx[k]
@@ -158,6 +155,7 @@ internal class Passage(private val frame: EpochFrame, private val lines: Lines, 
         val code = imageAt(p, k, t)
         if (code != lines.image[k] && isOn(p, k, code, t)) {
             lines.image[k] = code
+            if (space.isShared) space.before.image[k] = code
         } else {
             strays.add(k)
         }

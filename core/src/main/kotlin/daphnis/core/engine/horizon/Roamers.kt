@@ -1,7 +1,6 @@
 package daphnis.core.engine.horizon
 
 import kotlin.math.abs
-import kotlin.math.floor
 
 /**
  * The roamers of an epoch: spheres that no cell holds, because they are too fast or because a collision threw them far
@@ -18,22 +17,18 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
         private set
 
     /** Numbers of cells, and how far a roamer may be from where it is at the middle of the epoch. */
-    private val count = IntArray(AXES)
-    private val reach = DoubleArray(AXES)
-    private val perLength = DoubleArray(AXES)
+    val count = IntArray(AXES)
+    val reach = DoubleArray(AXES)
+    val perLength = DoubleArray(AXES)
     private val fastest = DoubleArray(AXES)
-    private var flow = DoubleArray(0)
+
+    /** Velocity of the mean flow by layer. */
+    var flow = DoubleArray(0)
+        private set
     private var heads = IntArray(0)
     private var slots = IntArray(INITIAL)
     private var versions = IntArray(INITIAL)
     private var next = IntArray(INITIAL)
-
-    // The cells that are looked through, which may lie beyond periodic faces, and the lists found there.
-    private val least = IntArray(AXES)
-    private val most = IntArray(AXES)
-    private var found = 0
-    private var foundHeads = IntArray(INITIAL)
-    private var foundImages = IntArray(INITIAL)
 
     /** Forgets all, for an epoch of [spheres] spheres that are about as fast as [speeds]. */
     fun begin(spheres: Int, speeds: DoubleArray) {
@@ -88,87 +83,20 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
     private fun cellAt(position: Double, k: Int): Int =
         ((position - frame.low[k]) * perLength[k]).toInt().coerceIn(0, count[k] - 1)
 
-    /** Calls [use] for each roamer, and its image, that may come near the line in [slot] from time [from] on. */
-    inline fun forEachNear(slot: Int, from: Double, use: (other: Int, image: Int) -> Unit) {
-        if (size == 0) return
-        val lists = lists(slot, from)
-        for (k in 0 until lists) {
-            var e = head(k)
-            while (e != NONE) {
-                if (isPresent(e)) use(slotOf(e), imageOf(k))
-                e = after(e)
-            }
-        }
-    }
+    /** The last entry of [cell], and the one before entry [e]; [NONE] when there is none. */
+    fun head(cell: Int): Int = heads[cell]
 
-    /** Notes the lists, not empty, of all cells that the line in [slot] can reach from time [from] on. */
-    fun lists(slot: Int, from: Double): Int {
-        found = 0
-        for (k in 1 until AXES) {
-            val axis = frame.axes[k]
-            span(k, lines.at(slot, axis, from), lines.at(slot, axis, frame.end))
-        }
-        for (layer in least[2]..most[2]) {
-            val slow = boxes(layer, 2)
-            val c2 = layer - slow * count[2]
-            spanRow(slot, from, c2, slow)
-            for (row in least[1]..most[1]) {
-                val middle = boxes(row, 1)
-                val rowStart = (c2 * count[1] + row - middle * count[1]) * count[0]
-                for (c in least[0]..most[0]) {
-                    val along = boxes(c, 0)
-                    val e = heads[rowStart + c - along * count[0]]
-                    if (e != NONE) note(e, frame.code(along, middle, slow))
-                }
-            }
-        }
-        return found
-    }
+    fun after(e: Int): Int = next[e]
 
-    /** How many boxes away cell [c] along axis [k] is; nearly always none. */
-    private fun boxes(c: Int, k: Int): Int = if (c >= 0 && c < count[k]) 0 else Math.floorDiv(c, count[k])
-
-    private fun note(e: Int, code: Int) {
-        if (found == foundHeads.size) {
-            foundImages = foundImages.copyOf(found * 2)
-            // Last, since its length says how many there is room for.
-            foundHeads = foundHeads.copyOf(found * 2)
-        }
-        foundHeads[found] = e
-        foundImages[found++] = code
-    }
-
-    /** The cells of the rows of layer [c2], at its image [boxes] away. */
-    private fun spanRow(slot: Int, from: Double, c2: Int, boxes: Int) {
-        val axis = frame.axes[0]
-        var here = lines.at(slot, axis, from) - flow[c2] * (from - frame.middle)
-        var there = lines.at(slot, axis, frame.end) - flow[c2] * (frame.end - frame.middle)
-        if (boxes != 0 && frame.slides) {
-            here -= boxes * frame.offset(from)
-            there -= boxes * frame.offset(frame.end)
-        }
-        span(0, here, there)
-    }
-
-    private fun span(k: Int, here: Double, there: Double) {
-        least[k] = cellToward(minOf(here, there) - reach[k], k)
-        most[k] = cellToward(maxOf(here, there) + reach[k], k)
-    }
-
-    private fun cellToward(position: Double, k: Int): Int {
-        val c = floor((position - frame.low[k]) * perLength[k])
-        return if (frame.isPeriodic[k]) c.toInt() else c.coerceIn(0.0, count[k] - 1.0).toInt()
-    }
-
-    fun head(k: Int): Int = foundHeads[k]
-
-    fun imageOf(k: Int): Int = foundImages[k]
-
-    fun isPresent(e: Int): Boolean = versions[e] == lines.version[slots[e]]
+    /** Whether entry [e] is that of the line which its slot has in [lines]. */
+    fun isPresent(e: Int, lines: Lines): Boolean = versions[e] == lines.version[slots[e]]
 
     fun slotOf(e: Int): Int = slots[e]
 
-    fun after(e: Int): Int = next[e]
+    /** Calls [use] for each roamer that [isPresent] in [lines]. */
+    inline fun forEachPresent(lines: Lines, use: (slot: Int) -> Unit) {
+        for (e in 0 until size) if (isPresent(e, lines)) use(slotOf(e))
+    }
 
     private fun grow() {
         versions = versions.copyOf(size * 2)

@@ -30,13 +30,16 @@ class HorizonEngineTest {
         var inEpochs = 0L
         var strays = 0L
         var collisions = 0L
+        var shared = 0L
+        var reopened = 0L
+        var rounds = 0L
         val settings = FixedThreads(1)
         for (seed in 1..DRAWS) {
             val draw = LongDraw(seed)
             val made = CoreEngines.make("horizon", settings) as HorizonEngine
             // Filters take turns, and so do numbers of threads.
             val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
-            val engine = HorizonEngine(FixedPool((1 + seed % 3).toInt()), 0, made.tuning, filter)
+            val engine = HorizonEngine(FixedPool(THREADS[(seed % THREADS.size).toInt()]), 0, made.tuning, filter)
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS) {
@@ -48,13 +51,19 @@ class HorizonEngineTest {
             engine.close()
             inEpochs += engine.epochSteps - engine.epochs
             strays += engine.strays
+            shared += engine.shared.steps
+            reopened += engine.shared.reopened
+            rounds += engine.shared.rounds
             collisions += serial.collisions!!.counters.collisions
         }
         println("$collisions collisions, $inEpochs steps without a search for all, $strays spheres off their lines")
+        println("$shared steps shared among groups, $reopened collisions anew in $rounds rounds")
         // A margin that is too small by a radius loses one collision in some thousand.
         assertTrue(collisions > 100 * DRAWS) { "$collisions collisions" }
         assertTrue(inEpochs > STEPS * DRAWS / 4) { "$inEpochs steps" }
         assertTrue(strays > DRAWS) { "$strays strays" }
+        assertTrue(shared > STEPS * DRAWS / 3) { "$shared steps" }
+        assertTrue(reopened > DRAWS && rounds > DRAWS) { "$reopened spheres in $rounds rounds" }
     }
 
     @Test
@@ -182,6 +191,7 @@ class HorizonEngineTest {
     private companion object {
         val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 120L
         const val STEPS = 20
+        val THREADS = intArrayOf(1, 2, 3, 2, 5, 9)
         val BOX = Box.centred(24.0, 24.0, 24.0)
     }
 }

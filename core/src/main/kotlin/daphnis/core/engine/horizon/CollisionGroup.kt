@@ -1,0 +1,253 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.NEVER
+import daphnis.core.collision.StepRows
+import daphnis.core.collision.contactTime
+import daphnis.core.population.Population
+import daphnis.core.step.Impact
+import daphnis.core.step.PreparedStep
+
+/**
+ * Processes collisions of the spheres of one group, or of all, in order of time: the two spheres of a collision get new
+ * lines, and what they can touch is found along these. Pairs that come near in a later step are filed in [calendar].
+ *
+ * @param number the number of the group, by which versions of lines differ from those of others
+ * @param numbers how many groups there are
+ */
+internal class CollisionGroup(
+    prepared: PreparedStep,
+    private val space: EpochSpace,
+    private val calendar: PairCalendar,
+    places: SlotPlaces,
+    private val number: Int,
+    private val numbers: Int,
+) : EpochImpact.Course,
+    LineSearch.Found {
+    /** Says which spheres other groups have changed, so that this one leaves them alone. */
+    interface Others {
+        fun haveChanged(slot: Int): Boolean
+
+        /** A sphere flies along [piece] now. */
+        fun meet(piece: Int)
+    }
+
+    private val frame = space.frame
+    private val lines = space.lines
+    private val cells = space.cells
+    private val images = prepared.images
+
+    /** Spheres that have become roamers in this step, of which only this group knows yet. */
+    val newRoamers = Roamers(frame, lines)
+    val sight = Sight(lines, space.before, space.shares)
+    val search = LineSearch(frame, cells, space.roamers, newRoamers, sight, this)
+    val bodies = EpochBodies(places)
+    val impact = EpochImpact(prepared, bodies, this)
+    val trails = Trails(frame, cells, number)
+    val paths = GroupPaths()
+
+    /** Collisions of the step, where they are wanted. */
+    val record = CollisionRecord()
+
+    /** Pairs of a sphere of this group and one of another that may touch in this step. */
+    val crossings = PairList()
+
+    /** Null when there are none. */
+    var others: Others? = null
+
+    /** Whether paths are kept, so that a part of the work can be dropped. */
+    private var keepsPaths = false
+
+    /** Whether collisions are under way: pairs that are due are asked at once. */
+    private var isUnderWay = false
+
+    /** Whether an exception ended the work. */
+    var hasFailed = false
+        private set
+    private var lastVersion = 0
+
+    /** Begins an epoch, in which [filter] dismisses lines. */
+    fun beginEpoch(filter: LineFilter) {
+        lastVersion = 0
+        newRoamers.begin(1, cells.fastest)
+        search.begin(filter)
+        rest()
+    }
+
+    /** Searches from now on belong to no collision. */
+    fun rest() {
+        isUnderWay = false
+        others = null
+        sight.widen()
+    }
+
+    /** Begins a step. See [EpochBodies.begin] about [order]. */
+    fun begin(population: Population, order: IntArray?, tracks: Boolean, keepsPaths: Boolean) {
+        this.keepsPaths = keepsPaths
+        hasFailed = false
+        bodies.begin(population, order, frame.duration, tracks)
+        crossings.clear()
+        if (newRoamers.size > 0) newRoamers.begin(1, cells.fastest)
+        if (!keepsPaths) return
+        trails.begin()
+        paths.begin()
+    }
+
+    /** Collisions begin; they are written to [record]. */
+    fun open(record: CollisionRecord?) {
+        isUnderWay = true
+        impact.begin(record)
+    }
+
+    /** Processes all that is queued. @return false when the step cannot be ended in this way */
+    fun process(): Boolean {
+        val queue = bodies.queue
+        while (queue.pop()) {
+            if (impact.process(queue.time, queue.first, queue.second, queue.image) != Impact.End.DONE) return false
+        }
+        return true
+    }
+
+    /** The same for one group of several: a law that throws ends it, too. */
+    fun processApart(begin: () -> Unit): Boolean = try {
+        begin()
+        process()
+    } catch (e: Exception) {
+        hasFailed = true
+        false
+    }
+
+    override fun pair(slot: Int, other: Int, code: Int, from: Double) {
+        if (others?.haveChanged(other) == true) return
+        val seen = sight.of(other)
+        val touch = lines.touch(slot, seen, other, code, from)
+        if (touch > frame.end) return
+        val due = frame.stepAt(touch)
+        if (due > frame.step || !isUnderWay) {
+            if (due < frame.steps) file(maxOf(due, frame.step), slot, other, code)
+        } else if (seen === lines) {
+            ask(slot, other, code)
+        } else {
+            crossings.add(slot, other, code)
+        }
+    }
+
+    private fun file(step: Int, i: Int, j: Int, code: Int) {
+        calendar.file(step, i, j, code, lines.version[i], sight.of(j).version[j])
+    }
+
+    /** Queues the collision of two spheres if they touch in the present step; if not, files them under a later one. */
+    fun ask(i: Int, j: Int, code: Int) {
+        val time = contact(i, j, code, lines)
+        if (time > frame.duration) return
+        bodies.queue.add(time, bodies.placeOf(i), bodies.placeOf(j), lines.spheresImage(code, i, lines, j))
+    }
+
+    /** Whether two spheres touch in the present step if they keep the lines they had when it began; files as [ask]. */
+    fun wouldTouch(i: Int, j: Int, code: Int): Boolean = contact(i, j, code, space.before) <= frame.duration
+
+    private fun contact(i: Int, j: Int, code: Int, lines: Lines): Double {
+        val image = lines.spheresImage(code, i, lines, j)
+        val time = contactTime(bodies.rows, bodies.placeOf(i), bodies.placeOf(j), image, images)
+        val next = frame.step + 1
+        if (time <= frame.duration || next == frame.steps) return time
+        val touch = lines.touch(i, lines, j, code, next * frame.duration)
+        if (touch > frame.end) return time
+        val due = maxOf(frame.stepAt(touch), next)
+        if (due < frame.steps) calendar.file(due, i, j, code, lines.version[i], lines.version[j])
+        return time
+    }
+
+    /**
+     * Finds the pieces of [other]'s spheres that [piece] of this group's may touch: calls [use] for those within the
+     * present step, and files the others.
+     *
+     * @param alsoOld whether pieces that follow no collision are asked for
+     * @param isTwice whether open pieces of the other group look for this one's, and file as well
+     */
+    inline fun meet(piece: Int, other: CollisionGroup, alsoOld: Boolean, isTwice: Boolean, use: (Int) -> Unit) {
+        trails.forEachNear(piece, other.trails) { q, code ->
+            if ((alsoOld || other.trails.isNew(q)) && other.bodies.has(other.trails.slots[q])) {
+                val touch = touch(piece, other.trails, q, code)
+                if (touch <= frame.end) {
+                    if (frame.stepAt(touch) <= frame.step) {
+                        use(q)
+                    } else if (!(isTwice && other.trails.isOpen(q))) {
+                        fileLater(touch, piece, other.trails, q, code)
+                    }
+                }
+            }
+        }
+    }
+
+    /** A moment before which [piece] cannot touch piece [q] of [theirs], while both count; NEVER when they cannot. */
+    fun touch(piece: Int, theirs: Trails, q: Int, code: Int): Double {
+        val from = maxOf(trails.from[piece], theirs.from[q])
+        val touch = trails.lines.touch(piece, theirs.lines, q, code, from)
+        val until = minOf(trails.until[piece], theirs.until[q])
+        return if (touch <= until + frame.duration * SLACK) touch else NEVER
+    }
+
+    /** Files the spheres of two pieces; that holds if these are the last of the step. */
+    fun fileLater(touch: Double, piece: Int, theirs: Trails, q: Int, code: Int) {
+        val due = frame.stepAt(touch)
+        if (due >= frame.steps) return
+        val i = trails.slots[piece]
+        val j = theirs.slots[q]
+        val image = trails.lines.spheresImage(code, piece, theirs.lines, q)
+        calendar.file(due, i, j, lines.linesImage(image, i, lines, j), lines.version[i], lines.version[j])
+    }
+
+    override fun met(first: Int, second: Int) {
+        if (keepsPaths) paths.met(first, second, impact.counted)
+    }
+
+    override fun bend(slot: Int, place: Int) {
+        val state = bodies.rows.state
+        val p = place * StepRows.STRIDE
+        val v = p + StepRows.VX
+        val t = frame.step * frame.duration + state[p + StepRows.TIME]
+        if (keepsPaths) {
+            val old = paths.pieceOf(place)
+            trails.end(if (old == GroupPaths.NONE) trails.add(slot, lines, frame.stepStart, isNew = false) else old, t)
+        }
+        lines.put(slot, state[p], state[p + 1], state[p + 2], state[v], state[v + 1], state[v + 2], t)
+        val isMember = settle(slot, t)
+        if (!keepsPaths) return
+        val piece = trails.add(slot, lines, t, isNew = true)
+        paths.setPiece(place, piece)
+        // Others do not look for roamers in their cells.
+        if (!isMember) trails.open(piece)
+    }
+
+    /** The line in [slot] is new from time [from] on. @return whether its cell holds it */
+    fun settle(slot: Int, from: Double): Boolean {
+        lines.version[slot] = ++lastVersion * numbers + number
+        if (lines.isLost) return true
+        if (cells.hasCell(slot)) {
+            lines.moveBack(slot, cells.imageAtCell(slot))
+            if (cells.holds(slot, from)) return true
+        }
+        lines.moveBack(slot, cells.imageInBox(lines, slot))
+        if (sight.group == Sight.ALL) space.roamers.add(slot) else newRoamers.add(slot)
+        return false
+    }
+
+    override fun lookOut(slot: Int, place: Int, except: Int): Boolean {
+        if (lines.isLost) return false
+        val local = bodies.rows.state[place * StepRows.STRIDE + StepRows.TIME]
+        sight.hasMetOthers = false
+        search.around(slot, frame.stepStart + local, except)
+        if (keepsPaths) {
+            val piece = paths.pieceOf(place)
+            if (sight.hasMetOthers) trails.open(piece)
+            others?.meet(piece)
+        }
+        return true
+    }
+
+    private companion object {
+        /** For the rounding of times, as a part of a step. */
+        const val SLACK = 1e-6
+    }
+}

@@ -1,0 +1,28 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.parallel.RangeLoop
+
+/** The spheres of an epoch as lines, and where they are. All of its workers share it. */
+internal class EpochSpace(private val loop: RangeLoop) {
+    val frame = EpochFrame()
+    val lines = Lines(frame)
+
+    /** The lines as they were when the step began; in use only where there are several groups. */
+    val before = Lines(frame)
+    val cells = EpochCells(frame, lines, loop)
+    val roamers = Roamers(frame, lines)
+    val shares = Shares()
+
+    /** Whether several groups process collisions. */
+    val isShared: Boolean get() = loop.workers > 1
+
+    /** The step begins with the lines that there are. */
+    fun settle(spheres: Int) {
+        if (isShared) loop.run(spheres) { _, from, to -> before.copyRange(lines, from, to) }
+    }
+
+    /** The step begins with the line in [slot], or that is known to all now. */
+    fun settleLine(slot: Int) {
+        if (isShared) before.copy(slot, lines, slot)
+    }
+}

@@ -1,0 +1,169 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.population.PopulationColumns
+import daphnis.core.step.CollisionStep
+
+/**
+ * Processes on one thread what groups could not decide alone: clusters of spheres that met one another across the
+ * borders of groups, from the start of the step. Where one of them comes near a sphere that a group has changed, the
+ * cluster of that sphere is dropped too, and all begins anew.
+ *
+ * @param group the one that does it, which sees all
+ */
+internal class LastGroup(
+    private val space: EpochSpace,
+    private val groups: List<CollisionGroup>,
+    private val places: SlotPlaces,
+    private val group: CollisionGroup,
+) : CollisionGroup.Others {
+    private val frame = space.frame
+    private val lines = space.lines
+
+    /** Slots of spheres whose clusters were dropped. */
+    private var reopened = IntArray(INITIAL)
+    private var count = 0
+
+    /** Pairs of spheres of two groups which touch unless something comes between, and spheres that came near. */
+    private val seeds = PairList()
+    private val doomed = PairList()
+    private var isInUse = false
+
+    val hasFailed: Boolean get() = group.hasFailed
+
+    /** Spheres whose clusters were dropped, since the start, and rounds of processing anew. */
+    var reopenings = 0L
+        private set
+    var rounds = 0L
+        private set
+
+    /** @return false when the step cannot be ended in this way */
+    fun process(
+        step: CollisionStep,
+        order: IntArray?,
+        tracks: Boolean,
+        due: List<List<PairList>>,
+        meetings: List<PairList>,
+    ): Boolean {
+        isInUse = false
+        begin(step, order, tracks)
+        count = 0
+        seeds.clear()
+        doomed.clear()
+        for (lists in due) lists[groups.size].forEach { i, j, code -> look(i, j, code) }
+        for (list in meetings) list.forEach { i, j, _ -> doomed.add(i, j, 0) }
+        for (other in groups) other.crossings.forEach { i, j, _ -> doomed.add(i, j, 0) }
+        if (doomed.size == 0) return true
+        val most = rounds + MOST_ROUNDS
+        do {
+            if (++rounds > most) return false
+            reopen()
+            begin(step, order, tracks)
+            doomed.clear()
+            if (!group.processApart { start(step, due) } || lines.isLost) return false
+        } while (doomed.size > 0)
+        return true
+    }
+
+    /** Undoes what this group has done, and begins the step. */
+    private fun begin(step: CollisionStep, order: IntArray?, tracks: Boolean) {
+        if (isInUse) group.paths.forEachLive { restore(group.bodies.slotOf(it)) }
+        group.begin(step.population, order, tracks, keepsPaths = true)
+        group.rest()
+    }
+
+    private fun restore(slot: Int) {
+        lines.copy(slot, space.before, slot)
+    }
+
+    /** A pair of spheres of two groups is due: whether it touches if both keep their lines. */
+    private fun look(i: Int, j: Int, code: Int) {
+        if (group.wouldTouch(i, j, code)) {
+            seeds.add(i, j, code)
+            doomed.add(i, j, 0)
+        }
+    }
+
+    /** Drops the clusters of all that are doomed. */
+    private fun reopen() {
+        doomed.forEach { i, j, _ ->
+            drop(i)
+            drop(j)
+        }
+    }
+
+    private fun drop(slot: Int) {
+        if (!haveChanged(slot)) return
+        val owner = groups[space.shares.ownerOf(slot)]
+        owner.paths.drop(places.of(slot)) { place ->
+            val s = owner.bodies.slotOf(place)
+            restore(s)
+            places.forget(s)
+            if (count == reopened.size) reopened = reopened.copyOf(2 * count)
+            reopened[count++] = s
+            reopenings++
+        }
+    }
+
+    /** Whether a group has changed the sphere in [slot], and that holds. */
+    override fun haveChanged(slot: Int): Boolean {
+        val place = places.of(slot)
+        return place != SlotPlaces.NONE && groups[space.shares.ownerOf(slot)].paths.isLive(place)
+    }
+
+    private fun start(step: CollisionStep, due: List<List<PairList>>) {
+        isInUse = true
+        group.open(if (step.record == null) null else group.record)
+        group.others = this
+        for (k in 0 until count) {
+            val place = group.bodies.placeOf(reopened[k])
+            val piece = group.trails.add(reopened[k], lines, frame.stepStart, isNew = false)
+            group.paths.setPiece(place, piece)
+            meet(piece)
+        }
+        seeds.forEach { i, j, code -> group.ask(i, j, code) }
+        for (lists in due) for (g in groups.indices) lists[g].forEach { i, j, code -> askAgain(i, j, code) }
+    }
+
+    /** A pair of a group that is due: whether it is one of this group now. */
+    private fun askAgain(i: Int, j: Int, code: Int) {
+        if (!group.bodies.has(i) && !group.bodies.has(j)) return
+        if (!haveChanged(i) && !haveChanged(j)) group.ask(i, j, code)
+    }
+
+    /** Compares [piece] with all that groups have kept. */
+    override fun meet(piece: Int) {
+        for (other in groups) {
+            group.meet(piece, other, alsoOld = true, isTwice = false) { q ->
+                val slot = other.trails.slots[q]
+                doomed.add(slot, slot, 0)
+            }
+        }
+    }
+
+    /** Adds what counts to [counters] and [record]. */
+    fun addTo(counters: CollisionCounters, record: CollisionRecord?) {
+        if (isInUse) group.paths.addTo(counters, record, group.record)
+    }
+
+    /** Writes its rows to [columns]. */
+    fun store(columns: PopulationColumns) {
+        if (isInUse) {
+            group.bodies.store(columns, frame.duration)
+            group.paths.forEachLive { place ->
+                val slot = group.bodies.slotOf(place)
+                space.before.copy(slot, lines, slot)
+            }
+        }
+        isInUse = false
+        group.rest()
+    }
+
+    private companion object {
+        const val INITIAL = 256
+
+        /** Rounds after which the step is left to another engine. */
+        const val MOST_ROUNDS = 64
+    }
+}
