@@ -37,11 +37,33 @@ wait $first || die "two at once: $(cat one.err two.err)"
 for damage in 'head -c 1000000' "tr '[:lower:]' x" 'head -c 0' false; do
     archive=$(find "$here/target" "$here/build/install" -name 'daphnis-*.jsa' 2>/dev/null | head -n 1)
     [ -n "$archive" ] || break
-    eval "$damage" <"$archive" >damaged || rm -f damaged "$archive.length"
+    eval "$damage" <"$archive" >damaged || rm -f damaged "$archive.stamp"
     rm -f "$archive"
     if [ -f damaged ]; then mv damaged "$archive"; fi
     [ "$("$here/daphnis" --version 2>&1)" = "$says" ] || die "a damaged archive of classes is noticed by its user ($damage)"
 done
+
+# The distribution that mvn -Pdist leaves: unpacked in a directory with a space, through a link, with any Java.
+zip=$here/target/daphnis-$(cat "$here/core/src/main/resources/daphnis/version.txt").zip
+if [ -f "$zip" ]; then
+    unzip -q "$zip" -d "un packed"
+    home=$(echo "$work/un packed"/daphnis-*)
+    ln -s "$home/bin/daphnis" "links of a user/bin/unpacked"
+    unpacked() { "$work/links of a user/bin/unpacked" "$@"; }
+    unpacked describe cooling-gas | grep -q '^particles' || die "the distribution does not describe"
+    unpacked --debug run cooling-gas --steps 2 --quiet --out "of zip" >/dev/null || die "the distribution does not run"
+    daphnis run cooling-gas --steps 2 --quiet --out "of checkout" >/dev/null
+    daphnis compare "of zip" "of checkout" >/dev/null || die "the distribution computes something else"
+    for shell in bash zsh fish; do
+        unpacked completion $shell | cmp -s - "$home/completions/daphnis.$shell" || die "completion for $shell"
+    done
+    bash -n "$home/completions/daphnis.bash" || die "completion for bash"
+    code=0
+    JAVA_HOME=/nowhere unpacked --version 2>err || code=$?
+    [ $code -eq 1 ] && [ "$(wc -l <err)" -eq 1 ] && grep -q 'JAVA_HOME is /nowhere' err || die "a wrong JAVA_HOME"
+else
+    echo "smoke test: no $zip (mvn -Pdist -DskipTests -pl src -am package): it is left out"
+fi
 
 gas="run elastic-gas --until 60 --set output.checkpointEvery=20 --quiet"
 daphnis $gas --out whole >/dev/null

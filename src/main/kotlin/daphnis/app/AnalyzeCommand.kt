@@ -20,10 +20,15 @@ import java.nio.file.Files
 
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */
 class AnalyzeCommand : CliktCommand(name = "analyze") {
-    private val what by argument("dir-or-file", help = "run directory, or a particle file: ${SnapshotFormats.known}")
+    private val what by argument(
+        "dir-or-file",
+        help = "run directory, or a particle file: ${SnapshotFormats.known}",
+        completionCandidates = Candidates.files,
+    )
     private val scenario by option(
         "--scenario",
         help = "for a file, or the run of a program: scenario file or built-in name that says what box and frame are",
+        completionCandidates = Candidates.scenario,
     )
     private val settings by option(
         "--set",
@@ -56,6 +61,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         "--out",
         metavar = "dir",
         help = "where to write (default: into the run directory; FILE-analysis for a file)",
+        completionCandidates = Candidates.files,
     )
     private val acceptLoss by option(
         "--accept-loss",

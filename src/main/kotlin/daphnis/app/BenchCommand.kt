@@ -33,11 +33,13 @@ class BenchCommand : CliktCommand(name = "bench") {
     private val words by argument(
         "scenarios",
         help = "scenario files or built-in names (default: those of the paper's three figures)",
+        completionCandidates = Candidates.scenario,
     ).multiple()
     private val engines by option(
         "--engines",
         metavar = "name,…",
         help = "engines that take part (default: ${allEngines.names.joinToString()})",
+        completionCandidates = Candidates.engines,
     )
     private val threads by option(
         "--threads",
@@ -57,6 +59,7 @@ class BenchCommand : CliktCommand(name = "bench") {
         "--out",
         metavar = "dir",
         help = "where tables and plots go (default: runs/bench, numbered when it exists)",
+        completionCandidates = Candidates.files,
     )
     private val compare by option("--compare", help = "compare two earlier results, old and new").flag()
     private val quiet by option("--quiet", help = "no progress").flag()

@@ -13,8 +13,8 @@ import java.nio.file.Files
 
 /** `daphnis compare`: exit code 0 when two runs are identical, 1 when they differ. */
 class CompareCommand : CliktCommand(name = "compare") {
-    private val first by argument("dir1", help = "run directory")
-    private val second by argument("dir2", help = "run directory")
+    private val first by argument("dir1", help = "run directory", completionCandidates = Candidates.files)
+    private val second by argument("dir2", help = "run directory", completionCandidates = Candidates.files)
 
     override fun help(context: Context) =
         "Say whether two runs are identical, or the first step and particle that differ."

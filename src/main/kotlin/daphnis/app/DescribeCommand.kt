@@ -21,7 +21,11 @@ import daphnis.core.scenario.warnings
  * units, for that is where mistakes are.
  */
 class DescribeCommand : CliktCommand(name = "describe") {
-    private val word by argument("scenario", help = "scenario file or built-in name")
+    private val word by argument(
+        "scenario",
+        help = "scenario file or built-in name",
+        completionCandidates = Candidates.scenario,
+    )
     private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenario").multiple()
 
     override fun help(context: Context) = "Say what a scenario means in numbers, or what is wrong with it."

@@ -26,10 +26,15 @@ import java.nio.file.Files
 
 /** `daphnis export`: the snapshots of a run in a format of the community. */
 class ExportCommand : CliktCommand(name = "export") {
-    private val directory by argument("dir", help = "run directory")
+    private val directory by argument("dir", help = "run directory", completionCandidates = Candidates.files)
     private val format by option("--format", help = listed(FORMATS.map { "${it.word} (${it.programs})" }))
         .choice(*FORMATS.map { it.word to it }.toTypedArray()).required()
-    private val out by option("--out", metavar = "dir", help = "where to write (default: DIR/export)")
+    private val out by option(
+        "--out",
+        metavar = "dir",
+        help = "where to write (default: DIR/export)",
+        completionCandidates = Candidates.files,
+    )
     private val units by option(
         "--units",
         help = "of ${UNITS.joinToString { it.word }}: as the scenario's, without names (default), or si, with names",

@@ -69,7 +69,7 @@ internal fun runDaphnis(args: Array<String>): Int {
 
 /** The whole command line; to a mistyped word each command answers with one that may be meant, or with none. */
 private fun daphnisCommand(): Daphnis {
-    val commands = listOf(
+    val others = listOf(
         RunCommand(),
         ResumeCommand(),
         CompareCommand(),
@@ -81,7 +81,9 @@ private fun daphnisCommand(): Daphnis {
         NodeCommand(),
         BenchCommand(),
         SweepCommand(),
+        CompletionCommand(),
     )
+    val commands = others + HelpCommand(others.map { it.commandName }.toSet())
     val daphnis = Daphnis().subcommands(commands)
     // The library hands this setting down to no command below.
     for (command in commands + daphnis) {
@@ -104,12 +106,8 @@ private fun requireReadable(words: Array<String>) {
 
 private const val UNREADABLE = '\uFFFD'
 
-/**
- * `help` and `help run` mean `--help` and `run --help`. A first word that is no command goes alone, so that it is what
- * the message is about.
- */
-private fun CliktCommand.understood(args: Array<String>): Array<String> {
-    val words = if (args.firstOrNull() != "help") args else arrayOf(*args.drop(1).take(1).toTypedArray(), "--help")
+/** A first word that is no command goes alone, so that it is what the message is about. */
+internal fun CliktCommand.understood(words: Array<String>): Array<String> {
     val first = words.firstOrNull() ?: return words
     return if (first.startsWith("-") || first in registeredSubcommandNames()) words else arrayOf(first)
 }

@@ -26,7 +26,7 @@ import java.util.Locale
 
 /** `daphnis movie`: the snapshots of a run, one after the other. */
 class MovieCommand : CliktCommand(name = "movie") {
-    private val directory by argument("dir", help = "run directory")
+    private val directory by argument("dir", help = "run directory", completionCandidates = Candidates.files)
     private val view by option("--view", help = "from above (top, default) or along x (side)")
         .choice(MovieView.entries.associateBy { it.word }).default(MovieView.TOP)
     private val colour by option(
@@ -40,6 +40,7 @@ class MovieCommand : CliktCommand(name = "movie") {
         "--out",
         metavar = "file",
         help = "where to write, a name that ends in .gif or .mp4 (default: DIR/plots/movie.gif)",
+        completionCandidates = Candidates.files,
     )
     private val quiet by option("--quiet", help = "no progress").flag()
 

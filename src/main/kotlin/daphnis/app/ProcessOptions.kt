@@ -18,8 +18,14 @@ internal open class ProcessOptions(name: String?, help: String?) : OptionGroup(n
         "--secret-file",
         metavar = "file",
         help = "file with the cluster's secret (default: the variable ${Secret.VARIABLE})",
+        completionCandidates = Candidates.files,
     )
-    protected val config by option("--config", metavar = "file", help = "file of settings, see docs/cluster.md")
+    protected val config by option(
+        "--config",
+        metavar = "file",
+        help = "file of settings, see docs/cluster.md",
+        completionCandidates = Candidates.files,
+    )
     protected val bind by option("--bind", metavar = "address", help = "address to listen on, if another than --host")
     protected val insecure by option("--insecure", help = "listen beyond this machine without TLS").flag()
 

@@ -13,7 +13,7 @@ import daphnis.core.scenario.InputException
 
 /** `daphnis resume`. */
 class ResumeCommand : CliktCommand(name = "resume") {
-    private val directory by argument("dir", help = "run directory")
+    private val directory by argument("dir", help = "run directory", completionCandidates = Candidates.files)
     private val until by option("--until", help = "end at this time instead of the scenario's").double()
     private val acceptLoss by option(
         "--accept-loss",

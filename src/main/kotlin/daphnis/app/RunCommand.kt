@@ -25,13 +25,19 @@ import java.nio.file.Path
 class RunCommand : CliktCommand(name = "run") {
     private val scenario by argument(
         help = "scenario file or built-in name (default: paper-figure-1, or with --from the scenario of that run)",
+        completionCandidates = Candidates.scenario,
     ).optional()
     private val from by option(
         FROM,
         metavar = "run@state",
         help = "start from a state of another run: RUN (its last), RUN@STEP, RUN@time=T or RUN@orbits=T",
+        completionCandidates = Candidates.files,
     )
-    private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
+    private val engine by option(
+        "--engine",
+        help = "collision engine: ${allEngines.names.joinToString()}",
+        completionCandidates = Candidates.engine,
+    )
     private val threads by threadsOption("threads of the engine (default: one per core)")
     private val steps by option("--steps", help = "end after this many steps").long()
     private val until by option("--until", help = "end at this time").double()
@@ -45,6 +51,7 @@ class RunCommand : CliktCommand(name = "run") {
         "--out",
         metavar = "dir",
         help = "run directory (default: runs/NAME, numbered when it exists)",
+        completionCandidates = Candidates.files,
     )
     private val force by option("--force", help = "replace the run in the run directory").flag()
     private val quiet by option("--quiet", help = "no progress").flag()

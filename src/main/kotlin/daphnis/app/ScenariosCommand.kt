@@ -10,7 +10,11 @@ import daphnis.core.scenario.Nearest
 
 /** `daphnis scenarios`. */
 class ScenariosCommand : CliktCommand(name = "scenarios") {
-    private val wanted by argument("name", help = "built-in scenario to print, to start your own from").optional()
+    private val wanted by argument(
+        "name",
+        help = "built-in scenario to print, to start your own from",
+        completionCandidates = Candidates.builtIn,
+    ).optional()
 
     override fun help(context: Context) = "List the built-in scenarios, or print one."
 

@@ -35,7 +35,10 @@ import java.util.concurrent.Executors
 
 /** `daphnis sweep`. */
 class SweepCommand : CliktCommand(name = "sweep") {
-    private val scenario by argument(help = "scenario file or built-in name")
+    private val scenario by argument(
+        help = "scenario file or built-in name",
+        completionCandidates = Candidates.scenario,
+    )
     private val settings by option(
         "--set",
         metavar = "path=value,…",
@@ -48,7 +51,11 @@ class SweepCommand : CliktCommand(name = "sweep") {
         help = "seeds of each combination, such as 1..8 or 1,5,9 (default: the scenario's alone)",
     )
     private val jobs by option("--jobs", help = "runs at a time, which share the cores (default: one per core)").int()
-    private val engine by option("--engine", help = "collision engine: ${allEngines.names.joinToString()}")
+    private val engine by option(
+        "--engine",
+        help = "collision engine: ${allEngines.names.joinToString()}",
+        completionCandidates = Candidates.engine,
+    )
     private val from by option(
         "--from",
         help = "averages begin at this time, in the scenario's unit of time (default: after 3/8 of each run)",
@@ -57,6 +64,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         "--out",
         metavar = "dir",
         help = "directory of the sweep, new or with the same sweep, which goes on (default: runs/NAME-sweep)",
+        completionCandidates = Candidates.files,
     )
     private val quiet by option("--quiet", help = "no progress").flag()
 

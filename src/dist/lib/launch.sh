@@ -1,0 +1,126 @@
+# How daphnis is started, for ./daphnis of a checkout and bin/daphnis of a distribution: POSIX sh, read with `.`.
+# Sets java, release and major (find_java), then becomes the JVM (launch).
+# shellcheck shell=sh
+
+# The file that $1 stands for after symbolic links, which may be relative and chained; readlink -f is not everywhere.
+real() {
+    file=$1
+    while [ -L "$file" ]; do
+        target=$(readlink "$file")
+        case $target in
+        /*) file=$target ;;
+        *) file=$(dirname -- "$file")/$target ;;
+        esac
+    done
+    printf '%s\n' "$file"
+}
+
+fail() {
+    echo "daphnis: $*" >&2
+    exit 1
+}
+
+# Finds Java: $1, the one of an image, if it is there; else that of JAVA_HOME; else the one on the PATH.
+find_java() {
+    if [ -x "${1:-}" ]; then
+        java=$1
+    elif [ -n "${JAVA_HOME:-}" ]; then
+        java=$JAVA_HOME/bin/java
+        [ -f "$java" ] && [ -x "$java" ] || fail "JAVA_HOME is $JAVA_HOME, where no bin/java is; mend it, or unset it"
+    else
+        java=$(command -v java) || fail "no java found; install Java 17 or newer, or set JAVA_HOME"
+    fi
+    # The file `release` of a JDK says its version without the start of a JVM.
+    release=$(dirname -- "$(real "$java")")/../release
+    major=$(sed -n 's/^JAVA_VERSION="\(1\.\)\{0,1\}\([0-9]*\).*/\2/p' "$release" 2>/dev/null | head -n 1)
+    [ -n "$major" ] || major=$("$java" -version 2>&1 | sed -n 's/.*version "\(1\.\)\{0,1\}\([0-9]*\).*/\2/p' | head -n 1)
+    [ "${major:-0}" -ge 17 ] || fail "$java is version ${major:-unknown}; 17 or newer is needed"
+}
+
+# The command among the words of a command line: options of the program itself may stand before it.
+command_of() {
+    for word; do
+        case $word in
+        -*) ;;
+        *)
+            printf '%s\n' "$word"
+            return
+            ;;
+        esac
+    done
+}
+
+# What an archive belongs to: its own length, since a JVM dies of one cut short, and the jars of daphnis. The JVM compares
+# only times and lengths of jars, and those of two builds of one version may be the same.
+stamp() {
+    wc -c <"$archive"
+    cat "$jar" "$(dirname -- "$jar")"/lib/daphnis*.jar 2>/dev/null | cksum
+}
+
+# An empty archive says that this Java makes none; one more try would fail like the first.
+archived() {
+    [ -f "$archive" ] && [ "$(cat "$archive.stamp" 2>/dev/null)" = "$(stamp)" ]
+}
+
+# Makes the archive in a run of a few steps, out of sight. $1 is the flag of the vector unit, which runs have, or empty.
+train() (
+    work=$(mktemp -d "${TMPDIR:-/tmp}/daphnis-train.XXXXXX") || exit
+    trap 'rm -rf "$work" "$archive.$$"' EXIT
+    trap 'exit 130' INT TERM
+    "$java" "-XX:ArchiveClassesAtExit=$archive.$$" ${1:+"$1"} -jar "$jar" run cooling-gas --steps 2 --out "$work/run"
+    "$java" -jar "$jar" --version >"$work/plain"
+    "$java" -XX:+VerifySharedSpaces "-XX:SharedArchiveFile=$archive.$$" '-Xlog:cds*=off' '-Xlog:class+path=off' \
+        -jar "$jar" --version >"$work/shared"
+    cmp -s "$work/plain" "$work/shared" && [ -s "$work/plain" ] || : >"$archive.$$"
+    mv -f "$archive.$$" "$archive" && stamp >"$archive.stamp"
+) >/dev/null 2>&1 </dev/null
+
+# Becomes the JVM that runs the jar $1, which knows its libraries, with the command line that follows. JAVA_OPTS reaches
+# the JVM.
+launch() {
+    jar=$1
+    shift
+    command=$(command_of "$@")
+
+    # A run keeps a few large arrays and makes little garbage: for that the serial collector takes the least memory and
+    # time. The heap grows from little, and all but 64 MB of it may be arrays. Who names a collector gets that one.
+    collector=
+    case $command in
+    analyze | export | compare | movie) ;;
+    *)
+        case "${JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-} ${JDK_JAVA_OPTIONS:-}" in
+        *-XX:+Use*GC*) ;;
+        *) collector='-XX:+UseSerialGC -XX:MaxNewSize=64m' ;;
+        esac
+        ;;
+    esac
+
+    # What takes steps uses the vector unit where this Java is good at it and has the module for it. The JVM then writes
+    # a line of its own to the error stream, which nobody can turn off. DAPHNIS_VECTOR=no goes without.
+    unit=
+    if [ "$major" -ge 25 ] && grep -q '^MODULES=.*jdk\.incubator\.vector' "$release" 2>/dev/null; then
+        unit=--add-modules=jdk.incubator.vector
+    fi
+    case $command${DAPHNIS_VECTOR:-} in
+    run | resume | bench | sweep) vector=$unit ;;
+    *) vector= ;;
+    esac
+
+    # Class-data sharing: the classes of all libraries as they were laid out once, for this Java and this jar, which
+    # saves half of a start. The JVM goes without when the archive does not fit or is damaged. Whatever fails here stops
+    # no run.
+    archive=$(dirname -- "$jar")/daphnis-$major-$(cat "$release" 2>/dev/null | cksum | tr -cd '0-9').jsa
+    if [ -w "$(dirname -- "$jar")" ] && ! archived; then train "$unit" || true; fi
+
+    set -- -jar "$jar" "$@"
+    # Words of options, but no names of files.
+    set -f
+    # shellcheck disable=SC2086
+    set -- $collector $vector ${JAVA_OPTS:-} "$@"
+    if archived && [ -s "$archive" ]; then
+        set -- -XX:+VerifySharedSpaces "-XX:SharedArchiveFile=$archive" '-Xlog:cds*=off' '-Xlog:class+path=off' "$@"
+    fi
+    # Pekko uses sun.misc.Unsafe, of which JDK 24 and newer would warn in four lines; older ones do not know the
+    # property.
+    exec "$java" -Dsun.misc.unsafe.memory.access=allow -Xms8m "$@"
+}

@@ -1,0 +1,69 @@
+package daphnis.app
+
+import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+
+/** The script for bash, in a bash that is asked what it would offer. */
+class CompletionTest {
+    @TempDir
+    lateinit var home: Path
+
+    private val script by lazy { assertDone(daphnis("completion", "bash")) }
+
+    /** What bash offers for the last of [words], after the others, in a directory with `mine.json`. */
+    private fun offered(vararg words: String): List<String> {
+        Files.writeString(home.resolve("script"), script)
+        Files.writeString(home.resolve("mine.json"), "{}")
+        val line = words.joinToString(" ") { "'$it'" }
+        val ask = "source ./script; COMP_WORDS=($line); COMP_CWORD=${words.size - 1}; _daphnis; printf '%s\\n' " +
+            "\"\${COMPREPLY[@]}\""
+        val bash = ProcessBuilder("bash", "-c", ask).directory(home.toFile()).redirectErrorStream(true).start()
+        val said = bash.inputReader().readText()
+        assertTrue(bash.waitFor(1, TimeUnit.MINUTES))
+        return said.lines().filter { it.isNotEmpty() }
+    }
+
+    @Test
+    fun `commands, options and the names of scenarios, engines and formats are those of the program`() {
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "no bash here")
+        assertEquals(listOf("resume"), offered("daphnis", "res"))
+        assertEquals(listOf("resume"), offered("daphnis", "help", "res"))
+        assertEquals(listOf("--threads"), offered("daphnis", "--debug", "run", "--th"))
+        assertEquals(BuiltIn.names, offered("daphnis", "scenarios", ""))
+        val scenarios = offered("daphnis", "run", "")
+        assertTrue(scenarios.containsAll(BuiltIn.names + "mine.json")) { "$scenarios" }
+        assertEquals(listOf("mine.json"), offered("daphnis", "run", "--engine", "serial", "min"))
+        assertEquals(allEngines.names.toList(), offered("daphnis", "run", "--engine", ""))
+        assertEquals(listOf("serial,islands"), offered("daphnis", "bench", "--engines", "serial,isl"))
+        assertEquals(listOf("h5md"), offered("daphnis", "export", "mine", "--format", "h"))
+        assertEquals(listOf("mine.json"), offered("daphnis", "analyze", "--scenario", "mi"))
+        assertEquals(listOf("bash"), offered("daphnis", "completion", "b"))
+    }
+
+    @Test
+    fun `a directory is completed with a slash, and every shell has its script`() {
+        assertTrue("\ncomplete -o filenames -F _daphnis daphnis" in script)
+        assertTrue("bashcompinit" in assertDone(daphnis("completion", "zsh")))
+        val fish = assertDone(daphnis("completion", "fish"))
+        for (name in BuiltIn.names + allEngines.names) assertTrue(name in fish) { name }
+        assertRefused(daphnis("completion", "tcsh"), "tcsh", "fish")
+    }
+
+    @Test
+    fun `help is a command, also about others`() {
+        val help = assertDone(daphnis("help"))
+        assertEquals(assertDone(daphnis("--help")), help)
+        assertEquals(assertDone(daphnis("run", "--help")), assertDone(daphnis("help", "run")))
+        assertTrue("completion" in help)
+        assertRefused(daphnis("help", "rnu"), "rnu", "Did you mean run?")
+        assertRefused(daphnis("rnu"), "Did you mean run?")
+        assertRefused(daphnis("run", "--sede", "3"), "--seed")
+    }
+}
