@@ -61,7 +61,9 @@ for consumer in kotlin java; do
     maven package "-Dpublished=file:$work/maven" "-Ddaphnis=$version"
 done
 is_right "$work/kotlin/target/lib" "$(java -cp "$work/kotlin/target/consumer.jar:$work/kotlin/target/lib/*" RingKt)"
-is_right "$work/java/target/lib" "$(java -p "$work/java/target/consumer.jar:$work/java/target/lib" -m consumer/consumer.Ring)"
+# Modules without a descriptor require none, so the JVM would leave out kotlin.stdlib, which has one.
+path=$work/java/target/consumer.jar:$work/java/target/lib
+is_right "$work/java/target/lib" "$(java --add-modules ALL-MODULE-PATH -p "$path" -m consumer/consumer.Ring)"
 
 if [ "${1:-}" = --gradle ]; then
     cd "$here"

@@ -13,6 +13,7 @@ public object PowersOfTen {
     private const val SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 
     /** [value] with one digit before the point and [decimals] behind it. */
+    @JvmStatic
     public fun text(value: Double, decimals: Int): String {
         // Rounding may lift the last digit into the next power, 9.9996 to 10.000: the formatter of the language knows.
         val text = String.format(Locale.ROOT, "%.${decimals}e", value)
@@ -20,14 +21,17 @@ public object PowersOfTen {
     }
 
     /** ` · 10⁻⁴`. */
+    @JvmStatic
     public fun times(exponent: Int): String = " · " + power(exponent)
 
     /** `10⁻⁴`. */
+    @JvmStatic
     public fun power(exponent: Int): String {
         val digits = abs(exponent).toString().map { SUPERSCRIPTS[it - '0'] }.joinToString("")
         return "10" + (if (exponent < 0) "⁻" else "") + digits
     }
 
     /** The sign of subtraction in place of the hyphen. */
+    @JvmStatic
     public fun minus(text: String): String = text.replace("-", "−")
 }
