@@ -52,7 +52,7 @@ internal class Transport(private val every: Int, private val sums: StepSums, pri
 
     override fun save(state: OutputState) {
         statistics.save(state)
-        files.writeWhole(ImpactColumns.file, ImpactColumns.table(statistics))
+        files.writeWhole(ImpactColumns.file, ImpactColumns.table(statistics, files.units))
     }
 
     override fun restore(state: OutputState) {
