@@ -81,10 +81,13 @@ public class SweepText(private val sweep: Sweep) {
 
     private fun meaning(): String? {
         if (most < 2 || quantities.isEmpty()) return null
-        val percent = String.format(Locale.ROOT, "%.0f", 100 * SampleMean.coverage(most))
+        val least = sweep.points.flatMap { p -> quantities.map { p.mean(it.key).count } }.filter { it >= 2 }.minOrNull()
+        val fewer = if (least == null || least == most) "" else ", and in ${coverage(least)} with n = $least"
         return "n = $most runs that differ in their seed; ± is one standard error of their mean, " +
-            "which covers the true mean in $percent % of cases."
+            "which covers the true mean in ${coverage(most)} of cases$fewer."
     }
+
+    private fun coverage(n: Int) = String.format(Locale.ROOT, "%.0f %%", 100 * SampleMean.coverage(n))
 
     private fun zeros() = if (zero.isEmpty()) null else "0 in all runs: ${zero.joinToString { it.name }}."
 

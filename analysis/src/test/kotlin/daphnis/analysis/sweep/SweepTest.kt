@@ -180,6 +180,7 @@ class SweepTest {
         assertEquals(listOf("some"), sweep.quantities.map { it.key })
         assertEquals("some,m^2/s,2.0,1.0,2,", written { SweepTables(sweep).writeMeans(it) }[1])
         assertTrue("2.0 ± 1.0 (n = 2)" in SweepText(sweep).text(80))
+        assertTrue("in 58 % of cases, and in 50 % with n = 2." in SweepText(sweep).text(80))
         assertEquals(0, SweepPlots(sweep).write(folder.resolve("plots")))
     }
 
