@@ -24,7 +24,12 @@ class RefusalsTest {
     @Test
     fun `several values where a run takes one are refused with a hint at sweep`() {
         val list = "restitution.coefficient=0.5,0.9"
-        assertRefused(daphnis("run", "shear-cell", "--set", list), "restitution.coefficient", "0.5,0.9", "`daphnis sweep`")
+        assertRefused(
+            daphnis("run", "shear-cell", "--set", list),
+            "restitution.coefficient",
+            "0.5,0.9",
+            "`daphnis sweep`",
+        )
         val other = daphnis("run", "shear-cell", "--set", "restitution.coefficient=two")
         assertTrue("sweep" !in other.err) { other.err }
     }

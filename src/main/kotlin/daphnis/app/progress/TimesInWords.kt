@@ -34,7 +34,8 @@ internal class TimesInWords(omega: Double?, units: UnitsSpec?) {
     private fun number(time: Double): String {
         val rounded = BigDecimal(time / size).round(MathContext(DIGITS)).stripTrailingZeros()
         val isPlain = rounded.precision() - rounded.scale() in LEAST_POWER..MOST_POWER
-        return if (rounded.signum() == 0) "0" else if (isPlain) rounded.toPlainString() else "$rounded"
+        if (rounded.signum() == 0) return "0"
+        return if (isPlain) rounded.toPlainString() else "$rounded"
     }
 
     companion object {

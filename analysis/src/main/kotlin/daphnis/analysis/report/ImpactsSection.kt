@@ -27,7 +27,12 @@ internal class ImpactsSection(private val study: Study) : Section {
         val x = DoubleArray(rows.size) { sqrt(rows.from[it] * rows.to[it]) * unit.factor }
         val y = DoubleArray(rows.size) { rows.collisions[it] / total / Math.log(rows.to[it] / rows.from[it]) }
         val curves = listOf(Curve("impacts", x, y))
-        val figure = Chart.lines(curves, UnitNames.axis("impact speed", unit.name), "part of impacts per ln v", logX = true)
+        val figure = Chart.lines(
+            curves,
+            UnitNames.axis("impact speed", unit.name),
+            "part of impacts per ln v",
+            logX = true,
+        )
         val caption = "Impact speeds of all collisions of the run."
         study.draw(page, figure, "impact-speeds", "distribution of impact speeds", caption)
         Table("impact-speeds", listOf(Column("speed", unit.name, x), Column("fraction_per_ln_v", "", y)))
