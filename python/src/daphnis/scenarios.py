@@ -159,7 +159,7 @@ def _read(what: ScenarioLike, settings: list[str]) -> tuple[Any, str]:
 
 
 def _at_home(found: Any, home: Path) -> Any:
-    return java("daphnis.core.run.ParticleFileKt").atHome(found, java_path(home))
+    return java("daphnis.core.run.ParticleFile").atHome(found, java_path(home))
 
 
 def _list(words: list[str]) -> Any:

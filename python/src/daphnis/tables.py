@@ -52,7 +52,8 @@ def read_table(path: Path, unit: Callable[[str], str] | None = None) -> pd.DataF
 
 
 def _declared(path: Path, table: pd.DataFrame, unit: Callable[[str], str] | None) -> pd.DataFrame:
-    """A table of a run, whose columns the library knows."""
+    """A table of a run, whose columns the library knows; their heads may say their units."""
+    table = _headed(table)
     units = {}
     for column in java(_DECLARED[path.name]).INSTANCE.getColumns():
         name = str(column.getName())

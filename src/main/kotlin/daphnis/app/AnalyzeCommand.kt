@@ -98,7 +98,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         if (groups < 0 || groups > MOST) wrong("--groups", groups, "in 1..$MOST")
         if (!(elevation > 0 && elevation <= 90)) wrong("--elevation", elevation, "in (0, 90] degrees")
         if (!(azimuth >= -360 && azimuth <= 360)) wrong("--azimuth", azimuth, "in -360..360 degrees")
-        if (frames < 1) wrong("--frames", frames, ">= 1")
+        if (frames < 1) wrong("--frames", frames, "at least 1")
         from?.let { if (!it.isFinite()) wrong("--from", it, "a finite number") }
     }
 

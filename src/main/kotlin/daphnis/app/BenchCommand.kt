@@ -69,8 +69,8 @@ class BenchCommand : CliktCommand(name = "bench") {
 
     override fun run() {
         if (compare) return compareResults()
-        if (rounds < 1) throw InputException("--rounds", null, "is $rounds; it must be >= 1")
-        steps?.let { if (it < 1) throw InputException("--steps", null, "is $it; it must be >= 1") }
+        if (rounds < 1) throw InputException("--rounds", null, "is $rounds; it must be at least 1")
+        steps?.let { if (it < 1) throw InputException("--steps", null, "is $it; it must be at least 1") }
         val contestants = contestants()
         val names = words.ifEmpty { PAPER }.distinct()
         val contests = names.map { Contest(allEngines, contestants, scenarioNamed(it, settings), it, steps) }

@@ -4,13 +4,17 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
+import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
 import daphnis.app.progress.Progress
+import daphnis.app.progress.TimesInWords
 import daphnis.core.run.Run
 import daphnis.core.run.RunException
 import daphnis.core.run.Summary
 import daphnis.core.scenario.PlacementSpec
+import daphnis.core.table.Dimension
+import daphnis.core.table.UnitsOfDimensions
 import java.util.Locale
 import kotlin.concurrent.thread
 
@@ -29,10 +33,11 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else originOf(run)
                 val count = spheres(run.simulation.population.size)
-                println("$count, ${from}time ${run.simulation.time} to ${run.until}, into $directory")
+                println("$count, ${from}time ${timesOf(run).span(run.simulation.time, run.until)}, into $directory")
             }
             interruption.armed = true
-            val progress = Progress(quiet, run.until)
+            val units = UnitsOfDimensions(run.scenario?.units)
+            val progress = Progress(quiet, run.until, timesOf(run), named(units, Dimension.ENERGY))
             val summary = run.execute(live?.watching(run, progress) ?: progress) { interruption.requested }
             if (!summary.finished) {
                 val command = "daphnis resume ${quoted("$directory")}"
@@ -43,7 +48,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
             }
             live?.endsWith("complete after step ${summary.steps}, state digest ${summary.stateDigest}")
             if (run.hasSeries) drawPlot(run, summary)
-            report(summary)
+            report(summary, timesOf(run), units)
             if (interruption.requested) {
                 println("interrupted at the end: the run is complete, there is nothing to resume")
                 throw ProgramResult(EXIT_INTERRUPTED)
@@ -64,6 +69,9 @@ private fun originOf(run: Run): String {
     val placement = run.scenario?.placement as? PlacementSpec.File ?: return ""
     return placement.run?.let { "from step ${placement.step ?: 0} of $it, " }.orEmpty()
 }
+
+/** A run of a program has no scenario that tells its units. */
+private fun timesOf(run: Run): TimesInWords = run.scenario?.let { TimesInWords.of(it) } ?: TimesInWords(null, null)
 
 /** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */
 internal fun drawPlot(run: Run, summary: Summary) {
@@ -99,16 +107,19 @@ internal fun preparePlot() {
     }
 }
 
-private fun report(summary: Summary) {
+/** The unit of [dimension] if it has a name, readable; else empty. */
+private fun named(units: UnitsOfDimensions, dimension: String): String =
+    UnitNames.raised(units.of(dimension)).takeUnless { it.startsWith(UnitsOfDimensions.UNNAMED) }.orEmpty()
+
+private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensions) {
     fun say(format: String, vararg values: Any) = println(String.format(Locale.ROOT, format, *values))
-    say(
-        "%d steps to time %.6g in %.1f s, %d collisions",
-        summary.steps,
-        summary.time,
-        summary.wallSeconds,
-        summary.collisions,
-    )
-    say("temperature %.6g, energy %.6g, deepest overlap %.2g", summary.temperature, summary.energy, summary.maxOverlap)
+    val end = times.text(summary.time)
+    say("%d steps to time %s in %.1f s, %d collisions", summary.steps, end, summary.wallSeconds, summary.collisions)
+    val ofSpeeds = named(units, Dimension.SPEED_SQUARED)
+    val ofEnergy = named(units, Dimension.ENERGY).ifEmpty { "in the scenario's units" }
+    val temperature = String.format(Locale.ROOT, "%.6g %s", summary.temperature, ofSpeeds).trim()
+    say("temperature %s, energy %.6g %s", temperature, summary.energy, ofEnergy)
+    if (summary.maxOverlap > 0) say("deepest overlap %.2g of the sum of two radii", summary.maxOverlap)
     if (summary.guardActivations > 0) say("the collapse guard made %d collisions elastic", summary.guardActivations)
     println("state digest ${summary.stateDigest}")
 }

@@ -22,19 +22,20 @@ class CompareCommand : CliktCommand(name = "compare") {
     override fun run() {
         val a = directory(first)
         val b = directory(second)
+        val endA = summary(a)
+        val endB = summary(b)
         val common = a.snapshotSteps().intersect(b.snapshotSteps().toSet()).sorted()
         for (step in common) {
             val difference = firstDifference(a.readSnapshot(step), b.readSnapshot(step)) ?: continue
-            println("differ at step $step: $difference")
+            println("differ at step $step: $difference${sameEnd(endA, endB)}")
             throw ProgramResult(EXIT_FAILED)
         }
-        val endA = summary(a)
-        val endB = summary(b)
         val digestA = endA?.stateDigest
         val digestB = endB?.stateDigest
         val rest = "${common.size} common snapshots are identical"
         if (endA != null && endB != null && endA.steps != endB.steps) {
-            println("differ: one ended after step ${endA.steps}, the other after step ${endB.steps}; $rest")
+            val ends = "one ended after step ${endA.steps}, the other after step ${endB.steps}"
+            println("differ: $ends; $rest${sameEnd(endA, endB)}")
             throw ProgramResult(EXIT_FAILED)
         }
         if (digestA != null && digestB != null && digestA != digestB) {
@@ -50,6 +51,12 @@ class CompareCommand : CliktCommand(name = "compare") {
             "; at least one has not ended, so the ends are not compared"
         }
         println("identical: ${common.size} common snapshots$digest")
+    }
+
+    /** A run that starts from a state of another counts its steps anew, and yet may come to the same end. */
+    private fun sameEnd(a: Summary?, b: Summary?): String {
+        if (a?.stateDigest == null || a.stateDigest != b?.stateDigest) return ""
+        return "; both end in the same state, digest ${a.stateDigest}"
     }
 
     private fun directory(word: String): RunDirectory {

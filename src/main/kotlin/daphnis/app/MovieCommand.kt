@@ -17,6 +17,7 @@ import daphnis.analysis.movie.MovieFrames
 import daphnis.analysis.movie.MovieOptions
 import daphnis.analysis.movie.MovieView
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.describe.Quantities.Companion.number
 import daphnis.app.progress.ShownProgress
 import daphnis.core.run.RunException
 import daphnis.core.scenario.InputException
@@ -34,7 +35,10 @@ class MovieCommand : CliktCommand(name = "movie") {
         "--color",
         help = "what the colour means: speed against the mean flow (default), size, height or surface density",
     ).choice(MovieColour.entries.associateBy { it.word }).default(MovieColour.SPEED)
-    private val fps by option("--fps", help = "frames per second (default 25)").double().default(25.0)
+    private val fps by option(
+        "--fps",
+        help = "frames per second (default 25, or fewer so that few frames last 4 s)",
+    ).double()
     private val width by option("--width", help = "width of the frames in pixels (default 1200)").int().default(1200)
     private val out by option(
         "--out",
@@ -53,8 +57,9 @@ class MovieCommand : CliktCommand(name = "movie") {
         // What was changed beside the states does not show, but for the units; a notice says it.
         val input = AnalysisInput.ofRun(path, acceptLoss = true)
         for (notice in input.notices) warn(notice)
+        val rate = fps ?: MovieOptions.rateFor(input.size)
         val file = target ?: path.resolve("plots").resolve("movie.gif")
-        val movie = Movie(input, MovieOptions(view, colour, fps, width))
+        val movie = Movie(input, MovieOptions(view, colour, rate, width))
         val frames = writing(file.toAbsolutePath().parent) {
             try {
                 movie.write(file, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
@@ -62,7 +67,7 @@ class MovieCommand : CliktCommand(name = "movie") {
                 throw RunException(e.message.orEmpty(), e)
             }
         }
-        report(frames, file)
+        report(frames, rate, file)
     }
 
     private fun checkOptions(target: Path?) {
@@ -74,18 +79,24 @@ class MovieCommand : CliktCommand(name = "movie") {
         val format = if (target == null) MovieFormat.GIF else MovieFormat.of(target)
         if (format == null) wrong("--out", "$out", "a name that ends in .gif or .mp4")
         if (target != null && Files.isDirectory(target)) throw InputException("--out", null, "$out is a directory")
+        val fps = fps ?: return
         if (fps !in MovieOptions.LEAST_RATE..format.mostFramesPerSecond) {
             wrong("--fps", fps, "in ${MovieOptions.LEAST_RATE}..${format.mostFramesPerSecond} for .${format.extension}")
         }
     }
 
-    private fun report(frames: MovieFrames, file: Path) {
+    private fun report(frames: MovieFrames, rate: Double, file: Path) {
         frames.enlarged?.let { println("the box is drawn with its $it, and every frame says so") }
         val isOne = frames.number == 1
         if (isOne) println("the run has one snapshot only: for more, set output.snapshotEvery before a run")
         val count = if (isOne) "1 frame" else "${frames.number} frames"
-        val seconds = String.format(Locale.ROOT, "%.3g s", frames.number / fps)
+        val seconds = "${number(frames.number / rate)} s at ${number(rate)} per second"
         println("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
+        if (fps == null &&
+            rate < MovieOptions.USUAL_RATE
+        ) {
+            println("few frames are shown slowly; --fps sets another rate")
+        }
     }
 
     private fun size(bytes: Long): String = String.format(Locale.ROOT, "%.1f MB", bytes / 1e6)

@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.long
 import daphnis.app.live.LiveOption
+import daphnis.app.progress.TimesInWords
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Run
 import daphnis.core.run.RunOrigin
@@ -118,7 +119,7 @@ class RunCommand : CliktCommand(name = "run") {
         if (until != null) {
             throw InputException("--steps", null, "is given together with --until; one of the two is enough")
         }
-        if (steps < 1) throw InputException("--steps", null, "is $steps; it must be >= 1")
+        if (steps < 1) throw InputException("--steps", null, "is $steps; it must be at least 1")
         val step = FrameSetup.times(scenario.copy(until = 1.0), source).timeStep as? TimeStepSpec.Fixed
             ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
         return scenario.copy(until = (origin?.state?.time ?: scenario.startTime) + steps * step.dt)
@@ -130,7 +131,9 @@ class RunCommand : CliktCommand(name = "run") {
         if (until != null) return
         val end = FrameSetup.times(scenario, source).end
         if (end > start) return
-        throw InputException(FROM, null, "is at time $start, and the run would end at $end; give --steps or --until")
+        val times = TimesInWords.of(scenario)
+        val ends = "and the run would end at ${times.text(end)}"
+        throw InputException(FROM, null, "is at time ${times.text(start)}, $ends; give --steps or --until")
     }
 
     private companion object {

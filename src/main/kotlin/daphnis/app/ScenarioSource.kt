@@ -9,7 +9,21 @@ import daphnis.core.scenario.ScenarioJson
 import java.nio.file.Files
 
 /** The scenario that a word on the command line means: a file if there is one, else a built-in name. */
-internal fun scenarioNamed(word: String, settings: List<String>): Scenario {
+internal fun scenarioNamed(word: String, settings: List<String>): Scenario = try {
+    read(word, settings)
+} catch (e: InputException) {
+    throw if (settings.any { isList(it, e.key) }) InputException("", null, "${e.message}; $SWEEP_HINT") else e
+}
+
+/** Whether [setting] gives [key] several numbers, as only a sweep takes them. */
+private fun isList(setting: String, key: String?): Boolean {
+    val values = setting.substringAfter('=', "").split(',')
+    return setting.substringBefore('=') == key && values.size > 1 && values.all { it.toDoubleOrNull() != null }
+}
+
+private const val SWEEP_HINT = "a run for each of several values is `daphnis sweep`"
+
+private fun read(word: String, settings: List<String>): Scenario {
     val path = pathOf(word, "scenario")
     if (word in BuiltIn.names && !Files.isRegularFile(path)) return BuiltIn.scenario(word, settings)
     if (!Files.exists(path)) {

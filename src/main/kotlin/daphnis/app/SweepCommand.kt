@@ -16,6 +16,7 @@ import daphnis.analysis.sweep.SweepRun
 import daphnis.analysis.sweep.SweepTables
 import daphnis.analysis.sweep.SweepText
 import daphnis.app.progress.columnsFor
+import daphnis.app.sweep.KeyLabel
 import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SharedCores
 import daphnis.app.sweep.SweepDirectory
@@ -89,7 +90,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
         writing(place.path.toAbsolutePath().parent) {
             place.claim(record)
-        }.use { carryOut(plan, place, scenarios::getValue) }
+        }.use { carryOut(plan, place, KeyLabel(base.units), scenarios::getValue) }
     }
 
     private fun scenarioOf(run: PlannedRun): Scenario {
@@ -108,7 +109,12 @@ class SweepCommand : CliktCommand(name = "sweep") {
         throw InputException("--engine", null, problem)
     }
 
-    private fun carryOut(plan: SweepPlan, place: SweepDirectory, scenarios: (PlannedRun) -> Scenario) {
+    private fun carryOut(
+        plan: SweepPlan,
+        place: SweepDirectory,
+        label: KeyLabel,
+        scenarios: (PlannedRun) -> Scenario,
+    ) {
         val runs = plan.runs
         val cores = Runtime.getRuntime().availableProcessors()
         val together = minOf(jobs ?: cores, runs.size)
@@ -139,7 +145,8 @@ class SweepCommand : CliktCommand(name = "sweep") {
                 println("interrupted with $finished of ${runs.size} runs finished; the same command goes on with them")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
-            conclude(Sweep(plan.varying.map { it.path }, done), place)
+            val keys = plan.varying.map { it.path }
+            conclude(Sweep(keys, done, keys.map { label.of(it) }), place)
             if (interruption.requested) {
                 println("interrupted at the end: the sweep is complete")
                 throw ProgramResult(EXIT_INTERRUPTED)

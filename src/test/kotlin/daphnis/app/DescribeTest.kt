@@ -80,6 +80,20 @@ class DescribeTest {
     }
 
     @Test
+    fun `steps, cells and memory have units, and one of a kind is named as one`() {
+        val ring = describe("ring-patch", "output.seriesEvery=8001")
+        assertEquals("8000 of 3.985 min to time 1913000 s, 22.14 days", row(ring, "steps"))
+        assertTrue(Regex("[0-9.]+ m x [0-9.]+ m x [0-9.]+ m").matches(row(ring, "reach in a step"))) { ring }
+        assertTrue(row(ring, "cells").endsWith(" m") && "each 4 m x " in row(ring, "cells")) { ring }
+        assertTrue("1 row of series.csv," in row(ring, "outputs")) { ring }
+        assertTrue(row(ring, "memory").endsWith(" of the heap of Java, 340 B per sphere")) { ring }
+        val gas = describe("cooling-gas", "output.snapshotEvery=0")
+        assertTrue("1 snapshot," in row(gas, "outputs")) { gas }
+        assertEquals("1000 of 0.1 time units to time 100 time units", row(gas, "steps"))
+        assertTrue("1 mass unit each, 2000 mass units" in row(gas, "mass")) { gas }
+    }
+
+    @Test
     fun `gravity has its scales`() {
         val text = describe("self-gravity-wakes")
         val omega = 0.00013143527

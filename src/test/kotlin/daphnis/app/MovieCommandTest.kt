@@ -27,7 +27,11 @@ class MovieCommandTest {
         val said = assertDone(movie(run, "--width", "300"))
         val file = Path.of(run, "plots", "movie.gif")
         // Of the start and of steps 2, 4 and 6; below the square box there is the legend.
-        assertTrue("4 frames of 300 × 380 pixels, 0.160 s" in said && "$file" in said) { said }
+        assertTrue(
+            "4 frames of 300 × 380 pixels, 4 s at 1 per second" in said &&
+                "--fps sets another" in said &&
+                "$file" in said,
+        ) { said }
         ImageIO.createImageInputStream(file.toFile()).use { input ->
             val reader = ImageIO.getImageReaders(input).next().also { it.input = input }
             assertEquals(4, reader.getNumImages(true))

@@ -22,6 +22,19 @@ class RefusalsTest {
     )
 
     @Test
+    fun `several values where a run takes one are refused with a hint at sweep`() {
+        val list = "restitution.coefficient=0.5,0.9"
+        assertRefused(
+            daphnis("run", "shear-cell", "--set", list),
+            "restitution.coefficient",
+            "0.5,0.9",
+            "`daphnis sweep`",
+        )
+        val other = daphnis("run", "shear-cell", "--set", "restitution.coefficient=two")
+        assertTrue("sweep" !in other.err) { other.err }
+    }
+
+    @Test
     fun `a resumed run cannot end before now, and is left as it was`() {
         assertDone(small("a"))
         val summary = Files.readString(home.resolve("a/summary.json"))

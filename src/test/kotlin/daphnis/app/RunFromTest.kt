@@ -33,7 +33,7 @@ class RunFromTest {
     @Test
     fun `without a scenario that of the run goes on, to the same digest, and the output says from where`() {
         val out = assertDone(daphnis("run", "--from", at("a") + "@6", "--out", at("b")))
-        assertTrue(out.startsWith("150 spheres, from step 6 of ${at("a")}, time 0.6")) { out }
+        assertTrue(out.startsWith("150 spheres, from step 6 of ${at("a")}, time 0.6 to 1 unit of time, into")) { out }
         assertEquals(field("a", "stateDigest"), field("b", "stateDigest"))
         assertEquals("\"step 6 of ${at("a")}, time 0.6000000000000001\"", field("b", "from"))
         assertDone(daphnis("run", "--from", at("a") + "@time=0.6", "--out", at("c"), "--quiet"))
@@ -55,6 +55,23 @@ class RunFromTest {
     }
 
     @Test
+    fun `in Hill's frame times are told in orbits, also where there is no state`() {
+        val steps = arrayOf("--steps", "6", "--set", "output.snapshotEvery=2", "--set", "box.lengths=[60,60,20]")
+        assertDone(daphnis("run", "ring-patch", *steps, "--out", at("r"), "--quiet"))
+        val out = assertDone(daphnis("run", "--from", at("r") + "@orbits=0.02", "--steps", "2", "--out", at("s")))
+        assertTrue(", from step 4 of ${at("r")}, time 0.02 to 0.03 orbits, into ${at("s")}" in out) { out }
+        val none = daphnis("run", "--from", at("r") + "@orbits=0.025", "--out", at("x"))
+        assertRefused(none, "(0.025 orbits); next to it", "step 4, time 956.", "(0.02 orbits) and step 6,")
+        assertRefused(daphnis("run", "--from", at("r"), "--out", at("x")), "time 0.03 orbits, and the run would end at")
+        // Its steps count from its own start, yet it ends where the first run ends.
+        val differ = daphnis("compare", at("r"), at("s"))
+        assertEquals(1, differ.code)
+        assertTrue("; both end in the same state, digest ${field("r", "stateDigest").trim('"')}" in differ.out) {
+            differ.out
+        }
+    }
+
+    @Test
     fun `what is wrong is said in one line`() {
         fun refused(vararg words: String, parts: List<String>) =
             assertRefused(daphnis("run", *words, "--out", at("x")), *parts.toTypedArray())
@@ -64,10 +81,14 @@ class RunFromTest {
         refused("--from", at("a@5"), parts = listOf("no state after step 5", "0, 3, 6, 9, 10"))
         refused("--from", at("a@2.5"), parts = listOf("--from", "@2.5", "@20", "@time="))
         refused("--from", at("a@"), parts = listOf("--from", "'@'"))
-        refused("--from", at("a@time=0.5"), parts = listOf("no state at time 0.5", "step 3", "step 6"))
+        refused(
+            "--from",
+            at("a@time=0.5"),
+            parts = listOf("no state at time 0.5;", "step 3, time 0.3 and step 6, time 0.6"),
+        )
         refused("--from", at("a@time=soon"), parts = listOf("--from", "time=soon"))
         refused("--from", at("a@orbits=1"), parts = listOf("--from", "frame of type hill"))
-        refused("--from", at("a"), parts = listOf("--from", "time 1.0", "--steps", "--until"))
+        refused("--from", at("a"), parts = listOf("--from", "time 1 unit of time", "--steps", "--until"))
         refused("--from", at("a@6"), "--seed", "3", parts = listOf("--seed", "--from"))
         refused("--from", at("a@6"), "--set", "particles.count=3", parts = listOf("--set", "particles.count=3"))
         refused("--from", at("a@6"), "--set", "box.lengths[0]=9", parts = listOf("box.lengths[0]", "9.0", "8.0"))

@@ -131,7 +131,7 @@ class SweepCommandTest {
     fun `runs that are not steady are counted below the table`() {
         val words = arrayOf("cooling-gas", "--set", "until=20", "--set", "particles.count=300", "--seeds", "1,2")
         val said = assertDone(sweep(*words, "--out", out("a"), "--quiet"))
-        assertTrue("2 runs: not steady over the time averaged" in said) { said }
+        assertTrue("!: not steady over the time averaged, in 2 of 2 runs" in said) { said }
         assertTrue(lines("a/runs.csv").drop(1).all { it.endsWith(",not steady over the time averaged") })
     }
 

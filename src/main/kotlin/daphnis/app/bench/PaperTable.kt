@@ -38,7 +38,7 @@ internal object PaperTable {
     }
 
     private const val HEADER =
-        "| system | engine | ours, s | us per collision | authors' C++ [1], s | us per collision | [1] / ours | " +
+        "| system | engine | ours, s | µs per collision | authors' C++ [1], s | µs per collision | [1] / ours | " +
             "Java / C++ [2] |\n|---|---|--:|--:|--:|--:|--:|--:|"
 
     private val SOURCES = """

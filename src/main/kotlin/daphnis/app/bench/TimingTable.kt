@@ -8,7 +8,7 @@ internal fun timingTable(timings: List<Timing>): String {
     val ranking = Ranking(timings)
     val lines = ArrayList<String>()
     lines +=
-        row("engine", "threads", "fastest, s", "median, s", "ms per step", "us per collision", "speed", "efficiency")
+        row("engine", "threads", "fastest, s", "median, s", "ms per step", "µs per collision", "speed", "efficiency")
     lines += "|---|--:|--:|--:|--:|--:|--:|--:|"
     for (t in timings) {
         lines += row(

@@ -29,7 +29,8 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     fun write() {
         outputs()
-        rows.add("memory", bytes(size * ScenarioSetup.BYTES_PER_SPHERE))
+        val perSphere = "${bytes(ScenarioSetup.BYTES_PER_SPHERE)} per sphere"
+        rows.add("memory", "${bytes(size * ScenarioSetup.BYTES_PER_SPHERE)} of the heap of Java, $perSphere")
         rows.add(
             "run time",
             "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so",
@@ -39,7 +40,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
             chosen == null -> "at least "
             else -> "about "
         } + written(steps)
-        rows.add("steps", "$count of ${number(dt)} to time ${number(scenario.end)}, ${say.time(scenario.end)}")
+        rows.add("steps", "$count of ${say.time(dt)} to time ${say.timeInUnits(scenario.end)}")
         chosen?.let { choice(it) }
         search()
     }
@@ -68,7 +69,10 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun row(what: String, count: Double, disk: Double) {
-        if (count > 0) rows.add("outputs", "${written(count)} $what, ${bytes(disk)}")
+        if (count <= 0) return
+        // `1 snapshot`, `1 row of series.csv`.
+        val named = if (count == 1.0) what.replaceFirst(Regex("s\\b"), "") else what
+        rows.add("outputs", "${written(count)} $named, ${bytes(disk)}")
     }
 
     private fun written(count: Double) = if (count < MOST_WRITTEN) "%.0f".format(Locale.ROOT, count) else number(count)
@@ -99,14 +103,14 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     private fun search() {
         val reach = Reach().apply { measure(setup.population, setup.boundary, dt) }
-        rows.add("reach in a step", reach.bound.joinToString(" x ") { number(it) })
+        rows.add("reach in a step", reach.bound.joinToString(" x ") { say.length(it) })
         val grid = Grid().apply {
             build(setup.population, setup.boundary, scenario.startTime, dt, reach.bound, structure = scenario.search)
         }
         for (size in 0 until grid.classes) {
-            val radii = if (grid.classes > 1) ", for radii up to ${number(grid.largestRadius(size))}" else ""
+            val radii = if (grid.classes > 1) ", for radii up to ${say.length(grid.largestRadius(size))}" else ""
             val cells = (0..2).joinToString(" x ") { "${grid.cellsAlong(it, size)}" }
-            val widths = (0..2).joinToString(" x ") { number(grid.cellWidth(it, size)) }
+            val widths = (0..2).joinToString(" x ") { say.length(grid.cellWidth(it, size)) }
             rows.add("cells", "$cells, each $widths$radii")
         }
     }

@@ -70,7 +70,19 @@ internal class Quantities(scenario: ScenarioParts) {
     /** One unit of time; it follows from length and speed, so a scenario does not state it. */
     fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }
 
-    private fun plain(value: Double, unit: String) = "${number(value)} $unit"
+    /** A time as a scenario has it, in its units, and in a convenient one where that is another. */
+    fun timeInUnits(value: Double): String {
+        val seconds = (si ?: return time(value)).seconds
+        val unit = if (seconds == 1.0) "s" else "units of ${number(seconds)} s"
+        val plain = "${number(value)} $unit"
+        return if (plain == time(value)) plain else "$plain, ${time(value)}"
+    }
+
+    /** `2 length units`, but `1 length unit`. */
+    private fun plain(value: Double, unit: String): String {
+        val number = number(value)
+        return "$number ${if (number == "1") unit.replace("units", "unit") else unit}"
+    }
 
     companion object {
         /** Four significant digits without a tail of zeros, written out unless very large or very small. */

@@ -7,8 +7,16 @@ import daphnis.core.Simulation
 
 /**
  * Progress of a run to time [until]: one line that rewrites itself on a terminal, a plain line now and then elsewhere.
+ *
+ * @param times in which it tells times
+ * @param energyUnit empty where it has no name
  */
-internal class Progress(private val quiet: Boolean, private val until: Double) : Output {
+internal class Progress(
+    private val quiet: Boolean,
+    private val until: Double,
+    private val times: TimesInWords,
+    private val energyUnit: String,
+) : Output {
     private val terminal = Terminal()
     private val live = !quiet && terminal.terminalInfo.outputInteractive
     private val interval = if (live) LIVE_SECONDS else PLAIN_SECONDS
@@ -36,7 +44,9 @@ internal class Progress(private val quiet: Boolean, private val until: Double) :
         if (wallSeconds - shownAt < interval) return
         val rate = (collisions - collisionsBefore) / (wallSeconds - shownAt)
         val energy = simulation.conserved().kineticEnergy
-        show(ProgressLine(simulation.runStart, simulation.time, until, simulation.step, left, rate, energy))
+        val size = times.size
+        val (start, now, end) = listOf(simulation.runStart / size, simulation.time / size, until / size)
+        show(ProgressLine(start, now, end, simulation.step, left, rate, energy, times.shortUnit, energyUnit))
         shownAt = wallSeconds
         collisionsBefore = collisions
     }

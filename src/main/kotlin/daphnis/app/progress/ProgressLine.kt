@@ -6,6 +6,9 @@ import java.util.Locale
 /**
  * What there is to say about a run that began at time [start] and goes on. [left] is the time left in seconds, or not
  * finite when it is not known.
+ *
+ * @param timeUnit of [start], [time] and [until]; empty where it has no name
+ * @param energyUnit the same for [energy]
  */
 internal class ProgressLine(
     private val start: Double,
@@ -15,6 +18,8 @@ internal class ProgressLine(
     private val left: Double,
     private val collisionsPerSecond: Double,
     private val energy: Double,
+    private val timeUnit: String = "",
+    private val energyUnit: String = "",
 ) {
     /** The most that fits in [columns]; what matters less is left out first, and nothing is longer. */
     fun text(columns: Int): String {
@@ -23,10 +28,10 @@ internal class ProgressLine(
         val long = listOf(
             percent,
             say("step %d", step),
-            say("time %.4g of %.4g", time, until),
+            say("time %.4g of %.4g %s", time, until, timeUnit).trim(),
             clock,
             say("%.3g collisions/s", collisionsPerSecond),
-            say("energy %.5g", energy),
+            say("energy %.5g %s", energy, energyUnit).trim(),
         )
         val times = say("%.4g/%.4g", time, until)
         val candidates = listOf(

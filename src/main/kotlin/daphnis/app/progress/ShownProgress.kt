@@ -17,7 +17,7 @@ internal class ShownProgress : AnalysisProgress {
             System.err.print("\r" + "%3d %% %-60s".format(Locale.ROOT, 100 * done / all, what).take(columns))
             if (done == all) System.err.println()
         } else if (now - last > EVERY_NANOSECONDS && done < all) {
-            System.err.println("%d of %d: %s".format(Locale.ROOT, done, all, what))
+            System.err.println("%d %%  %s".format(Locale.ROOT, 100 * done / all, what))
             last = now
         }
     }

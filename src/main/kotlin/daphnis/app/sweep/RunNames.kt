@@ -1,5 +1,8 @@
 package daphnis.app.sweep
 
+import java.util.Locale
+import java.util.zip.CRC32
+
 /**
  * Names for the directories of runs: `opticalDepth=0.1,seed=3`. A key goes by the last part of its path where that is
  * clear. Characters that a shell or a file system may take amiss become `-`; values that so become alike are numbered.
@@ -26,7 +29,12 @@ internal class RunNames(private val keys: List<SweptKey>) {
         val parts = keys.indices.map { "${short[it]}=${values[it].getValue(own[it])}" } + listOfNotNull(
             seed?.let { "seed=$it" },
         )
-        return parts.joinToString(",")
+        val name = parts.joinToString(",")
+        if (name.length <= MOST) return name
+        // What is cut off may be all in which two runs differ.
+        val sum = CRC32().apply { update(name.toByteArray()) }.value
+        val tail = String.format(Locale.ROOT, ",%08x", sum) + seed?.let { ",seed=$it" }.orEmpty()
+        return name.take(MOST - tail.length) + tail
     }
 
     private fun safe(text: String): String =
@@ -37,7 +45,10 @@ internal class RunNames(private val keys: List<SweptKey>) {
     private companion object {
         val PLAIN = ('a'..'z') + ('A'..'Z') + ('0'..'9') + listOf('.', '_', '-', '+')
 
-        /** Of a part: file systems allow 255 bytes for all. */
+        /** Of a part. */
         const val LONGEST = 32
+
+        /** Of a name: what file systems allow. */
+        const val MOST = 255
     }
 }

@@ -21,13 +21,15 @@ internal class SweepLine(
     /** The most that fits in [columns]; what matters less is left out first, and nothing is longer. */
     fun text(columns: Int): String {
         val percent = String.format(Locale.ROOT, "%3.0f %%", 100 * part)
+        // Of all steps, not of the runs that are named behind.
+        val ofWork = "$percent of the work"
         val done = "$finished of $all ${if (all == 1) "run" else "runs"}"
         val bad = if (failed > 0) "$failed failed" else null
         val now = if (running > 0) "$running running" else null
         val clock = if (left.isFinite() && part < 1) "${clock(left)} left" else null
         val lines = listOf(
-            listOf(percent, done, now, bad, clock),
-            listOf(percent, done, bad, clock),
+            listOf(ofWork, "$done finished", now, bad, clock),
+            listOf(ofWork, "$done finished", bad, clock),
             listOf(percent, done, bad),
             listOf(percent),
         ).map { it.filterNotNull().joinToString("  ") }

@@ -94,8 +94,7 @@ internal class SweepWork(
     private fun numbers(place: RunDirectory): Pair<List<ReportNumber>, String?> = try {
         val input = AnalysisInput.ofRun(place.path)
         val ofReport = Analysis(input, AnalysisOptions(from)).numbers()
-        val remark = if (ofReport.all { it.isSteady }) null else "not steady over the time averaged"
-        ofReport + atEnd(place.path, input.units) to remark
+        ofReport + atEnd(place.path, input.units) to null
     } catch (e: InputException) {
         val units = UnitNames(ScenarioJson.read(place.scenario).units)
         atEnd(place.path, units) to "no numbers of the report: ${words(e).removePrefix("${place.path}: ")}"

@@ -18,6 +18,13 @@ class ProgressLineTest {
     }
 
     @Test
+    fun `times and energies have their units where these have names`() {
+        val text = ProgressLine(0.0, 12.5, 50.0, 1250, 3725.0, 1.2e6, 3.14159, "orbits", "J").text(200)
+        val rest = "1:02:05 left  1.20e+06 collisions/s  energy 3.1416 J"
+        assertEquals(" 25 %  step 1250  time 12.50 of 50.00 orbits  $rest", text)
+    }
+
+    @Test
     fun `a line never is wider than the terminal`() {
         for (progress in listOf(line, longest)) {
             for (columns in 0..200) {

@@ -30,6 +30,14 @@ class SweepPlanTest {
     }
 
     @Test
+    fun `names of many long keys stay short enough for file systems, and different`() {
+        val keys = (1..4).map { "${"$it".repeat(40)}=${"y".repeat(40)},${"z".repeat(40)}" }.toTypedArray()
+        val long = names(*keys, seeds = "1..3")
+        assertEquals(48, long.toSet().size)
+        assertTrue(long.all { it.length == 255 && Regex(".*,[0-9a-f]{8},seed=[123]").matches(it) }) { "$long" }
+    }
+
+    @Test
     fun `a single run has no seed in its name, and a sweep of seeds nothing else`() {
         assertEquals(listOf("x=1", "x=2"), names("a.x=1,2"))
         assertEquals(listOf("seed=3", "seed=5"), names("a.x=1", seeds = "3,5"))

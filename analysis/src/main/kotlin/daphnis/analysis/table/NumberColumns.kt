@@ -3,6 +3,7 @@ package daphnis.analysis.table
 import daphnis.core.format.FormatException
 import daphnis.core.format.reasonOf
 import daphnis.core.table.TableColumns
+import daphnis.core.table.UnitsOfDimensions
 import daphnis.core.table.needed
 import java.io.IOException
 import java.nio.file.Files
@@ -29,7 +30,7 @@ internal object NumberColumns {
         // Half a number looks like a whole one: only the line end tells.
         val lines = text.substring(0, text.lastIndexOf('\n') + 1).lines().dropLast(1)
         if (lines.isEmpty()) return needed.associateWith { DoubleArray(0) }
-        val names = lines[0].split(',')
+        val names = lines[0].split(',').map { UnitsOfDimensions.nameIn(it) }
         for (name in needed) if (name !in names) throw FormatException("$path: column '$name' is missing")
         val columns = Array(names.size) { DoubleArray(lines.size - 1) }
         var rows = 0

@@ -2,19 +2,14 @@ package daphnis.analysis.table
 
 import daphnis.core.scenario.UnitsSpec
 import daphnis.core.table.Dimension
-import kotlin.math.abs
+import daphnis.core.table.UnitsOfDimensions
 
 /**
  * What the units of a scenario are called: `m`, `m/s` where they are metric, else by what they measure, `units of
  * length`, `units of length^2/time`. Powers are written `^2`, as tables in CSV have them; [raised] makes them readable.
  */
 public class UnitNames(units: UnitsSpec?) {
-    private val names: Map<String, String?> = mapOf(
-        "length" to nameOf(units?.lengthInMetres, LENGTHS),
-        "time" to nameOf(units?.timeInSeconds, TIMES),
-        // The mass in kilograms has a default; it means something only where the length is known.
-        "mass" to nameOf(units?.massInKg.takeIf { units?.lengthInMetres != null }, MASSES),
-    )
+    private val names = UnitsOfDimensions(units)
 
     public val length: String = of(Dimension.LENGTH)
     public val time: String = of(Dimension.TIME)
@@ -23,7 +18,7 @@ public class UnitNames(units: UnitsSpec?) {
 
     /** Of ⟨c²⟩/3. */
     public val temperature: String = of(Dimension.SPEED_SQUARED)
-    public val energy: String = of(Dimension.ENERGY).let { if (it == "kg m^2/s^2") "J" else it }
+    public val energy: String = of(Dimension.ENERGY)
     public val area: String = of("length^2")
     public val viscosity: String = of("length^2/time")
     public val surfaceDensity: String = of("mass/length^2")
@@ -37,27 +32,12 @@ public class UnitNames(units: UnitsSpec?) {
      * The unit of a quantity whose [dimension] is written with the words length, time and mass; metric only when all of
      * them are.
      */
-    public fun of(dimension: String): String {
-        val words = names.keys.filter { it in dimension }
-        if (words.isEmpty()) return dimension
-        if (words.any { names[it] == null }) return "$UNITS_OF$dimension"
-        return words.fold(dimension) { text, word -> text.replace(word, names.getValue(word)!!) }
-    }
+    public fun of(dimension: String): String = names.of(dimension)
 
-    private fun inverse(word: String) = "1/" + (names[word] ?: "(unit of $word)")
+    private fun inverse(word: String) = "1/" + (names.nameOrNull(word) ?: "(unit of $word)")
 
     public companion object {
-        private const val UNITS_OF = "units of "
-        private const val CLOSE = 1e-12
-        private val LENGTHS = listOf(0.01 to "cm", 1.0 to "m", 1000.0 to "km")
-        private val TIMES = listOf(1.0 to "s")
-        private val MASSES = listOf(0.001 to "g", 1.0 to "kg")
-
-        private fun nameOf(inSi: Double?, known: List<Pair<Double, String>>) = if (inSi == null) {
-            null
-        } else {
-            known.find { abs(inSi / it.first - 1) < CLOSE }?.second
-        }
+        private const val UNITS_OF = UnitsOfDimensions.UNNAMED
 
         /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `5 m`. */
         @JvmStatic

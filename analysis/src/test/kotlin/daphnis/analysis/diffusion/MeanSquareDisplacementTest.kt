@@ -64,14 +64,18 @@ class MeanSquareDisplacementTest {
     @Test
     fun `a random walk has the coefficient it was made with, and errors that cover it`() {
         var covered = 0
+        val curve = IntArray(32)
         var sum = 0.0
         val runs = 200
         for (seed in 1L..runs) {
-            val d = MeanSquareDisplacement(walk(300, 64, 0.0, SeededRandom(seed))).diffusion(0, 1, 2)!!
+            val squares = MeanSquareDisplacement(walk(300, 64, 0.0, SeededRandom(seed)))
+            val d = squares.diffusion(0, 1, 2)!!
             if (abs(d.value - 0.5) <= d.error) covered++
             sum += d.value
+            for (l in curve.indices) if (abs(squares.mean(0)[l] - squares.lag[l]) <= squares.error(0)[l]) curve[l]++
         }
         assertTrue(covered in 120..150) { "$covered of $runs" }
+        for (l in listOf(0, 7, 15)) assertTrue(curve[l] in 120..150) { "lag ${l + 1}: ${curve[l]} of $runs" }
         assertEquals(0.5, sum / runs, 0.003)
     }
 

@@ -1,5 +1,6 @@
 package daphnis.analysis.profile
 
+import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
@@ -10,6 +11,7 @@ import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
 import kotlin.math.sqrt
 
 class DispersionBySizeTest {
@@ -82,6 +84,36 @@ class DispersionBySizeTest {
             }
             assertEquals(of("c_xx") + of("c_yy") + of("c_zz"), of("c2"), 1e-9)
             assertEquals(1.0, of("h2") / (4 * sigmas[c] * sigmas[c]), slack) { "class $c, height" }
+        }
+    }
+
+    @Test
+    fun `dispersion and height of a class of few tell the truth within one error in 60 to 75 percent`() {
+        val counts = listOf(30, 6)
+        val sigmas = listOf(1.0, 0.5)
+        fun made(seed: Long) = state(listOf(1.0, 2.0), counts, sigmas, seed)
+        val by = DispersionBySize.of(made(1))!!
+        val truths = listOf("c_xx" to 1.0, "c_yy" to 2.0, "c2" to sqrt(14.0), "h2" to 2.0)
+        val covered = HashMap<String, Int>()
+        for (run in 0 until REALISATIONS) {
+            val averages = Averages(by)
+            repeat(40) { averages.add(made(1000L * run + it)) }
+            for (c in 0..1) {
+                for ((name, truth) in truths) {
+                    val root = averages.average(c * DispersionBySize.COLUMNS.size + column(name)).root()
+                    if (abs(root.mean - truth * sigmas[c]) <=
+                        root.error
+                    ) {
+                        covered.merge("$name of class $c", 1, Int::plus)
+                    }
+                }
+            }
+        }
+        assertEquals(8, covered.size)
+        for ((name, count) in covered) {
+            assertTrue(count in REALISATIONS * 60 / 100..REALISATIONS * 75 / 100) {
+                "$name: $count"
+            }
         }
     }
 
@@ -184,5 +216,9 @@ class DispersionBySizeTest {
         for (edges in listOf(doubleArrayOf(1.0), doubleArrayOf(1.0, 1.0), doubleArrayOf(1.0, 3.0, 2.0))) {
             assertThrows(IllegalArgumentException::class.java) { DispersionBySize(edges) }
         }
+    }
+
+    private companion object {
+        const val REALISATIONS = 500
     }
 }

@@ -36,7 +36,7 @@ class SeriesTableTest {
 
     @Test
     fun `what a run has not finished writing is left out, though half a number looks like a whole one`() {
-        val head = "step,time,particles,collisions\n"
+        val head = "step,time [s],particles,collisions\n"
         assertEquals(1, read("${head}0,0,10,0\n1,12").size)
         // 125 collisions, of which the 5 is not on the disk yet.
         assertArrayEquals(doubleArrayOf(0.0), read("${head}0,0,10,0\n1,1,10,12")["collisions"])

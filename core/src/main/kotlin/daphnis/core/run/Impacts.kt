@@ -5,6 +5,7 @@ import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
+import daphnis.core.table.UnitsOfDimensions
 
 /** Bin [k] of the impact speeds in [statistics]. */
 internal class ImpactBin(val statistics: CollisionStatistics, val k: Int)
@@ -29,8 +30,8 @@ public object ImpactColumns : TableColumns {
     public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.statistics.speeds[it.k] }
 
     /** The whole file: from the first bin with a collision to the last. */
-    internal fun table(statistics: CollisionStatistics): ByteArray {
-        val text = StringBuilder(rows.header).append('\n')
+    internal fun table(statistics: CollisionStatistics, units: UnitsOfDimensions): ByteArray {
+        val text = StringBuilder(rows.header(units)).append('\n')
         val filled = statistics.speeds.indices.filter { statistics.speeds[it] > 0 }
         if (filled.isNotEmpty()) {
             for (k in filled.first()..filled.last()) {

@@ -2,9 +2,12 @@ package daphnis.core.run
 
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import java.math.BigDecimal
+import java.math.MathContext
 import java.nio.file.Files
 import kotlin.math.abs
 
@@ -91,9 +94,20 @@ public class RecordedRun internal constructor(public val directory: RunDirectory
         }
         if (isSame(found.time, time)) return found
         val next = steps.getOrNull(low + 1)?.takeIf { found.time < time }?.let { atStep(it) }
-        val near = listOfNotNull(found, next).joinToString(" and ") { "${it.time} (step ${it.step})" }
-        none("has no state at time $time; next to it are those at time $near")
+        val near = listOfNotNull(found, next).joinToString(" and ") { "step ${it.step}, ${inWords(it.time)}" }
+        none("has no state at ${inWords(time)}; next to it are those of $near")
     }
+
+    /** Also in orbits where there are any. Few digits: who wants a state that is there takes its step. */
+    private fun inWords(time: Double): String {
+        val plain = "time ${short(time)}"
+        val scenario = scenario() ?: return plain
+        val omega = FrameSetup.angularSpeed(scenario, directory.scenario.toString()) ?: return plain
+        return "$plain (${short(time * omega / (2 * Math.PI))} orbits)"
+    }
+
+    private fun short(number: Double): String =
+        BigDecimal(number).round(MathContext(DIGITS)).stripTrailingZeros().toPlainString()
 
     private val checkpoint get() = CheckpointState(directory)
 
@@ -112,5 +126,6 @@ public class RecordedRun internal constructor(public val directory: RunDirectory
     private companion object {
         const val SAME = 1e-9
         const val MOST_NAMED = 10
+        const val DIGITS = 7
     }
 }

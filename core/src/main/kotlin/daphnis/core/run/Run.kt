@@ -65,7 +65,8 @@ public class Run internal constructor(
         check(!isExecuted) { "this run was executed before; resume continues it" }
         isExecuted = true
         try {
-            RunFiles(directory, from?.beginnings.orEmpty(), directory.files.writer()).use { files ->
+            val beginnings = from?.beginnings.orEmpty()
+            RunFiles(directory, beginnings, directory.files.writer(), units = scenario?.units).use { files ->
                 val usual = named(PeriodicOutputs.make(plan.output, plan.sums, files), simulation)
                 from?.let { restore(usual, it.checkpoint.outputs) }
                 val last = NamedOutput("the watcher", watcher, simulation)

@@ -1,13 +1,16 @@
 package daphnis.core.run
 
 import daphnis.core.closeAll
+import daphnis.core.scenario.UnitsSpec
 import daphnis.core.table.Columns
+import daphnis.core.table.UnitsOfDimensions
 import java.nio.file.Files
 
 /**
  * The tables that outputs of a run write into [directory], and what a checkpoint keeps about them (ADR 33).
  *
  * @param beginnings of tables, by name, to continue from; a table without one starts as a new file
+ * @param units of the scenario, which stand in the heads of new tables; null when nobody knows them
  * @property writer does the writing; closed with this
  * @param clock nanoseconds; rows that have waited for a second are written
  */
@@ -16,7 +19,10 @@ internal class RunFiles(
     private val beginnings: Map<String, Beginning> = emptyMap(),
     val writer: Writer = DirectWriter,
     private val clock: () -> Long = System::nanoTime,
+    units: UnitsSpec? = null,
 ) : AutoCloseable {
+    /** What the units of columns are called. */
+    val units = UnitsOfDimensions(units)
     private val tables = LinkedHashMap<String, AppendedFile>()
     private val marks = LinkedHashMap<String, FileMark>()
 
@@ -27,7 +33,7 @@ internal class RunFiles(
     fun table(columns: Columns<*>): AppendedFile {
         val name = columns.file
         val path = directory.path.resolve(name)
-        return AppendedFile(path, columns.header, beginnings[name], directory.files, writer, clock).also {
+        return AppendedFile(path, columns.header(units), beginnings[name], directory.files, writer, clock).also {
             tables[name] =
                 it
         }

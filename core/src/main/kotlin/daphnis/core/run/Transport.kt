@@ -54,7 +54,7 @@ internal class Transport(private val times: OutputTimes, private val sums: StepS
 
     override fun save(state: OutputState) {
         statistics.save(state)
-        files.writeWhole(ImpactColumns.file, ImpactColumns.table(statistics))
+        files.writeWhole(ImpactColumns.file, ImpactColumns.table(statistics, files.units))
     }
 
     override fun restore(state: OutputState) {

@@ -3,7 +3,7 @@ package daphnis.core.table
 /**
  * A column of a table that runs write, declared once for all code that writes, reads, draws or explains it.
  *
- * @property name as in the file's header
+ * @property name as in the file's header, where its unit follows in brackets
  * @property dimension of its numbers, see [Dimension]
  * @property need whether a reader can do without it
  */

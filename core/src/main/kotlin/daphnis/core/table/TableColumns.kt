@@ -26,8 +26,9 @@ internal class Columns<Row>(override val file: String) : TableColumns {
     private val cells = ArrayList<Cell<Row>>()
     override val columns = ArrayList<Column>()
 
-    /** The first line of the file. */
-    val header: String get() = columns.joinToString(",") { it.name }
+    /** The first line of the file: names, each with its unit. */
+    fun header(units: UnitsOfDimensions): String =
+        columns.joinToString(",") { UnitsOfDimensions.head(it.name, units.of(it.dimension)) }
 
     /** Declares a column of whole numbers. */
     fun whole(name: String, need: Need = Need.OPTIONAL, value: ToLongFunction<Row>): Column =

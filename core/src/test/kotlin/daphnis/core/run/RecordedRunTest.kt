@@ -48,9 +48,9 @@ class RecordedRunTest {
         startIn(directory).use { it.execute() }
         val run = Run.open(directory)
         refused({ run.atStep(5) }, "no state after step 5", "0, 4, 8, 12")
-        refused({ run.at(0.5) }, "0.5", "0.4 (step 4)", "0.8 (step 8)")
-        refused({ run.at(-1.0) }, "-1.0", "0.0 (step 0)")
-        refused({ run.at(7.0) }, "7.0", "1.2")
+        refused({ run.at(0.5) }, "time 0.5;", "step 4, time 0.4", "step 8, time 0.8")
+        refused({ run.at(-1.0) }, "time -1;", "step 0, time 0")
+        refused({ run.at(7.0) }, "time 7;", "time 1.2")
         refused({ Run.open(home) }, "no run directory")
         refused({ Run.open(home.resolve("nothing")) }, "no such file")
         Run.start(tableScenario("output.snapshotEvery=1"), "test", home.resolve("b")).use { it.execute() }

@@ -13,6 +13,8 @@ import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
+import daphnis.core.table.Dimension
+import daphnis.core.table.UnitsOfDimensions
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -30,7 +32,28 @@ class RunOutputsTest {
     private fun table(file: String): Map<String, List<String>> {
         val lines = Files.readAllLines(home.resolve(file)).map { it.split(',') }
         for (line in lines) assertEquals(lines[0].size, line.size)
-        return lines[0].withIndex().associate { (k, name) -> name to lines.drop(1).map { it[k] } }
+        return lines[0].withIndex().associate { (k, head) ->
+            UnitsOfDimensions.nameIn(head) to lines.drop(1).map { it[k] }
+        }
+    }
+
+    @Test
+    fun `every column of a quantity has its unit in its head, as the scenario says`() {
+        run("ring-patch", "ring", "output.transportEvery=1", "output.collisionLog=true", "untilOrbits=0.02")
+        fun head(file: String) = Files.readAllLines(home.resolve("ring/$file"))[0]
+        assertTrue(head("series.csv").startsWith("step,time [s],particles,collisions,kinetic_energy [J],")) {
+            head("series.csv")
+        }
+        assertEquals("speed_from [m/s],speed_to [m/s],collisions", head("impacts.csv"))
+        assertTrue("time_in_step [s],id_lower,id_higher,impact_speed [m/s],coefficient," in head("collisions.csv")) {
+            head("collisions.csv")
+        }
+        for (columns in PeriodicOutputs.all.flatMap { it.tables }) {
+            val names = head(columns.file).split(',')
+            for ((column, name) in columns.columns.zip(names)) {
+                assertEquals(column.dimension != Dimension.NUMBER, name.startsWith("${column.name} [")) { name }
+            }
+        }
     }
 
     @Test

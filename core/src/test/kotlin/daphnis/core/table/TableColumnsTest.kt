@@ -25,7 +25,7 @@ class TableColumnsTest {
         Run.start(tableScenario(), "test", home.resolve("run")).use { it.execute() }
         for (table in tables) {
             val lines = Files.readAllLines(home.resolve("run").resolve(table.file)).map { it.split(',') }
-            assertEquals(table.columns.map { it.name }, lines[0])
+            assertEquals(table.columns.map { it.name }, lines[0].map { UnitsOfDimensions.nameIn(it) })
             assertTrue(lines.size > 2) { table.file }
             for (line in lines.drop(1)) {
                 assertEquals(table.columns.size, line.size) { table.file }

@@ -12,7 +12,8 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
     private val view = scene.view
     private val window = view.window
     private val up = scene.options.view.up
-    private val towards = scene.options.view.towards
+    private val along = scene.options.view.depth
+    private val nearer = scene.options.view.nearer
     private var count = 0
     private var x = DoubleArray(FIRST)
     private var y = DoubleArray(FIRST)
@@ -48,7 +49,7 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
                 val place = p.position(axis)[k]
                 images.period(axis) > 0 && (place - r < box.lower(axis) || place + r > box.upper(axis))
             }
-            if (!isNear) add(k, r, p.y[k], p.position(up)[k], p.position(towards)[k]) else addImages(state, images, k)
+            if (!isNear) add(k, r, p.y[k], p.position(up)[k], p.position(along)[k]) else addImages(state, images, k)
         }
     }
 
@@ -63,10 +64,10 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
             for (iy in -alongY..alongY) {
                 for (ix in -alongX..alongX) {
                     val code = Images.code(ix, iy, iz)
-                    var depth = p.position(towards)[k] + images.shift(code, towards)
+                    var depth = p.position(along)[k] + images.shift(code, along)
                     // An image beyond a face may have slid out of the box along the line of sight.
-                    val period = images.period(towards)
-                    if (period > 0) depth -= floor((depth - box.lower(towards)) / period) * period
+                    val period = images.period(along)
+                    if (period > 0) depth -= floor((depth - box.lower(along)) / period) * period
                     add(
                         k,
                         p.radius[k],
@@ -87,7 +88,7 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
         y[count] = view.y(above)
         index[count] = k
         // Sorts as the depths do: the bits of a float ascend with it, once those of negative ones are turned around.
-        val bits = depth.toFloat().toRawBits()
+        val bits = (nearer * depth).toFloat().toRawBits()
         order[count] = (bits xor (bits shr 31 and Int.MAX_VALUE)).toLong() shl 32 or count.toLong()
         count++
     }

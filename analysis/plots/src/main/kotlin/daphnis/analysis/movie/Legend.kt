@@ -86,17 +86,22 @@ internal class Legend(private val scene: Scene) {
         } else {
             Ticks.linear(shown.low, shown.high, TICKS)
         }
-        var free = Int.MIN_VALUE
-        for ((value, label) in ticks.places.zip(ticks.labels)) {
+        val labels = ticks.places.zip(ticks.labels) { value, label ->
             val x = start + (shown.place(value) * (right - start - 1)).roundToInt()
             val width = g.fontMetrics.stringWidth(label)
             val from = (x - width / 2).coerceIn(left, right - width)
-            g.fillRect(x, bottom, 1, margin / 3)
-            if (from < free) continue
-            g.drawString(label, from.toFloat(), top + LINE_2 * size)
-            free = from + width + margin / 2
+            Label(label, x, from, from + width)
         }
+        for (label in labels) g.fillRect(label.mark, bottom, 1, margin / 3)
+        for (label in evenly(labels)) g.drawString(label.text, label.from.toFloat(), top + LINE_2 * size)
     }
+
+    private class Label(val text: String, val mark: Int, val from: Int, val to: Int)
+
+    /** Every label, or every second one and so on, with room between them. */
+    private fun evenly(labels: List<Label>): List<Label> = generateSequence(1) { it + 1 }
+        .map { stride -> labels.filterIndexed { k, _ -> k % stride == 0 } }
+        .first { some -> some.zipWithNext().all { (a, b) -> a.to + margin / 2 <= b.from } }
 
     /** What the colours stand for, and by what its numbers are multiplied to be in that unit. */
     private fun meaning(): Pair<String, Double> {

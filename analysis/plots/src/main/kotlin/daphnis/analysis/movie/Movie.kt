@@ -43,7 +43,9 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
         val scene = survey.scene(input.units, input.omega)
         val done = 2 * samples.size
         val frames = beside(file) { part ->
-            drawing { frames(scene, format, part) { progress.next(done + it, steps, "frames") } }
+            drawing {
+                frames(scene, format, part) { progress.next(done + it, steps, "frame ${it + 1} of ${input.size}") }
+            }
         }
         progress.next(steps, steps, "done")
         return frames
@@ -83,7 +85,7 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
 
     private companion object {
         const val SAMPLES = 12
-        const val SURVEY = "ranges of the colours"
+        const val SURVEY = "range of the colours"
 
         fun MovieOptions.even(format: MovieFormat) =
             if (format == MovieFormat.MP4) MovieOptions(view, colour, framesPerSecond, width + width % 2) else this

@@ -1,16 +1,18 @@
 package daphnis.analysis.movie
 
+import kotlin.math.floor
+
 /**
  * How a movie is drawn.
  *
- * @property framesPerSecond in [[LEAST_RATE], [MOST_RATE]]
+ * @property framesPerSecond in [[LEAST_RATE], [MOST_RATE]]; [rateFor] gives one that suits the number of frames
  * @property width of the frames in pixels, in [[LEAST_WIDTH], [MOST_WIDTH]]
  * @throws IllegalArgumentException for a number outside its range
  */
 public class MovieOptions @JvmOverloads constructor(
     public val view: MovieView = MovieView.TOP,
     public val colour: MovieColour = MovieColour.SPEED,
-    public val framesPerSecond: Double = 25.0,
+    public val framesPerSecond: Double = USUAL_RATE,
     public val width: Int = 1200,
 ) {
     init {
@@ -24,6 +26,16 @@ public class MovieOptions @JvmOverloads constructor(
         public const val LEAST_RATE: Double = 0.1
         public const val MOST_RATE: Double = 100.0
 
+        /** Frames per second where there are many. */
+        public const val USUAL_RATE: Double = 25.0
+
+        /** A movie should last as many seconds, if its frames then do not stand for longer than one. */
+        private const val LEAST_SECONDS = 4.0
+
+        /** Whole frames per second at which [frames] last at least four seconds, from 1 to [USUAL_RATE]. */
+        @JvmStatic
+        public fun rateFor(frames: Int): Double = floor(frames / LEAST_SECONDS).coerceIn(1.0, USUAL_RATE)
+
         /** Narrower ones have no room for the legend. */
         public const val LEAST_WIDTH: Int = 240
         public const val MOST_WIDTH: Int = 4096
@@ -31,18 +43,25 @@ public class MovieOptions @JvmOverloads constructor(
 }
 
 /**
- * From where a movie looks; y is to the right in both views.
+ * From where a movie looks; y is to the right in both views, as in the pictures of a report. The side that is nearest
+ * in the view from the side is the lower edge of the view from above.
  *
  * @property word for it on the command line
  * @property up the axis that points up in the picture
- * @property towards the axis that points to the viewer
+ * @property depth the axis along which one looks
+ * @property nearer 1 where what has a larger coordinate along [depth] is nearer, −1 where it is farther
  */
-public enum class MovieView(public val word: String, internal val up: Int, internal val towards: Int) {
+public enum class MovieView(
+    public val word: String,
+    internal val up: Int,
+    internal val depth: Int,
+    internal val nearer: Double,
+) {
     /** From above: x upward. */
-    TOP("top", 0, 2),
+    TOP("top", 0, 2, 1.0),
 
     /** From the side, along x: z upward. */
-    SIDE("side", 2, 0),
+    SIDE("side", 2, 0, -1.0),
 }
 
 /**

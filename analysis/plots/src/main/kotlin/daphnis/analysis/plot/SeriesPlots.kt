@@ -74,6 +74,7 @@ internal class SeriesPlots(
             UnitNames.axis(quantity, unit),
             logY = log,
             vertical = from?.let { it / scale.time },
+            height = HEIGHT,
         )
     }
 
@@ -93,6 +94,9 @@ internal class SeriesPlots(
     companion object {
         const val TEMPERATURE = "granular temperature ⟨c²⟩/3"
         const val RATE = "collisions per particle"
+
+        /** Of a plot, which is of one quantity. */
+        const val HEIGHT = 280
         private const val MOST_POINTS = 2000
         private const val MOST_BINS = 150
     }

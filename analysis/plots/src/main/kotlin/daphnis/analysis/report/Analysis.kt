@@ -45,7 +45,7 @@ public class Analysis @JvmOverloads constructor(
         val sections = Sections(study)
         val all = sections.states.size + PARTS
         for ((done, k) in sections.states.withIndex()) {
-            progress.next(done, all, "state at time ${input.times[k]}")
+            progress.next(done, all, "state ${done + 1} of ${sections.states.size}, time ${study.time(input.times[k])}")
             sections.add(k)
         }
         progress.next(all - 2, all, "tables and plots")

@@ -48,7 +48,7 @@ internal class EvolutionSection(private val study: Study) : Section {
                 "temperature",
                 "granular temperature over time",
                 "Granular temperature; steady where it no longer drifts.",
-                HEIGHT,
+                SeriesPlots.HEIGHT,
             )
         }
         if (rate != null) {
@@ -58,7 +58,7 @@ internal class EvolutionSection(private val study: Study) : Section {
                 "collision-rate",
                 "collisions per particle over time",
                 "Collisions per particle.",
-                HEIGHT,
+                SeriesPlots.HEIGHT,
             )
         }
         if (energies.isNotEmpty()) {
@@ -70,7 +70,7 @@ internal class EvolutionSection(private val study: Study) : Section {
                 "energy",
                 "energy over time",
                 "Energy of all spheres.$shear",
-                HEIGHT,
+                SeriesPlots.HEIGHT,
             )
         }
         val ofTemperature = listOfNotNull(temperature).map { it to scale.temperatureName }
@@ -118,7 +118,6 @@ internal class EvolutionSection(private val study: Study) : Section {
     }
 
     private companion object {
-        const val HEIGHT = 280
         const val MOST_POINTS = 800
     }
 }

@@ -4,6 +4,7 @@ import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
 import kotlin.math.sqrt
 
 /** How fast spheres meet: the distribution that the run wrote. */
@@ -21,15 +22,20 @@ internal class ImpactsSection(private val study: Study) : Section {
 
     override fun write(page: ReportPage) {
         val rows = impacts ?: return
-        val factor = study.input.scenario?.units?.speedInCmPerSecond ?: 1.0
+        val unit = SpeedUnit(study.input.scenario, study.units.speed)
         val total = rows.collisions.sum()
-        val x = DoubleArray(rows.size) { sqrt(rows.from[it] * rows.to[it]) * factor }
+        val x = DoubleArray(rows.size) { sqrt(rows.from[it] * rows.to[it]) * unit.factor }
         val y = DoubleArray(rows.size) { rows.collisions[it] / total / Math.log(rows.to[it] / rows.from[it]) }
         val curves = listOf(Curve("impacts", x, y))
-        val figure = Chart.lines(curves, "impact speed [cm/s]", "part of impacts per ln v", logX = true)
+        val figure = Chart.lines(
+            curves,
+            UnitNames.axis("impact speed", unit.name),
+            "part of impacts per ln v",
+            logX = true,
+        )
         val caption = "Impact speeds of all collisions of the run."
         study.draw(page, figure, "impact-speeds", "distribution of impact speeds", caption)
-        Table("impact-speeds", listOf(Column("speed", "cm/s", x), Column("fraction_per_ln_v", "", y)))
+        Table("impact-speeds", listOf(Column("speed", unit.name, x), Column("fraction_per_ln_v", "", y)))
             .write(study.tables)
     }
 }

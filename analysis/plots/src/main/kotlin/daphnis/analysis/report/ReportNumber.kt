@@ -3,6 +3,8 @@ package daphnis.analysis.report
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.core.run.SeriesColumns
+import daphnis.core.table.Column
+import kotlin.math.abs
 
 /**
  * A number that tells of a run as a whole.
@@ -22,10 +24,12 @@ public class ReportNumber @JvmOverloads constructor(
 ) {
     public companion object {
         private const val AT_END = "end_"
+        private const val ROUND_OFF = 1e-12
         private val PLACE = setOf(SeriesColumns.STEP, SeriesColumns.TIME)
 
         /**
-         * The last row of [series], each column but step and time as `end_…`; empty when there is no row.
+         * The last row of [series], each column but step and time as `end_…`; empty when there is no row. A momentum
+         * that is nothing but round-off is 0.
          *
          * @param units of the scenario of the run
          */
@@ -34,8 +38,18 @@ public class ReportNumber @JvmOverloads constructor(
             if (series.size == 0) return emptyList()
             return SeriesColumns.columns.filter { it !in PLACE && it in series }.map {
                 val name = "${it.name.replace('_', ' ')} at the end"
-                ReportNumber(AT_END + it.name, name, units.of(it.dimension), series[it].last())
+                val value = if (it in SeriesColumns.MOMENTUM) momentum(series, it) else series[it].last()
+                ReportNumber(AT_END + it.name, name, units.of(it.dimension), value)
             }
+        }
+
+        private fun momentum(series: SeriesTable, column: Column): Double {
+            val momentum = series[column].last()
+            if (SeriesColumns.KINETIC_ENERGY !in series || SeriesColumns.RMS_COMPONENT_SPEED !in series) return momentum
+            // Of all spheres if they went one way: 2 E = 3 M v².
+            val speed = series[SeriesColumns.RMS_COMPONENT_SPEED].last()
+            val largest = 2 * series[SeriesColumns.KINETIC_ENERGY].last() / (3 * speed)
+            return if (abs(momentum) <= ROUND_OFF * largest) 0.0 else momentum
         }
     }
 }

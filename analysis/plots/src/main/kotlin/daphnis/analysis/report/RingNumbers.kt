@@ -11,6 +11,7 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
     private val motion = study.motion
     private val r = bulk.meanRadius
     private val scenario = study.input.scenario
+    private val speedUnit = SpeedUnit(scenario, units.speed)
     private val rows =
         NumberRows(scenario?.let { References.ofPatch(it, omega, bulk.opticalDepth) } ?: emptyMap())
 
@@ -26,12 +27,7 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
         rows.exact("optical_depth", "optical depth τ", bulk.opticalDepth, "", "Σ π r² over the area")
         rows.exact("surface_density", "surface density Σ", bulk.surfaceDensity, units.surfaceDensity)
         rows.exact("mean_radius", "mean radius r", r, units.length)
-        val inCmPerSecond = scenario?.units?.speedInCmPerSecond
-        if (inCmPerSecond == null) {
-            rows.exact("r_omega", "r Ω", r * omega, units.speed)
-        } else {
-            rows.exact("r_omega", "r Ω", r * omega * inCmPerSecond, "cm/s")
-        }
+        rows.exact("r_omega", "r Ω", r * omega * speedUnit.factor, speedUnit.name)
     }
 
     private fun motion() {
@@ -58,8 +54,8 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
             transport.collisionRate per (omega / (2 * PI)),
             "1/orbit",
         )
-        val centimetre = 1 / (scenario?.units?.speedInCmPerSecond ?: 1.0)
-        rows.average("mean_impact_speed", "mean impact speed", transport.impactSpeed per centimetre, "cm/s")
+        val impactSpeed = transport.impactSpeed * speedUnit.factor
+        rows.average("mean_impact_speed", "mean impact speed", impactSpeed, speedUnit.name)
         val unit = r * r * omega
         rows.average("viscosity_translational", "viscosity, translational", transport.translational per unit, "r² Ω")
         rows.average("viscosity_collisional", "viscosity, collisional", transport.collisional per unit, "r² Ω")

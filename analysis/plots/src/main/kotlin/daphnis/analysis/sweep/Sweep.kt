@@ -9,10 +9,16 @@ import daphnis.analysis.statistics.SampleMean
  *
  * @property keys that were swept, as paths of the scenario; none when only seeds differ
  * @property runs in the order in which tables have them
+ * @property labels what axes call the [keys], with their units
  * @throws IllegalArgumentException when a run has another number of values than there are keys
  */
-public class Sweep(public val keys: List<String>, public val runs: List<SweepRun>) {
+public class Sweep @JvmOverloads constructor(
+    public val keys: List<String>,
+    public val runs: List<SweepRun>,
+    public val labels: List<String> = keys,
+) {
     init {
+        require(labels.size == keys.size) { "${labels.size} labels of ${keys.size} keys" }
         for (run in runs) {
             require(run.values.size == keys.size) { "${run.name} has ${run.values.size} values of ${keys.size} keys" }
         }
@@ -39,11 +45,22 @@ public class Sweep(public val keys: List<String>, public val runs: List<SweepRun
             DoubleArray(runs.size) { k -> runs[k].numbers.find { it.key == key }?.value ?: Double.NaN },
         )
 
-        /** What is to be said of single runs, as a line each. */
-        internal val remarks: List<String>
-            get() = runs.mapNotNull { run ->
-                val what = run.failure?.let { "failed: $it" } ?: run.remark
-                what?.let { "seed ${run.seed} $it" }
+        /** What is to be said of runs behind the number of [key], each thing once with the seeds it is of. */
+        internal fun remarks(key: String?): List<String> {
+            val said = runs.mapNotNull { run ->
+                run.said(key)?.let { it to run.seed }
+            }.groupBy({ it.first }, { it.second })
+            return said.map { (what, seeds) ->
+                "${if (seeds.size == 1) "seed" else "seeds"} ${seeds.joinToString()} $what"
             }
+        }
+
+        /** How many runs have a number of [key] that is an average over a time in which they drift. */
+        internal fun unsteady(key: String): Int = runs.count { run -> run.isUnsteady(key) }
+
+        private fun SweepRun.isUnsteady(key: String) = numbers.any { it.key == key && !it.isSteady }
+
+        private fun SweepRun.said(key: String?) =
+            failure?.let { "failed: $it" } ?: remark ?: if (key != null && isUnsteady(key)) SweepRun.UNSTEADY else null
     }
 }

@@ -63,7 +63,7 @@ public class SweepPlots(private val sweep: Sweep) {
         val x = curves.flatMap { it.x.asList() }
         val isWide = isNumeric(axis) && x.min() > 0 && x.max() > WIDE * x.min()
         val label = UnitNames.axis(quantity.name, quantity.unit)
-        val plot = Chart.lines(curves, sweep.keys[axis], label, logX = isWide)
+        val plot = Chart.lines(curves, sweep.labels[axis], label, logX = isWide)
         if (isNumeric(axis)) return plot
         val values = values(axis)
         return plot + scaleXContinuous(breaks = values.indices.map { it.toDouble() }, labels = values.map { short(it) })

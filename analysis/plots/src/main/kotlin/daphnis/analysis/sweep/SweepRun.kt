@@ -10,7 +10,8 @@ import daphnis.analysis.report.ReportNumber
  * @property seed of its initial state
  * @property numbers that it came to; empty when it failed
  * @property failure why it failed; null when it is finished
- * @property remark what is to be said of the numbers of a finished run, such as why some are missing; null for nothing
+ * @property remark what is to be said of all numbers of a finished run, such as why some are missing; null for nothing.
+ *   Which ones are not steady they say themselves
  */
 public class SweepRun @JvmOverloads constructor(
     public val name: String,
@@ -19,4 +20,11 @@ public class SweepRun @JvmOverloads constructor(
     public val numbers: List<ReportNumber>,
     public val failure: String? = null,
     public val remark: String? = null,
-)
+) {
+    /** Whether all its averages are over a time in which it does not drift. */
+    public val isSteady: Boolean get() = numbers.all { it.isSteady }
+
+    internal companion object {
+        const val UNSTEADY = "not steady over the time averaged"
+    }
+}

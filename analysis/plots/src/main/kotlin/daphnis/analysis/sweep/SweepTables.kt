@@ -8,18 +8,19 @@ import java.nio.file.Path
 public class SweepTables(private val sweep: Sweep) {
     /**
      * A row for each point and quantity: the values of the keys, then `quantity,unit,mean,standard_error,runs,remark`.
-     * `runs` is how many have the number, `remark` says which runs of the point failed and why.
+     * `runs` is how many have the number, `remark` says which runs of the point failed and why, and for an average in
+     * which of them it is not steady.
      */
     @Throws(IOException::class)
     public fun writeMeans(path: Path) {
         val rows = sweep.points.flatMap { point ->
-            val remark = point.remarks.joinToString("; ")
+            fun remark(key: String?) = point.remarks(key).joinToString("; ")
             if (sweep.quantities.isEmpty()) {
-                listOf(point.values + listOf("", "", "", "", "0", remark))
+                listOf(point.values + listOf("", "", "", "", "0", remark(null)))
             } else {
                 sweep.quantities.map {
                     val m = point.mean(it.key)
-                    point.values + listOf(it.key, it.unit, text(m.mean), text(m.error), "${m.count}", remark)
+                    point.values + listOf(it.key, it.unit, text(m.mean), text(m.error), "${m.count}", remark(it.key))
                 }
             }
         }
@@ -31,7 +32,7 @@ public class SweepTables(private val sweep: Sweep) {
     public fun writeRuns(path: Path) {
         val rows = sweep.runs.map { run ->
             val numbers = sweep.quantities.map { q -> text(run.numbers.find { it.key == q.key }?.value ?: Double.NaN) }
-            val remark = run.failure?.let { "failed: $it" } ?: run.remark.orEmpty()
+            val remark = run.failure?.let { "failed: $it" } ?: run.remark ?: if (run.isSteady) "" else SweepRun.UNSTEADY
             listOf(run.name) + run.values + "${run.seed}" + numbers + remark
         }
         val names = sweep.quantities.map { if (it.unit.isEmpty()) it.key else "${it.key} [${it.unit}]" }

@@ -8,17 +8,22 @@ import java.util.Locale
 
 /** The numbers of a [sweep] to be read: tables in Markdown, a row for each quantity and a column for each point. */
 public class SweepText(private val sweep: Sweep) {
-    private val names = sweep.quantities.map { named(it) }
+    /** What is zero in all runs, as the potential energy without forces, tells nothing. */
+    private val zero = sweep.quantities.filter { q ->
+        sweep.runs.all { run -> run.numbers.none { it.key == q.key && it.value != 0.0 } }
+    }
+    private val quantities = sweep.quantities - zero.toSet()
+    private val names = quantities.map { named(it) }
     private val most = sweep.points.maxOfOrNull { it.runs.size } ?: 0
 
     /** In tables beside as many points as fit in [columns], one at least; then what ± is, and which runs failed. */
     public fun text(columns: Int): String {
         val parts = ArrayList<String>()
-        if (sweep.quantities.isNotEmpty()) {
-            val shown = sweep.points.map { listOf(label(it)) + sweep.quantities.map { q -> cell(it, q) } }
+        if (quantities.isNotEmpty()) {
+            val shown = sweep.points.map { listOf(label(it)) + quantities.map { q -> cell(it, q) } }
             for (block in blocks(shown, columns)) parts += table(listOf(listOf(corner()) + names) + block)
         }
-        val notes = listOfNotNull(meaning()) + incomplete() + failures()
+        val notes = listOfNotNull(meaning(), zeros(), unsteady()) + incomplete() + failures()
         if (notes.isNotEmpty()) parts += notes.joinToString("\n")
         return parts.joinToString("\n\n")
     }
@@ -39,7 +44,7 @@ public class SweepText(private val sweep: Sweep) {
     private fun cell(point: Sweep.Point, q: ReportNumber): String {
         val m = point.mean(q.key)
         if (m.count == 0) return "–"
-        val text = ReportText.withError(m.mean, m.error)
+        val text = ReportText.withError(m.mean, m.error) + if (point.unsteady(q.key) > 0) MARK else ""
         return if (m.count == most) text else "$text (n = ${m.count})"
     }
 
@@ -75,10 +80,22 @@ public class SweepText(private val sweep: Sweep) {
     }
 
     private fun meaning(): String? {
-        if (most < 2 || sweep.quantities.isEmpty()) return null
-        val percent = String.format(Locale.ROOT, "%.0f", 100 * SampleMean.coverage(most))
+        if (most < 2 || quantities.isEmpty()) return null
+        val least = sweep.points.flatMap { p -> quantities.map { p.mean(it.key).count } }.filter { it >= 2 }.minOrNull()
+        val fewer = if (least == null || least == most) "" else ", and in ${coverage(least)} with n = $least"
         return "n = $most runs that differ in their seed; ± is one standard error of their mean, " +
-            "which covers the true mean in $percent % of cases."
+            "which covers the true mean in ${coverage(most)} of cases$fewer."
+    }
+
+    private fun coverage(n: Int) = String.format(Locale.ROOT, "%.0f %%", 100 * SampleMean.coverage(n))
+
+    private fun zeros() = if (zero.isEmpty()) null else "0 in all runs: ${zero.joinToString { it.name }}."
+
+    private fun unsteady(): String? {
+        val drifting = sweep.runs.count { it.failure == null && !it.isSteady }
+        if (drifting == 0) return null
+        return "!: ${SweepRun.UNSTEADY}, in $drifting of ${ReportText.count(sweep.runs.size, "run")}; " +
+            "all of them may be off to the same side."
     }
 
     /** Remarks on runs that are finished, each once. */
@@ -92,5 +109,8 @@ public class SweepText(private val sweep: Sweep) {
     private companion object {
         /** Characters between columns. */
         const val BETWEEN = 3
+
+        /** Behind a mean over runs of which one at least is not steady. */
+        const val MARK = " !"
     }
 }

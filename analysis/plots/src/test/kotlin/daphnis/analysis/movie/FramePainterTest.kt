@@ -78,6 +78,18 @@ class FramePainterTest {
     }
 
     @Test
+    fun `from the side the lower edge of the view from above is nearest, as in the pictures of a report`() {
+        val inner = Sphere(-2.0, 0.0, 0.0, r = 1.0)
+        val outer = Sphere(2.0, 0.0, 0.0, r = 0.5)
+        val both = paint(state(Periodic(box), outer, inner), MovieView.SIDE, MovieColour.SIZE).getRGB(200, 200)
+        val ground = Sphere(2.0, -4.0, 0.0, r = 0.5)
+        assertEquals(
+            paint(state(Periodic(box), ground, inner), MovieView.SIDE, MovieColour.SIZE).getRGB(200, 200),
+            both,
+        )
+    }
+
+    @Test
     fun `spheres below two pixels make an image as bright as their surface density`() {
         // 40,000 of 0.1 pixels, three times as many on the right: 400 particles a cell of 20 by 20 pixels on the right.
         val all = uniform(40_000, Periodic(box), radius = 0.0025)

@@ -24,6 +24,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import javax.imageio.ImageIO
 import kotlin.io.path.name
 
 class AnalysisTest {
@@ -77,6 +78,10 @@ class AnalysisTest {
         val known = References.ofPatch(BuiltIn.scenario("ring-patch", emptyList()), 1.314e-4, 0.5).keys
         assertEquals(9, known.size)
         assertTrue(NumberKeys.RING.containsAll(known)) { "$known" }
+        for (plot in listOf("temperature", "collision-rate", "energy", "dispersion")) {
+            val image = ImageIO.read(path.resolve("plots/$plot.png").toFile())
+            assertEquals(255, image.getRGB(image.width - 2, image.height / 2) ushr 24) { "$plot is filled to its edge" }
+        }
         for (plot in listOf("patch-above", "patch-side", "streamlines", "velocity-ellipsoid")) {
             assertTrue(Files.size(path.resolve("plots/$plot.png")) > 1000)
             assertTrue(Files.readString(path.resolve("plots/$plot.svg")).startsWith("<svg"))

@@ -137,6 +137,40 @@ class SweepTest {
     }
 
     @Test
+    fun `what is zero in all runs has no row in the text, and drifting averages are marked where they stand`() {
+        fun run(seed: Long) = SweepRun(
+            "$seed",
+            emptyList(),
+            seed,
+            listOf(
+                number(0.0, "end_momentum_x"),
+                ReportNumber("temperature", "temperature", "", seed * 1.0, isSteady = seed == 3L),
+                number(seed * 2.0, "count"),
+            ),
+        )
+        val sweep = Sweep(emptyList(), (1L..3).map { run(it) })
+        val text = SweepText(sweep).text(80)
+        assertEquals(2, text.lines().count { "±" in it && it.startsWith("|") }) { text }
+        assertTrue("0 in all runs: depth τ." in text && "2.00 ± 0.58 !" in text) { text }
+        assertTrue("!: not steady over the time averaged, in 2 of 3 runs" in text) { text }
+        val means = written { SweepTables(sweep).writeMeans(it) }
+        assertTrue(means[1].startsWith("end_momentum_x,m^2/s,0.0,0.0,3,") && means[1].endsWith(",")) { means[1] }
+        assertTrue(means[2].endsWith(",\"seeds 1, 2 not steady over the time averaged\"")) { means[2] }
+        assertTrue(means[3].endsWith(",3,")) { means[3] }
+        val runs = written { SweepTables(sweep).writeRuns(it) }
+        assertTrue(runs[2].endsWith(",not steady over the time averaged") && runs[3].endsWith(",")) { "$runs" }
+    }
+
+    @Test
+    fun `an axis has the label of its key`() {
+        val runs = listOf("1", "2").map { run(listOf(it), 1, it.toDouble()) }
+        SweepPlots(Sweep(listOf("a.b"), runs, listOf("a: b [m]"))).write(folder)
+        val svg = Files.readString(folder.resolve("depth.svg"))
+        assertTrue("a: b [m]" in svg && "a.b" !in svg)
+        assertThrows(IllegalArgumentException::class.java) { Sweep(listOf("a.b"), runs, emptyList()) }
+    }
+
+    @Test
     fun `a quantity that has no meaning in any run is left out, one that has it in some is averaged over those`() {
         val runs = (1L..3).map {
             val some = number(if (it == 2L) Double.NaN else it.toDouble(), "some")
@@ -146,6 +180,7 @@ class SweepTest {
         assertEquals(listOf("some"), sweep.quantities.map { it.key })
         assertEquals("some,m^2/s,2.0,1.0,2,", written { SweepTables(sweep).writeMeans(it) }[1])
         assertTrue("2.0 ± 1.0 (n = 2)" in SweepText(sweep).text(80))
+        assertTrue("in 58 % of cases, and in 50 % with n = 2." in SweepText(sweep).text(80))
         assertEquals(0, SweepPlots(sweep).write(folder.resolve("plots")))
     }
 
