@@ -69,7 +69,7 @@ internal class CollisionGroup(
     /** Begins an epoch, in which [filter] dismisses lines. */
     fun beginEpoch(filter: LineFilter) {
         lastVersion = 0
-        newRoamers.begin(1, cells.fastest)
+        newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest)
         search.begin(filter)
         rest()
     }
@@ -87,7 +87,7 @@ internal class CollisionGroup(
         hasFailed = false
         bodies.begin(population, order, frame.duration, tracks)
         crossings.clear()
-        if (newRoamers.size > 0) newRoamers.begin(1, cells.fastest)
+        if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest)
         if (!keepsPaths) return
         trails.begin()
         paths.begin()
@@ -247,6 +247,9 @@ internal class CollisionGroup(
     }
 
     private companion object {
+        /** The grid of new roamers has room for one of so many spheres: cells with few are looked through quickly. */
+        const val ROOM_FOR_ROAMERS = 32
+
         /** For the rounding of times, as a part of a step. */
         const val SLACK = 1e-6
     }

@@ -13,11 +13,16 @@ internal class EpochSpace(private val loop: RangeLoop) {
     val roamers = Roamers(frame, lines)
     val shares = Shares()
 
+    /** Number of spheres. */
+    var spheres = 0
+        private set
+
     /** Whether several groups process collisions. */
     val isShared: Boolean get() = loop.workers > 1
 
     /** The step begins with the lines that there are. */
     fun settle(spheres: Int) {
+        this.spheres = spheres
         if (isShared) loop.run(spheres) { _, from, to -> before.copyRange(lines, from, to) }
     }
 

@@ -105,7 +105,7 @@ internal class Trails(private val frame: EpochFrame, private val cells: EpochCel
     private companion object {
         const val INITIAL = 256
 
-        /** Pieces for which the grid has room, for each that there is: cells with few pieces are looked through quickly. */
+        /** Pieces for which the grid has room, for each that there is: cells with few are looked through quickly. */
         const val ROOM = 4
         const val MOST_SPHERES = 1L shl 24
     }
