@@ -40,6 +40,10 @@ holds_a_release() {
         jar --describe-module --file "$start.jar" | grep -q "^daphnis\.${pair#*:}@$version automatic" ||
             die "$start.jar is no module daphnis.${pair#*:}"
     done
+    sources=$1/$group/daphnis-core/$version/daphnis-core-$version-sources.jar
+    for source in HorizonEngine.kt VectorFilter.java; do
+        jar tf "$sources" | grep -q "$source" || die "$sources has no $source"
+    done
     grep -q '<dependencyManagement>' "$1/$group/daphnis-bom/$version/daphnis-bom-$version.pom" || die "no BOM in $1"
     [ "$(ls "$1/$group" | wc -l)" = 6 ] || die "more than a release in $1: $(ls "$1/$group")"
 }

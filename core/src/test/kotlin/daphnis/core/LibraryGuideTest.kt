@@ -25,12 +25,13 @@ import daphnis.core.run.RunOrigin
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.table.UnitsOfDimensions
+import java.nio.file.Files
+import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
-import java.nio.file.Files
-import java.nio.file.Path
 
 // The examples of docs/library.md, compiled and run. GuideExamplesTest compares the text.
 
@@ -225,7 +226,7 @@ class LibraryGuideTest {
         assertEquals(inOneGo.stateDigest, summary.stateDigest)
         assertEquals(21, whole.history.energies.size)
         val rows = Files.readAllLines(directory.resolve("series.csv")).map { it.split(',') }
-        val totals = rows.drop(1).map { it[rows[0].indexOf("total_energy")].toDouble() }
+        val totals = rows.drop(1).map { it[rows[0].map(UnitsOfDimensions::nameIn).indexOf("total_energy")].toDouble() }
         assertEquals(21, totals.size)
         for (total in totals) assertEquals(2 * (0.5 + 0.09 / 2), total, 0.005)
     }

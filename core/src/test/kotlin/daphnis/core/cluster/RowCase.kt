@@ -1,5 +1,6 @@
 package daphnis.core.cluster
 
+import daphnis.core.table.UnitsOfDimensions
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -83,7 +84,8 @@ private const val RING_STEPS = """"restitution": {"type": "bridges"},
 
 /** The entries of a column, below its name. */
 private fun List<List<String>>.column(name: String): List<String> {
-    val header = indexOfFirst { name in it }
-    val at = this[header].indexOf(name)
+    val heads = map { it.map(UnitsOfDimensions::nameIn) }
+    val header = heads.indexOfFirst { name in it }
+    val at = heads[header].indexOf(name)
     return drop(header + 1).map { it[at] }
 }

@@ -10,15 +10,16 @@ import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.table.UnitsOfDimensions
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
-import java.nio.file.Files
-import java.nio.file.Path
-import java.time.Duration
 
 /** Scenarios that leave the length of a step open. */
 class AutomaticStepTest {
@@ -43,7 +44,7 @@ class AutomaticStepTest {
 
     private fun column(run: String, file: String, name: String): List<String> {
         val rows = Files.readAllLines(home.resolve(run).resolve(file)).map { it.split(',') }
-        return rows.drop(1).map { it[rows[0].indexOf(name)] }
+        return rows.drop(1).map { it[rows[0].map(UnitsOfDimensions::nameIn).indexOf(name)] }
     }
 
     @Test
