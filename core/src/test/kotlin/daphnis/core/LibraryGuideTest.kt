@@ -26,12 +26,12 @@ import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.table.UnitsOfDimensions
-import java.nio.file.Files
-import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
 
 // The examples of docs/library.md, compiled and run. GuideExamplesTest compares the text.
 

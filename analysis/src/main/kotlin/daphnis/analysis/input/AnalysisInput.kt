@@ -6,8 +6,6 @@ import daphnis.analysis.table.UnitNames
 import daphnis.analysis.transport.ImpactTable
 import daphnis.analysis.transport.TransportTable
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Box
-import daphnis.core.boundary.Periodic
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
@@ -26,6 +24,7 @@ import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.WayOut
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.function.IntFunction
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 
@@ -166,18 +165,6 @@ public class AnalysisInput internal constructor(
             return ofRun(run, record.program, known, steps, times, around.boundary, around.angularSpeed, notices)
         }
 
-        /** A box of other lengths would be that of another run. */
-        private fun requireBox(boundary: BoundaryConditions, snapshot: Snapshot, run: RunDirectory) {
-            for (axis in 0..2) {
-                if (!boundary.repeats(axis) && !snapshot.periodic[axis]) continue
-                val length = boundary.box.length(axis)
-                if (snapshot.periodic[axis] && boundary.repeats(axis) && length == snapshot.lengths[axis]) continue
-                val there = "${snapshot.lengths[axis]}, ${if (snapshot.periodic[axis]) "" else "not "}periodic"
-                val why = "is $length; in the run ${run.path} the box is $there along ${"xyz"[axis]}"
-                throw InputException("scenario", "box.lengths[$axis]", why, isArgument = true)
-            }
-        }
-
         private fun steps(run: RunDirectory): List<Long> = run.snapshotSteps().ifEmpty {
             throw InputException("${run.path}", null, "has no snapshots", WayOut.WRITE_SNAPSHOTS)
         }
@@ -264,56 +251,18 @@ public class AnalysisInput internal constructor(
             times: DoubleArray,
             boundary: BoundaryConditions,
             omega: Double?,
-            read: (Int) -> Snapshot,
+            read: IntFunction<Snapshot>,
         ): AnalysisInput {
             require(times.isNotEmpty()) { "there is no state" }
             val bounds = { population: Population -> bounded(boundary, population) }
             return AnalysisInput(
-                name, null, Int.MAX_VALUE, null, times, read, bounds, omega, null, null, null, null, emptyList(),
+                name, null, Int.MAX_VALUE, null, times, read::apply, bounds, omega, null, null, null, null, emptyList(),
             )
         }
 
         private fun withoutRadii(path: Path, snapshot: Snapshot): String {
             val taken = snapshot.radius.firstOrNull()
             return "$path has no radii: $taken is taken for each; depths, filling factors and occultations are of that"
-        }
-
-        /** The box of a scenario is not that which a file's places were checked against. */
-        private fun requireNear(boundary: BoundaryConditions, snapshot: Snapshot, where: String) {
-            for (axis in 0..2) {
-                if (!boundary.repeats(axis)) continue
-                val farthest = MOST_BOXES * boundary.box.length(axis)
-                for (k in 0 until snapshot.size) {
-                    val p = snapshot.position[axis][k]
-                    if (Math.abs(p) <= farthest) continue
-                    val place = "${"xyz"[axis]} of particle ${snapshot.id[k]} is $p"
-                    throw FormatException("$where: $place, more than $MOST_BOXES of the scenario's boxes away")
-                }
-            }
-        }
-
-        private const val MOST_BOXES = 1000
-
-        private fun boundaryOf(snapshot: Snapshot): BoundaryConditions {
-            if (snapshot.lengths.any { it.isNaN() }) return daphnis.core.boundary.Open
-            if (snapshot.shearOffset != 0.0) {
-                val why = "is missing; images slide in this file, and the scenario has to say how"
-                throw InputException("scenario", null, why, isArgument = true)
-            }
-            return Periodic(
-                Box.centred(snapshot.lengths[0], snapshot.lengths[1], snapshot.lengths[2]),
-                snapshot.periodic[0],
-                snapshot.periodic[1],
-                snapshot.periodic[2],
-            )
-        }
-
-        /** Open space ends where the spheres do. */
-        private fun bounded(boundary: BoundaryConditions, p: Population): BoundaryConditions {
-            if (boundary.box.isFinite || p.size == 0) return boundary
-            fun low(a: DoubleArray) = a.indices.minOf { a[it] - p.radius[it] }
-            fun high(a: DoubleArray) = a.indices.maxOf { a[it] + p.radius[it] }
-            return Periodic(Box(low(p.x), low(p.y), low(p.z), high(p.x), high(p.y), high(p.z)), false, false, false)
         }
     }
 }

@@ -11,15 +11,15 @@ import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.table.UnitsOfDimensions
-import java.nio.file.Files
-import java.nio.file.Path
-import java.time.Duration
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
 
 /** Scenarios that leave the length of a step open. */
 class AutomaticStepTest {

@@ -2,11 +2,6 @@ package daphnis.core.run
 
 import daphnis.core.scenario.InputException
 import daphnis.core.table.UnitsOfDimensions
-import java.io.ByteArrayOutputStream
-import java.io.DataOutputStream
-import java.nio.ByteBuffer
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlinx.serialization.json.Json
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -15,6 +10,11 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.io.ByteArrayOutputStream
+import java.io.DataOutputStream
+import java.nio.ByteBuffer
+import java.nio.file.Files
+import java.nio.file.Path
 
 class CheckpointTest {
     @TempDir

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.function.IntFunction
 
 class StatesReadOnceTest {
     @TempDir
@@ -25,7 +26,7 @@ class StatesReadOnceTest {
             Snapshot.of(state.population, boundary, k.toLong(), k.toDouble())
         }
         val reads = IntArray(snapshots.size)
-        val read = { k: Int -> snapshots[k].also { reads[k]++ } }
+        val read = IntFunction { k -> snapshots[k].also { reads[k]++ } }
         val times = DoubleArray(snapshots.size) { it.toDouble() }
         val input = AnalysisInput.ofStates("made", times, boundary, omega, read)
         // Five are averaged, twenty are followed for diffusion, and the last is pictured.
