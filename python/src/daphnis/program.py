@@ -18,7 +18,7 @@ from .scenarios import scenario as as_scenario
 def engines() -> Any:
     """The ``EngineFactory`` of all engines there are."""
     factory = java("daphnis.core.engine.EngineFactory")
-    every = [java("daphnis.core.Engines").INSTANCE, java("daphnis.actors.ActorEngines").INSTANCE]
+    every = [java("daphnis.core.Engines").factory(), java("daphnis.actors.ActorEngines").factory()]
     return java("daphnis.core.engine.CombinedEngines")(jpype.JArray(factory)(every))
 
 
@@ -54,7 +54,7 @@ def simulation_of(
 ) -> Any:
     """The ``Simulation`` of `setup` with `law` in place of its own, and with `forces` besides."""
     resolved = setup.getScenario()
-    engine = java("daphnis.core.run.ScenarioEngineKt").engineOf(resolved, source, engines())
+    engine = java("daphnis.core.run.ScenarioEngine").of(resolved, source, engines())
     restitution = setup.getRestitution() if law is None else law.proxy(failure)
     collisions = java("daphnis.core.engine.CollisionForcing")(
         restitution, setup.getGuard(), engine, records, resolved.getSearch()

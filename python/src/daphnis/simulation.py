@@ -119,7 +119,7 @@ class Simulation:
                 records=False,
                 time=start,
             )
-        noted([*map(str, setup.getNotices()), *map(str, java("daphnis.core.scenario.WarningsKt").warnings(setup))])
+        noted([*map(str, setup.getNotices()), *map(str, java("daphnis.core.scenario.Warnings").of(setup))])
         self._first_body = int(setup.getScenario().getFirstBody())
         self._mine = True
 
@@ -218,13 +218,13 @@ class Simulation:
     def granular_temperature(self) -> float:
         """⟨c²⟩/3, weighted by mass, c the peculiar velocity; in units of speed squared."""
         flow = self._java.getBoundary().getMeanFlow()
-        temperatures = java("daphnis.core.population.GranularTemperatureKt")
-        return float(temperatures.granularTemperature(self._java.getPopulation(), flow, self._first_body))
+        temperatures = java("daphnis.core.population.GranularTemperature")
+        return float(temperatures.of(self._java.getPopulation(), flow, self._first_body))
 
     @property
     def digest(self) -> str:
         """SHA-256 over positions and velocities in the order of ids; equal if every bit is."""
-        return str(java("daphnis.core.population.DigestKt").stateDigest(self._java.getPopulation()))
+        return str(java("daphnis.core.population.Digest").stateDigest(self._java.getPopulation()))
 
     def state(self) -> State:
         """A copy of all spheres at the end of the last step, in the order of ids."""

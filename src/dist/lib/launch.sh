@@ -101,9 +101,9 @@ launch() {
     if [ "$major" -ge 25 ] && grep -q '^MODULES=.*jdk\.incubator\.vector' "$release" 2>/dev/null; then
         unit=--add-modules=jdk.incubator.vector
     fi
-    case $command${DAPHNIS_VECTOR:-} in
-    run | resume | bench | sweep) vector=$unit ;;
-    *) vector= ;;
+    vector=
+    case $command in
+    run | resume | bench | sweep) [ "${DAPHNIS_VECTOR:-}" = no ] || vector=$unit ;;
     esac
 
     # Class-data sharing: the classes of all libraries as they were laid out once, for this Java and this jar, which
