@@ -60,7 +60,7 @@ def test_states_are_read_one_by_one_and_by_time(ring: daphnis.Run) -> None:
     assert ring.scenario is not None and ring.scenario.orbit is not None
     orbits = states[1].time / ring.scenario.orbit
     assert ring.at(orbits=orbits).step == 20
-    with pytest.raises(daphnis.InputError, match="next to it are those at time"):
+    with pytest.raises(daphnis.InputError, match="next to it are those of step"):
         ring.at(states[1].time * 1.5)
     with pytest.raises(daphnis.InputError, match="has no state after step 7"):
         ring.at_step(7)

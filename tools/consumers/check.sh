@@ -34,7 +34,7 @@ holds_a_release() {
         start=$1/$group/$name/$version/$name-$version
         for file in "$start.jar" "$start-sources.jar" "$start.pom"; do [ -s "$file" ] || die "no $file"; done
         for part in name description url license developer scm; do
-            grep -q "<$part>" "$start.pom" || die "$start.pom has no <$part>"
+            grep -q "<$part[ >]" "$start.pom" || die "$start.pom has no <$part>"
         done
         ! grep -q '<parent>' "$start.pom" || die "$start.pom does not stand alone"
         jar --describe-module --file "$start.jar" | grep -q "^daphnis\.${pair#*:}@$version automatic" ||
