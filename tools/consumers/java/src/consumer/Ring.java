@@ -5,7 +5,7 @@ import daphnis.analysis.order.RadialKey;
 import daphnis.analysis.streamline.Streamlines;
 import daphnis.core.Simulation;
 import daphnis.core.engine.CollisionForcing;
-import daphnis.core.population.DigestKt;
+import daphnis.core.population.Digest;
 import daphnis.core.scenario.BuiltIn;
 import daphnis.core.scenario.ScenarioSetup;
 import java.util.Arrays;
@@ -23,7 +23,7 @@ class Ring {
             var lines = Streamlines.of(State.of(simulation, omega), 4, 5, RadialKey.GUIDING_CENTRE);
             int count = Arrays.stream(lines.getCount()).sum();
             System.out.println(count + " of " + simulation.getPopulation().getSize() + " spheres on streamlines");
-            System.out.println(DigestKt.stateDigest(simulation.getPopulation()));
+            System.out.println(Digest.stateDigest(simulation.getPopulation()));
         }
     }
 }
