@@ -16,7 +16,7 @@ group=io/github/daphnis-sim
 pin=$(sed -n 's/^ring-patch,6,//p' "$here/src/test/resources/golden/digests.csv")
 [ -n "$pin" ] || die "no pinned digest of ring-patch after 6 steps"
 
-# What Maven has stored, without daphnis: nothing of an earlier build is used, and nothing of this one is kept.
+# What Maven has stored, without daphnis: the programs below get what is published here and nothing of another build.
 kept=$HOME/.m2/repository
 store=$work/store
 mkdir -p "$store/io/github"
@@ -55,7 +55,8 @@ is_right() {
 }
 
 cd "$here"
-maven -Prelease -DskipDokka -Dmaven.test.skip=true -Dmaven.install.skip=true -Dkotlin.compiler.incremental=true \
+# With the repository in use, so that what is compiled already is not compiled again.
+mvn -B -ntp -q -Prelease -DskipDokka -Dmaven.test.skip=true -Dmaven.install.skip=true -Dkotlin.compiler.incremental=true \
     -pl '!bench' deploy "-DaltDeploymentRepository=folder::file:$work/maven"
 holds_a_release "$work/maven"
 
