@@ -66,6 +66,10 @@ internal class CollisionGroup(
         private set
     private var lastVersion = 0
 
+    /** Pieces of other groups that were compared with pieces of this one, in this step. */
+    var compared = 0L
+        private set
+
     /** Begins an epoch, in which [filter] dismisses lines. */
     fun beginEpoch(filter: LineFilter) {
         lastVersion = 0
@@ -85,6 +89,7 @@ internal class CollisionGroup(
     fun begin(population: Population, order: IntArray?, tracks: Boolean, keepsPaths: Boolean) {
         this.keepsPaths = keepsPaths
         hasFailed = false
+        compared = 0
         bodies.begin(population, order, frame.duration, tracks)
         crossings.clear()
         if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest)
@@ -169,6 +174,7 @@ internal class CollisionGroup(
      */
     inline fun meet(piece: Int, other: CollisionGroup, alsoOld: Boolean, isTwice: Boolean, use: (Int) -> Unit) {
         trails.forEachNear(piece, other.trails) { q, code ->
+            countCompared()
             if ((alsoOld || other.trails.isNew(q)) && other.bodies.has(other.trails.slots[q])) {
                 val touch = touch(piece, other.trails, q, code)
                 if (touch <= frame.end) {
@@ -180,6 +186,10 @@ internal class CollisionGroup(
                 }
             }
         }
+    }
+
+    fun countCompared() {
+        compared++
     }
 
     /** A moment before which [piece] cannot touch piece [q] of [theirs], while both count; NEVER when they cannot. */

@@ -63,7 +63,7 @@ internal class Epoch(
     private val groupPlaces = SlotPlaces()
     private val groups =
         if (space.isShared) calendars.mapIndexed { g, calendar -> group(groupPlaces, calendar, g) } else emptyList()
-    val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop)
+    val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop, isPatient = isEager)
 
     /** By worker. */
     private val searches = if (groups.isEmpty()) listOf(whole.search) else groups.map { it.search }
@@ -211,10 +211,12 @@ internal class Epoch(
     /** @return false when the step cannot be ended in this way */
     private fun collide(step: CollisionStep, order: IntArray?, tracks: Boolean): Boolean {
         if (lines.isLost) return false
-        isShared = groups.isNotEmpty() && (isEager || shared.isWorthIt())
+        isShared = groups.isNotEmpty() && (isEager || plan.sharesCollisions && shared.isWorthIt())
         if (isShared) {
             val isDone = shared.process(step, order, tracks)
             hasFailed = shared.hasFailed
+            val n = spheres.toDouble()
+            if (!hasFailed) plan.joined(shared.collisions / n, shared.processedAnew / n, shared.compared / n)
             return isDone
         }
         whole.begin(step.population, order, tracks, keepsPaths = false)

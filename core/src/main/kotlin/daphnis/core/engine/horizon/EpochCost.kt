@@ -12,6 +12,7 @@ import kotlin.math.sqrt
  * @param deviation see [HorizonTuning]
  * @param filter by which searches dismiss lines
  * @param threads that share the work
+ * @param entanglement how many times as much work [joining] is as it says
  */
 internal class EpochCost(
     private val spheres: Int,
@@ -23,6 +24,7 @@ internal class EpochCost(
     private val deviation: Double,
     private val filter: LineFilter,
     private val threads: Int,
+    private val entanglement: Double,
 ) {
     private val radius = frame.largestRadius
     private val dt = frame.duration
@@ -34,6 +36,10 @@ internal class EpochCost(
 
     /** Lines that the search for all tests per sphere, with the numbers that were asked for last. */
     var testsAhead = 0.0
+        private set
+
+    /** Whether collisions are worth sharing among groups, with the numbers that were asked for last. */
+    var sharesCollisions = true
         private set
 
     // What a search around a sphere looks at.
@@ -58,9 +64,19 @@ internal class EpochCost(
         val all = filter.perRun * rows + filter.perLine * tests
         val ahead = SEARCH + all / 2
         val around = SEARCH + ROAMERS + FAR * all
-        val impacts = collisions * COLLISION + (2 * collisions + strays) * around
-        val shared = PASS + (EPOCH + ahead) / steps + if (threads == 1) impacts else impacts * GROUPS
-        return shared / threads + SORT / steps
+        val impacts = collisions * (COLLISION + LINES) + (2 * collisions + strays) * around
+        val byGroups = impacts * GROUPS / threads + entanglement * joining(this.collisions)
+        sharesCollisions = threads > 1 && byGroups < impacts
+        return (PASS + (EPOCH + ahead) / steps) / threads + SORT / steps + if (sharesCollisions) byGroups else impacts
+    }
+
+    /**
+     * What it costs per sphere to join what groups have done in a step with so many [collisions] per sphere: clusters
+     * grow with collisions, and the more of them lie across borders.
+     */
+    fun joining(collisions: Double): Double {
+        val borders = threads * 2 * radius / maxOf(length[1], length[2])
+        return JOINING * borders * collisions * collisions * collisions
     }
 
     /** In steps that are not part of an epoch. */
@@ -86,37 +102,46 @@ internal class EpochCost(
         }
     }
 
-    private companion object {
-        const val AXES = 3
-        const val MOST_FILLING = 0.6
+    companion object {
+        /** Nanoseconds: of a collision that is processed anew, and of a piece of a path compared with another. */
+        const val COLLISION_ANEW = 1100.0
+        const val COMPARISON = 10.0
+
+        /** Fitted to gases at filling factors of 0.1 and 0.3, 0.05 to 0.5 collisions per sphere, on two threads. */
+        private const val JOINING = 2.3e5
+        private const val AXES = 3
+        private const val MOST_FILLING = 0.6
 
         /** Mean speed along an axis of a gas, in units of the root mean square. */
-        const val MEAN_WAY = 0.8
+        private const val MEAN_WAY = 0.8
 
         // Nanoseconds: of a search, of a row of cells and of a sphere in one of the serial engine.
-        const val SEARCH = 30.0
-        const val ROW = 8.0
-        const val TEST = 1.6
+        private const val SEARCH = 30.0
+        private const val ROW = 8.0
+        private const val TEST = 1.6
 
         /** For searches all over memory, in units of searches one after the other. */
-        const val FAR = 1.6
-        const val ROAMERS = 50.0
-        const val COLLISION = 250.0
+        private const val FAR = 1.6
+        private const val ROAMERS = 50.0
+        private const val COLLISION = 250.0
+
+        /** What an epoch does more at a collision: two lines are drawn, and pairs filed. */
+        private const val LINES = 120.0
 
         /** Of the passes over all in a step, and of those at the start of an epoch. */
-        const val PASS = 18.0
-        const val EPOCH = 40.0
-        const val SORT = 10.0
-        const val SERIAL_PASS = 35.0
+        private const val PASS = 18.0
+        private const val EPOCH = 40.0
+        private const val SORT = 10.0
+        private const val SERIAL_PASS = 35.0
 
         /** What groups cost more than one thread before threads share it. */
-        const val GROUPS = 1.15
+        private const val GROUPS = 1.15
 
         /** What islands cost more than the serial engine before threads share it. */
-        const val ISLANDS = 1.2
+        private const val ISLANDS = 1.2
 
         /** Cells in the length that a pair can bridge, in the serial engine's grid. */
-        const val SERIAL_ALONG = 4.0
-        const val SERIAL_ACROSS = 1.0
+        private const val SERIAL_ALONG = 4.0
+        private const val SERIAL_ACROSS = 1.0
     }
 }

@@ -26,6 +26,16 @@ internal class EpochPlan(private val threads: Int) {
     private var mostSteps = LONGEST
     private var calm = 0
 
+    /** How many times as much work it is to join what groups have done as [EpochCost.joining] has it. */
+    private var entanglement = 1.0
+
+    /** Of the present epoch, or of the last that was thought of. */
+    private var cost: EpochCost? = null
+
+    /** Whether the collisions of the epoch are to be shared among groups. */
+    var sharesCollisions = true
+        private set
+
     /** Steps to come that are left to the other engine without asking. */
     private var rest = 0
 
@@ -42,8 +52,13 @@ internal class EpochPlan(private val threads: Int) {
      * @return null when an epoch is not expected to be quicker than another engine
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter): HorizonTuning? {
-        val cost = EpochCost(spheres, frame, cells, crowding, collisions, strays, DEVIATIONS[level], filter, threads)
+        val deviation = DEVIATIONS[level]
+        val cost =
+            EpochCost(spheres, frame, cells, crowding, collisions, strays, deviation, filter, threads, entanglement)
+        this.cost = cost
         var least = WORTH * cost.otherwise()
+        // Only groups that share collisions can tell whether they are less entangled now.
+        if (!sharesCollisions) entanglement = maxOf(CALMING * entanglement, LEAST_ENTANGLEMENT)
         var bestSteps = 0
         var bestAcross = 0.0
         var bestAlong = 0.0
@@ -58,11 +73,12 @@ internal class EpochPlan(private val threads: Int) {
                         bestAcross = across
                         bestAlong = along
                         expectedTests = cost.testsAhead
+                        sharesCollisions = cost.sharesCollisions
                     }
                 }
             }
         }
-        if (bestSteps > 0) return HorizonTuning(bestSteps, CLASS_BOUND, DEVIATIONS[level], bestAlong, bestAcross)
+        if (bestSteps > 0) return HorizonTuning(bestSteps, CLASS_BOUND, deviation, bestAlong, bestAcross)
         rest = REST
         return null
     }
@@ -75,6 +91,18 @@ internal class EpochPlan(private val threads: Int) {
     /** Told that all have been searched for, with [tests] lines tested per sphere. */
     fun searched(tests: Double) {
         if (expectedTests > 0) crowding = (crowding * tests / expectedTests).coerceIn(LEAST_CROWDING, MOST_CROWDING)
+    }
+
+    /**
+     * Told that groups have shared the [collisions] of a step, and that [anew] were processed anew to join what they
+     * have done, for which [compared] pieces of paths were compared; all per sphere.
+     */
+    fun joined(collisions: Double, anew: Double, compared: Double) {
+        val expected = cost?.joining(collisions) ?: return
+        if (expected <= 0) return
+        val measured = EpochCost.COLLISION_ANEW * anew + EpochCost.COMPARISON * compared
+        val least = maxOf(CALMING * entanglement, LEAST_ENTANGLEMENT)
+        entanglement = (measured / expected).coerceIn(least, MOST_ENTANGLEMENT)
     }
 
     /**
@@ -119,5 +147,10 @@ internal class EpochPlan(private val threads: Int) {
         const val PATIENCE = 32
         const val LEAST_CROWDING = 0.2
         const val MOST_CROWDING = 100.0
+        const val LEAST_ENTANGLEMENT = 0.2
+        const val MOST_ENTANGLEMENT = 100.0
+
+        /** The part of its value to which the entanglement may fall in a step, or while groups are not asked. */
+        const val CALMING = 0.95
     }
 }

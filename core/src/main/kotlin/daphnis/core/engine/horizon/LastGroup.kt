@@ -11,12 +11,14 @@ import daphnis.core.step.CollisionStep
  * cluster of that sphere is dropped too, and all begins anew.
  *
  * @param group the one that does it, which sees all
+ * @param isPatient whether it goes on however much work it is
  */
 internal class LastGroup(
     private val space: EpochSpace,
     private val groups: List<CollisionGroup>,
     private val places: SlotPlaces,
     private val group: CollisionGroup,
+    private val isPatient: Boolean,
 ) : CollisionGroup.Others {
     private val frame = space.frame
     private val lines = space.lines
@@ -38,8 +40,18 @@ internal class LastGroup(
     var rounds = 0L
         private set
 
-    /** @return false when the step cannot be ended in this way */
+    /** Collisions processed in this step, in all rounds, and pieces compared with others for them. */
+    var processed = 0L
+        private set
+    var compared = 0L
+        private set
+
+    /**
+     * @param collisions of all groups
+     * @return false when the step cannot be ended in this way, or not soon
+     */
     fun process(
+        collisions: Long,
         step: CollisionStep,
         order: IntArray?,
         tracks: Boolean,
@@ -49,6 +61,8 @@ internal class LastGroup(
         isInUse = false
         begin(step, order, tracks)
         count = 0
+        processed = 0
+        compared = 0
         seeds.clear()
         doomed.clear()
         for (lists in due) lists[groups.size].forEach { i, j, code -> look(i, j, code) }
@@ -57,14 +71,20 @@ internal class LastGroup(
         if (doomed.size == 0) return true
         val most = rounds + MOST_ROUNDS
         do {
-            if (++rounds > most) return false
+            if (++rounds > most || !isPatient && isTooMuch(collisions)) return false
             reopen()
             begin(step, order, tracks)
             doomed.clear()
-            if (!group.processApart { start(step, due) } || lines.isLost) return false
+            val isDone = group.processApart { start(step, due) }
+            processed += group.impact.counted.collisions
+            compared += group.compared
+            if (!isDone || lines.isLost) return false
         } while (doomed.size > 0)
         return true
     }
+
+    /** Whether the work so far is more than all of what the groups have done. */
+    private fun isTooMuch(collisions: Long): Boolean = processed + compared / COMPARED_A_COLLISION > collisions
 
     /** Undoes what this group has done, and begins the step. */
     private fun begin(step: CollisionStep, order: IntArray?, tracks: Boolean) {
@@ -165,5 +185,8 @@ internal class LastGroup(
 
         /** Rounds after which the step is left to another engine. */
         const val MOST_ROUNDS = 64
+
+        /** Pieces that are compared in the time of a collision. */
+        const val COMPARED_A_COLLISION = 100
     }
 }

@@ -36,11 +36,12 @@ internal class SharedCollisions(
     private val places: SlotPlaces,
     last: CollisionGroup,
     private val loop: RangeLoop,
+    isPatient: Boolean,
 ) {
     private val frame = space.frame
     private val due = List(groups.size) { List(groups.size + 1) { PairList() } }
     private val meetings = groups.map { PairList() }
-    private val last = LastGroup(space, groups, places, last)
+    private val last = LastGroup(space, groups, places, last, isPatient)
     private val counted = CollisionCounters()
 
     /** Steps that groups have ended since the start. */
@@ -50,6 +51,12 @@ internal class SharedCollisions(
     /** Spheres whose collisions were processed anew, since the start, and in how many rounds. */
     val reopened: Long get() = last.reopenings
     val rounds: Long get() = last.rounds
+
+    /** What the last attempt took: collisions of the groups, those processed anew, and pieces compared for these. */
+    var collisions = 0L
+        private set
+    val processedAnew: Long get() = last.processed
+    val compared: Long get() = last.compared
 
     /** Whether a law, or a limit, ended the last attempt. */
     var hasFailed = false
@@ -70,10 +77,11 @@ internal class SharedCollisions(
         hasFailed = false
         each { prepareGroup(it, population, order, tracks) }
         each { processGroup(it, step) }
+        collisions = groups.sumOf { it.impact.counted.collisions }
         hasFailed = groups.any { it.hasFailed }
         if (hasFailed || lines.isLost || !isDone.all { it }) return false
         each { compare(it) }
-        if (!last.process(step, order, tracks, due, meetings)) {
+        if (!last.process(collisions, step, order, tracks, due, meetings)) {
             hasFailed = last.hasFailed
             return false
         }
