@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -106,6 +107,48 @@ def test_elastic_spheres_keep_energy_and_momentum(gas: dict[str, Any], spheres: 
         assert simulation.kinetic_energy == pytest.approx(energy, rel=1e-12)
         assert np.allclose(simulation.momentum, momentum, atol=1e-11)
         assert simulation.granular_temperature == pytest.approx(2 * energy / 3000, rel=0.01)
+
+
+@pytest.fixture
+def free(gas: dict[str, Any]) -> dict[str, Any]:
+    """The gas, with steps that are chosen."""
+    return {key: value for key, value in gas.items() if key != "timeStep"}
+
+
+def test_chosen_steps_know_no_end_in_memory(free: dict[str, Any], spheres: dict[str, Any]) -> None:
+    # A unit of time in which nothing happens: one as long as a step would end there.
+    slow = {**spheres, "velocity": spheres["velocity"] * 1e-6}
+    with daphnis.Simulation(free, **slow) as simulation:
+        simulation.advance(4)
+        assert simulation.time > 1e4
+    with daphnis.Simulation(daphnis.scenario(free), **slow, time=1e9) as simulation:
+        assert simulation.advance().time > 1e9 + 1e3
+    with daphnis.Simulation(free, position=spheres["position"], radius=0.5) as simulation:
+        assert simulation.advance(3).time == 3.0, "a gas at rest"
+
+
+def test_chosen_steps_end_at_the_time_that_is_asked_for(free: dict[str, Any], spheres: dict[str, Any]) -> None:
+    with daphnis.Simulation(free, **spheres) as simulation:
+        for time in (0.3, 1.0, 7.7):
+            assert simulation.advance_to(time).time == time
+        assert simulation.advance().time > 7.7
+    with daphnis.Simulation({**free, "until": 0.01}, **spheres) as simulation:
+        assert simulation.advance_to(0.5).time == 0.5
+        assert simulation.java.getTime() == 0.5
+    with daphnis.Simulation({**free, "until": 0.01}, **spheres) as simulation:
+        assert simulation.advance(2).time == 0.01, "a scenario's own end"
+
+
+def test_a_placed_state_may_be_late(gas: dict[str, Any], tmp_path: Path) -> None:
+    particles = {"count": 50, "sizes": {"type": "equal", "radius": 0.5}, "mass": 1}
+    moving = {"particles": particles, "velocities": {"type": "gaussian", "sigma": 1.0}}
+    made = {**gas, **moving, "until": 0.1, "output": {"snapshotEvery": 1}}
+    daphnis.run(made, tmp_path / "run")
+    file = sorted((tmp_path / "run" / "snapshots").iterdir())[-1]
+    late = {**gas, "placement": {"type": "file", "path": str(file), "time": 50.0}}
+    with daphnis.Simulation(late) as simulation:
+        assert simulation.time == 50.0
+        assert simulation.advance(2).time == pytest.approx(50.2)
 
 
 def test_a_scenario_is_simulated_in_memory_as_in_a_directory(ring: daphnis.Run, patch: dict[str, Any]) -> None:

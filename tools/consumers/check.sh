@@ -1,6 +1,8 @@
 #!/bin/sh
 # daphnis as programs of others get it: published to a folder, and used from there by the small projects beside this
-# file. Gradle's part runs where there is Gradle 8.7 or newer.
+# file.
+#   --gradle   Gradle's build too; it needs Gradle 8.7 or newer
+#   --javadoc  the jars of Dokka too, as a release has them, which takes some minutes
 set -eu
 here=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd)
 work=$(mktemp -d "${TMPDIR:-/tmp}/daphnis-consumers.XXXXXX")
@@ -16,8 +18,22 @@ group=io/github/daphnis-sim
 pin=$(sed -n 's/^ring-patch,6,//p' "$here/src/test/resources/golden/digests.csv")
 [ -n "$pin" ] || die "no pinned digest of ring-patch after 6 steps"
 
+gradle=
+javadoc=
+for arg; do
+    case $arg in
+    --gradle) gradle=yes ;;
+    --javadoc) javadoc=yes ;;
+    *) die "unknown option $arg; known: --gradle, --javadoc" ;;
+    esac
+done
+
 # What Maven has stored, without daphnis: the programs below get what is published here and nothing of another build.
-kept=$HOME/.m2/repository
+# A user's settings.xml may name another place for it, so Maven is asked.
+(cd "$here" && mvn -B -ntp -q -N exec:exec -Dexec.executable=echo '-Dexec.args=${session.localRepository.basedir}' \
+    "-Dexec.outputFile=$work/kept")
+kept=$(cat "$work/kept")
+[ -d "$kept" ] || die "Maven names no local repository: $kept"
 store=$work/store
 mkdir -p "$store/io/github"
 for place in "$kept"/* "$kept"/io/* "$kept"/io/github/*; do
@@ -26,6 +42,15 @@ for place in "$kept"/* "$kept"/io/* "$kept"/io/github/*; do
     [ ! -e "$place" ] || ln -s "$place" "$store/$name"
 done
 maven() { mvn -B -ntp -q "-Dmaven.repo.local=$store" "$@"; }
+
+# That the jar $1 of Dokka has pages, and says what the code does where $2 is core.
+has_pages() {
+    [ -s "$1" ] || die "no $1"
+    jar tf "$1" | grep -q '^daphnis/.*package-summary.html' || die "$1 has no page of a package"
+    [ "$2" = core ] || return 0
+    (cd "$work" && jar xf "$1" daphnis/core/Simulation.html)
+    grep -q 'advanced one step at a time' "$work/daphnis/core/Simulation.html" || die "$1 says nothing of Simulation"
+}
 
 # That the folder $1 holds what a release does; its jars say the names of their modules.
 holds_a_release() {
@@ -39,13 +64,14 @@ holds_a_release() {
         ! grep -q '<parent>' "$start.pom" || die "$start.pom does not stand alone"
         jar --describe-module --file "$start.jar" | grep -q "^daphnis\.${pair#*:}@$version automatic" ||
             die "$start.jar is no module daphnis.${pair#*:}"
+        [ ! "$javadoc" ] || has_pages "$start-javadoc.jar" "${pair#*:}"
     done
     sources=$1/$group/daphnis-core/$version/daphnis-core-$version-sources.jar
     for source in HorizonEngine.kt VectorFilter.java; do
         jar tf "$sources" | grep -q "$source" || die "$sources has no $source"
     done
     grep -q '<dependencyManagement>' "$1/$group/daphnis-bom/$version/daphnis-bom-$version.pom" || die "no BOM in $1"
-    [ "$(ls "$1/$group" | wc -l)" = 6 ] || die "more than a release in $1: $(ls "$1/$group")"
+    [ "$(ls "$1/$group" | wc -l)" -eq 6 ] || die "more than a release in $1: $(ls "$1/$group")"
 }
 
 # That a program, whose libraries lie in $1, printed $2 as it should and needs nothing for plots and actors.
@@ -56,8 +82,8 @@ is_right() {
 
 cd "$here"
 # With the repository in use, so that what is compiled already is not compiled again.
-mvn -B -ntp -q -Prelease -DskipDokka -Dmaven.test.skip=true -Dmaven.install.skip=true -Dkotlin.compiler.incremental=true \
-    -pl '!bench' deploy "-DaltDeploymentRepository=folder::file:$work/maven"
+mvn -B -ntp -q -Prelease "-DskipDokka=$([ $javadoc ] || echo true)" -Dmaven.test.skip=true -Dmaven.install.skip=true \
+    -Dkotlin.compiler.incremental=true -pl '!bench' deploy "-DaltDeploymentRepository=folder::file:$work/maven"
 holds_a_release "$work/maven"
 
 cp -R "$here/tools/consumers/kotlin" "$here/tools/consumers/java" "$work"
@@ -70,9 +96,9 @@ is_right "$work/kotlin/target/lib" "$(java -cp "$work/kotlin/target/consumer.jar
 path=$work/java/target/consumer.jar:$work/java/target/lib
 is_right "$work/java/target/lib" "$(java --add-modules ALL-MODULE-PATH -p "$path" -m consumer/consumer.Ring)"
 
-if [ "${1:-}" = --gradle ]; then
+if [ "$gradle" ]; then
     cd "$here"
-    gradle --console=plain -q --warning-mode=fail publish "-PpublishTo=$work/gradle"
+    gradle --console=plain -q --warning-mode=fail publish ${javadoc:+-Prelease} "-PpublishTo=$work/gradle"
     holds_a_release "$work/gradle"
     cd "$work/kotlin"
     gradle --console=plain -q lib "-Ppublished=file:$work/gradle" "-Pdaphnis=$version"

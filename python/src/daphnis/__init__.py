@@ -14,6 +14,7 @@ from ._errors import DaphnisError, DaphnisWarning, FormatError, InputError, Inte
 from ._jvm import start
 from ._version import __version__
 from .laws import Force, Restitution, Spheres, acceleration, kick, restitution
+from .mdanalysis import universe
 from .report import Picture, Report, analyze
 from .runs import Run
 
@@ -52,4 +53,5 @@ __all__ = [
     "scenario",
     "scenarios",
     "start",
+    "universe",
 ]

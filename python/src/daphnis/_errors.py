@@ -65,7 +65,7 @@ def noted(notices: list[str]) -> None:
 
 
 class PythonFailure:
-    """The first exception of a Python function that Java called, to come out of the call as it is."""
+    """The first exception of a Python function that Java called in a step, to come out of the call as it is."""
 
     def __init__(self) -> None:
         self.error: BaseException | None = None
@@ -74,6 +74,13 @@ class PythonFailure:
         if self.error is None:
             self.error = error
 
+    def forget(self) -> None:
+        """A step ended well, whatever was tried on the way."""
+        self.error = None
+
+
+_MOST_CAUSES = 1000
+"""Causes may be a circle."""
 
 _ARGUMENTS = {"settings": "set", "from": "from_"}
 _WAYS_OUT = {
@@ -91,13 +98,29 @@ _WAYS_OUT = {
 def translated(failure: PythonFailure | None = None) -> Iterator[None]:
     """Passes exceptions of Java on as those of Python, and those of Python functions in `failure` as they are."""
     if failure is not None:
-        failure.error = None
+        failure.forget()
     try:
         yield
     except jpype.JException as e:
-        if failure is not None and failure.error is not None:
+        # What Java wrapped on its way. Its own failures stay its own, whatever a function did before.
+        if failure is not None and failure.error is not None and _is_of_python(e):
             raise failure.error from None
         raise of(e) from None
+    finally:
+        if failure is not None:
+            failure.forget()
+
+
+def _is_of_python(e: Any) -> bool:
+    """Whether an exception of Python is among the causes of the Java exception `e`."""
+    left, seen = [e], 0
+    while left and seen < _MOST_CAUSES:
+        one = left.pop()
+        seen += 1
+        if str(one.getClass().getName()) == "org.jpype.PyExceptionProxy":
+            return True
+        left += [other for other in (*one.getSuppressed(), one.getCause()) if other is not None]
+    return False
 
 
 def of(e: Any) -> DaphnisError:

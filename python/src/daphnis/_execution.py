@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import signal
 import sys
-import threading
 import time as clock
 from collections.abc import Callable
 from pathlib import Path
@@ -13,6 +11,7 @@ from typing import Any
 import jpype
 
 from ._errors import Interrupted, PythonFailure, noted, translated
+from ._interrupts import CtrlC
 from .simulation import Simulation
 
 Watch = Callable[[Simulation], object]
@@ -27,51 +26,46 @@ def carried_out(
     progress: bool | None,
 ) -> list[str]:
     """Carries out the ``daphnis.core.run.Run`` that `start` makes, and gives its notices."""
-    with translated(failure):
-        carried = start()
-    notices = [str(notice) for notice in carried.getNotices()]
-    try:
-        noted(notices)
-        execution = _Execution(carried, watch, progress, failure)
-        with execution, translated(failure):
-            summary = carried.execute(execution.watcher(), execution.cancelled())
-        if execution.interrupted:
-            if summary.getFinished():
-                raise Interrupted("interrupted at the end: the run is complete, there is nothing to resume", directory)
-            way_on = f"continue with: daphnis.resume({str(directory)!r})"
-            raise Interrupted(f"interrupted after step {summary.getSteps()}; {way_on}", directory)
-    finally:
-        carried.close()
+    # From here on, since a run whose start is torn would never be closed.
+    with CtrlC(failure, any_handler=True) as ctrl_c:
+        with translated(failure):
+            carried = start()
+        notices = [str(notice) for notice in carried.getNotices()]
+        try:
+            noted(notices)
+            execution = _Execution(carried, watch, progress, failure, ctrl_c)
+            with execution, translated(failure):
+                summary = carried.execute(execution.watcher(), execution.cancelled())
+        finally:
+            carried.close()
+    if ctrl_c.pressed:
+        if summary.getFinished():
+            raise Interrupted("interrupted at the end: the run is complete, there is nothing to resume", directory)
+        way_on = f"continue with: daphnis.resume({str(directory)!r})"
+        raise Interrupted(f"interrupted after step {summary.getSteps()}; {way_on}", directory)
     return notices
 
 
 class _Execution:
     """What happens beside a run: Ctrl-C asks it to end after its step, and progress is shown."""
 
-    def __init__(self, run: Any, watch: Watch | None, progress: bool | None, failure: PythonFailure) -> None:
-        self.interrupted = False
+    def __init__(
+        self, run: Any, watch: Watch | None, progress: bool | None, failure: PythonFailure, ctrl_c: CtrlC
+    ) -> None:
         self._ended = False
         self._run = run
         self._watch = watch
         self._progress = sys.stderr.isatty() if progress is None else progress
         self._shown = 0.0
         self._failure = failure
-        self._before: Any = None
+        self._ctrl_c = ctrl_c
 
     def __enter__(self) -> None:
-        # Signals reach the main thread only; elsewhere Ctrl-C is not ours.
-        if threading.current_thread() is threading.main_thread():
-            self._before = signal.getsignal(signal.SIGINT)
-            signal.signal(signal.SIGINT, self._interrupt)
+        return None
 
     def __exit__(self, *_: object) -> None:
-        if self._before is not None:
-            signal.signal(signal.SIGINT, self._before)
         if self._progress and self._shown:
             print(file=sys.stderr)
-
-    def _interrupt(self, *_: object) -> None:
-        self.interrupted = True
 
     def cancelled(self) -> Any:
         """Asked before each step."""
@@ -80,7 +74,7 @@ class _Execution:
             try:
                 if self._progress:
                     self._show()
-                return self.interrupted or self._ended
+                return self._ctrl_c.pressed or self._ended
             except BaseException as e:
                 self._failure.keep(e)
                 raise
@@ -93,6 +87,8 @@ class _Execution:
         simulation = Simulation._watched(self._run.getSimulation())
 
         def write(_: Any) -> None:
+            # The step stands.
+            self._failure.forget()
             try:
                 if watch is not None and watch(simulation) is True:
                     self._ended = True

@@ -51,8 +51,9 @@ def simulation_of(
     *,
     records: bool,
     time: float,
+    time_step: Any = None,
 ) -> Any:
-    """The ``Simulation`` of `setup` with `law` in place of its own, and with `forces` besides."""
+    """The ``Simulation`` of `setup` with `law` and `time_step` in place of its own, and with `forces` besides."""
     resolved = setup.getScenario()
     engine = java("daphnis.core.run.ScenarioEngine").of(resolved, source, engines())
     restitution = setup.getRestitution() if law is None else law.proxy(failure)
@@ -63,8 +64,10 @@ def simulation_of(
     for force in forces:
         every.add(force.proxy(failure))
     outputs = java("java.util.ArrayList")()
+    if time_step is None:
+        time_step = setup.getTimeStep()
     return java("daphnis.core.Simulation")(
-        population, setup.getBoundary(), collisions, setup.getTimeStep(), every, outputs, time
+        population, setup.getBoundary(), collisions, time_step, every, outputs, time
     )
 
 

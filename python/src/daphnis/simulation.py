@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from types import TracebackType
 from typing import Any
 
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, laws
 from ._errors import InputError, PythonFailure, RunError, noted, translated
+from ._interrupts import CtrlC
 from ._jvm import java
 from .laws import Force, Law
 from .program import guarded, setup_of, simulation_of
@@ -82,10 +83,6 @@ class Simulation:
         kicks = laws.as_forces(forces)
         begin = None if time is None else float(_arrays.numbers("time", time, ()))
         settings = dict(set or {})
-        given = scenario if isinstance(scenario, Mapping) else {}
-        if given and not {"until", "untilOrbits"} & (given.keys() | settings.keys()):
-            # A simulation in memory ends when its owner says so.
-            settings["until"] = 1.0
         settings.setdefault("engine.name", "serial")
         if engine is not None:
             settings["engine.name"] = engine
@@ -94,6 +91,13 @@ class Simulation:
         if law is not None:
             settings = guarded(scenario, settings)
         self.scenario = as_scenario(scenario, set=settings, seed=seed)
+        asked = self.scenario.to_dict()
+        endless = asked.get("until") is None and asked.get("untilOrbits") is None
+        if endless:
+            # A simulation in memory ends when its owner says so, but a scenario has to have an end.
+            start_time = float((asked.get("placement") or {}).get("time") or 0.0)
+            settings["until"] = start_time + max(1.0, abs(start_time))
+            self.scenario = as_scenario(scenario, set=settings, seed=seed)
         self._failure = PythonFailure()
         population = None
         if position is None:
@@ -109,6 +113,9 @@ class Simulation:
         if population is not None:
             _check_start(population, setup.getBoundary(), start)
         with translated():
+            time_step = setup.endlessTimeStep() if endless else setup.getTimeStep()
+            stopping = isinstance(time_step, java("daphnis.core.StoppingTimeStep"))
+            self._stops = time_step.getStops() if stopping else None
             self._java = simulation_of(
                 setup,
                 self.scenario.source,
@@ -118,6 +125,7 @@ class Simulation:
                 self._failure,
                 records=False,
                 time=start,
+                time_step=time_step,
             )
         noted([*map(str, setup.getNotices()), *map(str, java("daphnis.core.scenario.Warnings").of(setup))])
         self._first_body = int(setup.getScenario().getFirstBody())
@@ -149,6 +157,7 @@ class Simulation:
         watched = cls.__new__(cls)
         watched._java = simulation
         watched._failure = PythonFailure()
+        watched._stops = None
         watched._first_body = 2**31 - 1
         watched._mine = False
         return watched
@@ -159,7 +168,7 @@ class Simulation:
         return self._java
 
     def advance(self, steps: int = 1) -> Simulation:
-        """Takes `steps` steps. Ctrl-C ends it after a whole step.
+        """Takes `steps` steps. Ctrl-C ends it after a whole step; a second one breaks off a function of Python at once.
 
         Raises:
             RunError: a step failed, or the simulation is closed; everything is as before that step.
@@ -167,18 +176,33 @@ class Simulation:
         if isinstance(steps, bool) or not isinstance(steps, (int, np.integer)) or steps < 0:
             raise InputError(f"steps: is {steps!r}; it must be a whole number >= 0")
         self._require_mine()
-        for _ in range(steps):
-            with translated(self._failure):
-                self._java.advance()
+        with CtrlC(self._failure, any_handler=False) as ctrl_c:
+            for _ in range(steps):
+                with translated(self._failure):
+                    self._java.advance()
+                if ctrl_c.pressed:
+                    break
+        if ctrl_c.pressed:
+            raise KeyboardInterrupt
         return self
 
     def advance_to(self, time: float) -> Simulation:
-        """Takes steps until `time`, in units of time, is reached but for a round-off of 1e-9."""
+        """Takes steps until `time`, in units of time, is reached but for a round-off of 1e-9.
+
+        Where the scenario leaves their length open, the last step ends there; others keep their length.
+        """
         end = float(_arrays.numbers("time", time, ()))
         self._require_mine()
         slack = 1e-9 * max(abs(end), abs(self.time))
-        while self.time < end - slack:
-            self.advance()
+        before = None if self._stops is None else self._stops.getEnd()
+        try:
+            if self._stops is not None:
+                self._stops.setEnd(end)
+            while self.time < end - slack:
+                self.advance()
+        finally:
+            if self._stops is not None:
+                self._stops.setEnd(before)
         return self
 
     def _require_mine(self) -> None:

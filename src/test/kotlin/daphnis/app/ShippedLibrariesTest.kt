@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import java.io.File
 import java.nio.file.Path
+import java.util.zip.ZipFile
 
 /**
  * Runs under either build, so both resolve what the table says: the same versions, and nothing that nobody knows of.
@@ -43,6 +44,25 @@ class ShippedLibrariesTest {
     @Test
     fun `nothing else is on the class path but what tests need`() {
         assertEquals(emptyList<String>(), present.keys.filter { it !in listed && !it.matches(FOR_TESTS) }.sorted())
+    }
+
+    /** Apache-2.0 is the licence of daphnis too, whose text is shipped; MIT-0 asks for nothing. */
+    @Test
+    fun `the text of every other licence is in its jar or in the table's page`() {
+        val page = read("docs/third-party.md")
+        val others = page.lines()
+            .mapNotNull { Regex("""\| [\w.-]+:([\w.-]+) \| ([\w.-]+) \| (?!Apache-2\.0 \|)(?!MIT-0)\S.* \|""").matchEntire(it) }
+            .map { it.groupValues[1] }
+        assertTrue("jcodec" in others && "slf4j-api" in others && "reactive-streams" !in others) { "$others" }
+        val jars = System.getProperty("java.class.path").split(File.pathSeparator).filter { it.endsWith(".jar") }
+        val without = others.filter { artifact ->
+            val jar = jars.single { File(it).name.matches(Regex("$artifact-[0-9].*")) }
+            val isInJar = ZipFile(jar).use { zip ->
+                zip.entries().asSequence().any { it.name.matches(Regex("(?i)(.*/)?(licen[cs]e|copying)[^/]*")) }
+            }
+            !isInJar && "\n### $artifact\n" !in page
+        }
+        assertEquals(emptyList<String>(), without)
     }
 
     private companion object {

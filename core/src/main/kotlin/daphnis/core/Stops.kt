@@ -10,18 +10,17 @@ import kotlin.math.abs
  * at once rely on, and a step that meets no other interval hits the next stop without a rest. Everything here depends
  * on the time and the wanted length only, so a resumed run makes the same steps.
  *
- * @property end a time, or infinity for none
+ * @param end a time, or infinity for none
  */
-public class Stops @JvmOverloads constructor(
-    intervals: List<Interval>,
-    public val end: Double = Double.POSITIVE_INFINITY,
-) {
+public class Stops @JvmOverloads constructor(intervals: List<Interval>, end: Double = Double.POSITIVE_INFINITY) {
     public val intervals: List<Interval> = intervals.toList()
     private val shortest = intervals.minOfOrNull { it.length }
 
-    init {
-        require(!end.isNaN()) { "the end is NaN" }
-    }
+    /** A time, or infinity for none. The thread that advances may set another between two steps. */
+    public var end: Double = checked(end)
+        set(value) {
+            field = checked(value)
+        }
 
     /** The first stop after [time]; infinity when there is none. */
     public fun next(time: Double): Double {
@@ -54,6 +53,11 @@ public class Stops @JvmOverloads constructor(
         val steps = Math.rint((stop - end) / duration)
         val even = stop - steps * duration
         return if (abs(even - end) <= 2 * slack(end)) even else end
+    }
+
+    private fun checked(end: Double): Double {
+        require(!end.isNaN()) { "the end is NaN" }
+        return end
     }
 
     /** How much a time may be off by round-off. */

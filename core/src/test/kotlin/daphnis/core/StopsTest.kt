@@ -34,6 +34,18 @@ class StopsTest {
     }
 
     @Test
+    fun `an end is set between steps, also one that is behind`() {
+        val stops = stops(end = 1.0)
+        assertEquals(listOf(0.5, 1.0), times(stops, 0.6))
+        stops.end = 2.25
+        assertEquals(listOf(1.5, 2.0, 2.25), times(stops, 0.6, start = 1.0))
+        stops.end = 2.0
+        assertEquals(Double.POSITIVE_INFINITY, stops.next(2.25))
+        assertThrows(IllegalArgumentException::class.java) { stops.end = Double.NaN }
+        assertEquals(2.0, stops.end)
+    }
+
+    @Test
     fun `steps are an interval halved, all equal to the bit, and end at its multiples to the bit`() {
         val stops = stops(0.1, end = 100.0)
         val times = times(stops, 0.06)

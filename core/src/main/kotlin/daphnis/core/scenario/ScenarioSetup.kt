@@ -18,6 +18,8 @@ import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.force.Force
 import daphnis.core.format.Snapshot
+import daphnis.core.measure
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -46,6 +48,19 @@ public class ScenarioSetup private constructor(
     public fun firstStep(): Double {
         val longest = timeStep.next(population)
         return if (timeStep is StoppingTimeStep) timeStep.stops.duration(scenario.startTime, longest) else longest
+    }
+
+    /**
+     * The time step for a simulation in memory, which goes on for as long as its owner says: steps that are chosen
+     * neither end at the end of the scenario nor are shortened by it. All others are those of [timeStep].
+     */
+    public fun endlessTimeStep(): TimeStep {
+        if (timeStep !is FreePathTimeStep) return timeStep
+        // What has come to rest says no length, and what starts at rest does not even say a unit.
+        val first = timeStep.path / timeStep.measure(population, InlineLoop)
+        val longest = if (first.isFinite()) first * SLOWEST else 1.0
+        val stops = Stops(timeStep.stops.intervals)
+        return FreePathTimeStep(timeStep.path, minOf(longest, FreePath.longest(boundary)), timeStep.flow, stops)
     }
 
     public companion object {
@@ -225,5 +240,8 @@ public class ScenarioSetup private constructor(
         /** 2⁵³: up to this number the times after a number of steps and after one more differ. */
         private const val MOST_STEPS = 9.007199254740992e15
         private const val DEFAULT_FLOOR = 1e-6
+
+        /** By how much chosen steps may grow, in a simulation without an end. */
+        private const val SLOWEST = 1e9
     }
 }

@@ -48,6 +48,23 @@ class AutomaticStepTest {
     }
 
     @Test
+    fun `in memory chosen steps know no end, and a gas at rest has steps of one unit`() {
+        val setup = ScenarioSetup.of(scenario("until=0.001", "output={}"), "test")
+        assertTrue(setup.firstStep() <= 0.001)
+        val chosen = setup.endlessTimeStep() as FreePathTimeStep
+        assertEquals(Double.POSITIVE_INFINITY, chosen.stops.end)
+        val wanted = chosen.next(setup.population)
+        assertTrue(wanted > 0.01) { "a step of $wanted" }
+        assertEquals(wanted * 1e9, chosen.longest, 1e-6 * chosen.longest)
+        val resting = ScenarioSetup.of(scenario("until=500", "velocities.sigma=0"), "test").endlessTimeStep()
+        assertEquals(1.0, resting.next(setup.population.also { it.vx.fill(0.0); it.vy.fill(0.0); it.vz.fill(0.0) }))
+        val shear = ScenarioSetup.of(scenario("until=500", *sheared), "test").endlessTimeStep() as FreePathTimeStep
+        assertEquals(0.5 / 0.8, shear.longest, 1e-12) { "images slide by half a box at most" }
+        val given = ScenarioSetup.of(scenario("timeStep={\"type\":\"fixed\",\"dt\":0.01}"), "test")
+        assertTrue(given.endlessTimeStep() === given.timeStep)
+    }
+
+    @Test
     fun `rows and states are of the times that are wanted, to the bit, and the run ends when it shall`() {
         startIn(home.resolve("a"), scenario()).toStep(Long.MAX_VALUE)
         val threes = List(7) { it * 0.3 }

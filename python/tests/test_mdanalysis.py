@@ -1,0 +1,54 @@
+"""Runs in MDAnalysis, where it is installed."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import daphnis
+
+
+def test_a_universe_has_the_states_in_the_units_of_the_run(ring: daphnis.Run, tmp_path: Path) -> None:
+    pytest.importorskip("h5py")
+    pytest.importorskip("MDAnalysis")
+    file = tmp_path / "new" / "ring.h5md"
+    universe = daphnis.universe(ring, file)
+    states = list(ring.states())
+    last = states[-1]
+    assert np.array_equal(universe.atoms.ids, last.id)
+    assert np.allclose(universe.atoms.masses, last.mass) and np.allclose(universe.atoms.radii, last.radius)
+    assert len(universe.trajectory) == len(states)
+    for frame, state in zip(universe.trajectory, states, strict=True):
+        assert frame.time == state.time
+        assert np.array_equal(frame.positions, state.position.astype(np.float32))
+        assert np.array_equal(frame.velocities, state.velocity.astype(np.float32))
+        # Sliding images lean.
+        assert np.allclose(np.linalg.det(frame.triclinic_dimensions), 40 * 40 * 20, rtol=1e-5)
+    assert set(universe.trajectory.units.values()) == {None}
+    # Again, while the first is open, and by its path.
+    again = daphnis.universe(str(ring.path), file)
+    assert len(again.trajectory) == len(universe.trajectory)
+    assert [entry.name for entry in file.parent.iterdir()] == ["ring.h5md"]
+
+
+def test_a_file_of_a_run_opens_with_one_option(patch: dict[str, Any], tmp_path: Path) -> None:
+    pytest.importorskip("h5py")
+    mdanalysis = pytest.importorskip("MDAnalysis")
+    run = daphnis.run("ring-patch", tmp_path / "run", set=patch, steps=20)
+    daphnis.universe(run)
+    file = run.path / "export" / "trajectory.h5"
+    universe = mdanalysis.Universe.empty(len(run.last()), trajectory=False)
+    with pytest.raises(ValueError, match="units"):
+        universe.load_new(str(file), format="H5MD")
+    assert len(universe.load_new(str(file), format="H5MD", convert_units=False).trajectory) == 2
+
+
+def test_without_mdanalysis_it_is_said_what_to_install(ring: daphnis.Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "MDAnalysis", None)
+    with pytest.raises(daphnis.InputError, match="pip install MDAnalysis h5py"):
+        daphnis.universe(ring)
+    assert not (ring.path / "export").exists()
