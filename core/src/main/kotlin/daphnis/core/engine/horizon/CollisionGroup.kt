@@ -16,7 +16,7 @@ import daphnis.core.step.PreparedStep
  * @param numbers how many groups there are
  */
 internal class CollisionGroup(
-    prepared: PreparedStep,
+    private val prepared: PreparedStep,
     private val space: EpochSpace,
     private val calendar: PairCalendar,
     places: SlotPlaces,
@@ -143,11 +143,33 @@ internal class CollisionGroup(
         calendar.file(step, i, j, code, lines.version[i], sight.of(j).version[j])
     }
 
-    /** Queues the collision of two spheres if they touch in the present step; if not, files them under a later one. */
+    /**
+     * Queues the collision of two spheres if they touch in the present step; if not, files them under a later one. A
+     * sphere with itself stands for the sphere and the walls.
+     */
     fun ask(i: Int, j: Int, code: Int) {
+        if (i == j) return askWalls(i)
         val time = contact(i, j, code, lines)
         if (time > frame.duration) return
         bodies.queue.add(time, bodies.placeOf(i), bodies.placeOf(j), lines.spheresImage(code, i, lines, j))
+    }
+
+    private fun askWalls(slot: Int) {
+        prepared.queueWalls(bodies.rows, bodies.placeOf(slot), bodies.queue)
+        val next = frame.step + 1
+        if (next == frame.steps) return
+        val due = maxOf(frame.stepAt(lines.touchWall(slot, next * frame.duration)), next)
+        if (due < frame.steps) file(due, slot, slot, 0)
+    }
+
+    /** Finds out when the sphere in [slot] may touch a wall, from time [from] on. */
+    fun lookAtWalls(slot: Int, from: Double) {
+        val due = frame.stepAt(lines.touchWall(slot, from))
+        if (due > frame.step || !isUnderWay) {
+            if (due < frame.steps) file(maxOf(due, frame.step), slot, slot, 0)
+        } else {
+            askWalls(slot)
+        }
     }
 
     /** Whether two spheres touch in the present step if they keep the lines they had when it began; files as [ask]. */
@@ -250,6 +272,7 @@ internal class CollisionGroup(
         val local = bodies.rows.state[place * StepRows.STRIDE + StepRows.TIME]
         sight.hasMetOthers = false
         search.around(slot, frame.stepStart + local, except)
+        if (frame.hasWalls) lookAtWalls(slot, frame.stepStart + local)
         if (keepsPaths) {
             val piece = paths.pieceOf(place)
             if (sight.hasMetOthers) trails.open(piece)

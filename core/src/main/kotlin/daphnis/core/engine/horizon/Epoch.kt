@@ -66,7 +66,8 @@ internal class Epoch(
     val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop, isPatient = isEager)
 
     /** By worker. */
-    private val searches = if (groups.isEmpty()) listOf(whole.search) else groups.map { it.search }
+    private val workers = groups.ifEmpty { listOf(whole) }
+    private val searches = workers.map { it.search }
     private val passage = Passage(space, loop)
 
     private val plan = EpochPlan(loop.workers)
@@ -189,6 +190,8 @@ internal class Epoch(
         loop.run(spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
             for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
         }
+        if (!frame.hasWalls) return
+        loop.run(spheres) { worker, from, to -> for (slot in from until to) workers[worker].lookAtWalls(slot, 0.0) }
     }
 
     private fun searchChanged(population: Population) {
@@ -204,7 +207,10 @@ internal class Epoch(
         }
         if (lines.isLost) return
         loop.run(passage.changed, SEARCHES_A_PIECE) { worker, from, to ->
-            for (k in from until to) searches[worker].around(passage.slots[k], t, NOBODY)
+            for (k in from until to) {
+                searches[worker].around(passage.slots[k], t, NOBODY)
+                if (frame.hasWalls) workers[worker].lookAtWalls(passage.slots[k], t)
+            }
         }
     }
 

@@ -24,6 +24,13 @@ internal class EpochFrame {
     val low = DoubleArray(AXES)
     val length = DoubleArray(AXES)
 
+    /** Whether there is any wall; then whether at the faces across x, y, z, and where these are. */
+    var hasWalls = false
+        private set
+    val isWalled = BooleanArray(AXES)
+    val lowerFace = DoubleArray(AXES)
+    val upperFace = DoubleArray(AXES)
+
     /** Images as they are at the start of the epoch. */
     val images = Images()
 
@@ -85,11 +92,10 @@ internal class EpochFrame {
     /**
      * Begins an epoch that is laid out by [tuning].
      *
-     * @return false when lines cannot be used: there are walls, images are too near or too far, or numbers are too far
+     * @return false when lines cannot be used: images are too near or too far, or numbers are too far
      *   apart for floats
      */
     fun begin(tuning: HorizonTuning): Boolean {
-        if ((0 until AXES).any { boundary!!.contactFaces(it) == ContactFaces.WALL }) return false
         steps = tuning.steps
         end = steps * duration
         middle = end / 2
@@ -114,6 +120,12 @@ internal class EpochFrame {
         val boundary = step.boundary
         val flow = boundary.meanFlow
         images.prepare(boundary, step.start)
+        for (axis in 0 until AXES) {
+            isWalled[axis] = boundary.contactFaces(axis) == ContactFaces.WALL
+            lowerFace[axis] = boundary.box.lower(axis)
+            upperFace[axis] = boundary.box.upper(axis)
+        }
+        hasWalls = isWalled.any { it }
         axes[0] = boundary.shear?.slideAxis ?: flow?.flowAxis ?: 0
         axes[2] = boundary.shear?.normalAxis ?: flow?.normalAxis ?: 1
         axes[1] = AXES - axes[0] - axes[2]

@@ -86,7 +86,7 @@ internal class SharedCollisions(
             return false
         }
         count(step)
-        hasFailed = counted.collisions > StepLimits.mostCollisions(population.size)
+        hasFailed = counted.collisions + counted.wallCollisions > StepLimits.mostCollisions(population.size)
         return !hasFailed && !lines.isLost
     }
 

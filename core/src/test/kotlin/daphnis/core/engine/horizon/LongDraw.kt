@@ -8,6 +8,7 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
@@ -34,12 +35,14 @@ class LongDraw(private val seed: Long) {
     private val omega = random.nextDouble(0.02, 0.1)
     private val low = if (random.nextInt(3) == 0) random.nextDouble(-300.0, 300.0) else -apart * edge / 2
     private val box = Box(low, low, low, low + apart * edge, low + apart * edge, low + apart * edge)
-    val boundary: BoundaryConditions = when (random.nextInt(8)) {
+    val boundary: BoundaryConditions = when (random.nextInt(10)) {
         0 -> Open
         1 -> Periodic(box, periodicX = false)
         2, 3 -> LeesEdwards(box, random.nextDouble(-0.2, 0.2))
         4 -> ShearedPeriodic(box, random.nextDouble(-2.0, 2.0))
         5, 6 -> HillSheet(box, omega)
+        7 -> Walls(box, random.nextDouble(0.3, 1.0))
+        8 -> Walls(box, 1.0, booleanArrayOf(false, true, random.nextInt(2) == 0))
         else -> Periodic(box)
     }
     private val dt = random.nextDouble(0.05, 0.4)
