@@ -40,7 +40,7 @@ internal class CollisionGroup(
     /** Spheres that have become roamers in this step, of which only this group knows yet. */
     val newRoamers = Roamers(frame, lines)
     val sight = Sight(lines, space.before, space.shares)
-    val search = LineSearch(frame, cells, space.roamers, newRoamers, sight, this)
+    val search = LineSearch(frame, cells, space.roamers, space.giants, newRoamers, sight, this)
     val bodies = EpochBodies(places)
     val impact = EpochImpact(prepared, bodies, this)
     val trails = Trails(frame, cells, number)
@@ -73,7 +73,7 @@ internal class CollisionGroup(
     /** Begins an epoch, in which [filter] dismisses lines. */
     fun beginEpoch(filter: LineFilter) {
         lastVersion = 0
-        newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest)
+        newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         search.begin(filter)
         rest()
     }
@@ -92,7 +92,7 @@ internal class CollisionGroup(
         compared = 0
         bodies.begin(population, order, frame.duration, tracks)
         crossings.clear()
-        if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest)
+        if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         if (!keepsPaths) return
         trails.begin()
         paths.begin()
@@ -263,7 +263,7 @@ internal class CollisionGroup(
             if (cells.holds(slot, from)) return true
         }
         lines.moveBack(slot, cells.imageInBox(lines, slot))
-        if (sight.group == Sight.ALL) space.roamers.add(slot) else newRoamers.add(slot)
+        if (sight.group == Sight.ALL) space.addRoamer(slot) else newRoamers.add(slot)
         return false
     }
 

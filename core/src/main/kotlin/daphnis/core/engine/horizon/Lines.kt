@@ -122,6 +122,9 @@ internal class Lines(private val frame: EpochFrame) {
         return state[p] + state[p + U] * t
     }
 
+    /** Radius of the line in slot [i]. */
+    fun radius(i: Int): Double = state[place(i) + RADIUS].toDouble()
+
     /** Velocity along [axis] of the line in slot [i]. */
     fun velocity(i: Int, axis: Int): Double = state[place(i) + U + axis * LANES].toDouble()
 

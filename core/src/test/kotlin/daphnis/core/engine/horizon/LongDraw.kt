@@ -32,6 +32,7 @@ class LongDraw(private val seed: Long) {
     private val edge = 4 + random.nextInt(3)
     private val apart = random.nextDouble(2.2, 4.5)
     private val isMixed = random.nextInt(3) == 0
+    private val hasGiants = random.nextInt(3) == 0
     private val omega = random.nextDouble(0.02, 0.1)
     private val low = if (random.nextInt(3) == 0) random.nextDouble(-300.0, 300.0) else -apart * edge / 2
     private val box = Box(low, low, low, low + apart * edge, low + apart * edge, low + apart * edge)
@@ -63,6 +64,7 @@ class LongDraw(private val seed: Long) {
         // Some are much faster than the rest.
         val vx = DoubleArray(count) { speed * random.nextGaussian() * if (random.nextInt(20) == 0) 6.0 else 1.0 }
         val radii = DoubleArray(count) { if (isMixed) random.nextDouble(0.3, 1.0) else 1.0 }
+        if (hasGiants) for (k in 0 until count) if (random.nextInt(20) > 0) radii[k] *= 0.1
         val masses = DoubleArray(count) { radii[it] * radii[it] * radii[it] }
         return Population(x, y, z, vx, gauss(), gauss(), radii, masses, IntArray(count) { firstId + it })
     }
