@@ -33,7 +33,11 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else originOf(run)
                 val count = spheres(run.simulation.population.size)
-                println("$count, ${from}time ${timesOf(run).span(run.simulation.time, run.until)}, into $directory")
+                val times = timesOf(run)
+                val isOver = run.simulation.time >= run.until
+                val now = if (isOver) "already at the end, " else ""
+                val span = if (isOver) times.text(run.simulation.time) else times.span(run.simulation.time, run.until)
+                println("$count, $from${now}time $span, into $directory")
             }
             interruption.armed = true
             val units = UnitsOfDimensions(run.scenario?.units)

@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -78,6 +79,10 @@ class CommandLineTest {
         assertEquals(0, daphnis("resume", at("a"), "--until", "4").code)
         daphnis("run", "cooling-gas", "--set", "particles.count=100", "--until", "4", "--out", at("b"), "--quiet")
         assertEquals(0, daphnis("compare", at("a"), at("b")).code)
+        val (a, b) = listOf("a", "b").map { ScenarioJson.read(Path.of(at(it), "scenario.json")) }
+        assertEquals(b.until, a.until)
+        val again = assertDone(daphnis("resume", at("a")))
+        assertTrue("100 spheres, from step 40, already at the end, time 4 " in again) { again }
     }
 
     @Test
