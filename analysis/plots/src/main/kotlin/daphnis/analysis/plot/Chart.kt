@@ -48,6 +48,7 @@ internal object Chart {
      * positive are left out
      * @param horizontal a dashed line across at this height
      * @param vertical a dashed line upright at this place
+     * @param joined whether lines join the points of a curve
      * @param ticks where the axis across has its marks, all whole numbers; null to choose. Then the other begins at 0
      */
     fun lines(
@@ -61,8 +62,10 @@ internal object Chart {
         vertical: Double? = null,
         height: Int = HEIGHT,
         ticks: List<Int>? = null,
+        joined: Boolean = true,
     ): Plot {
         val points = Points(curves, logX, logY)
+        val isMarked = curves.all { it.x.size <= MOST_MARKED }
         var plot = letsPlot(points.columns)
         if (horizontal != null) {
             plot += geomHLine(yintercept = horizontal, color = Figures.QUIET, linetype = "dashed", size = 0.5)
@@ -71,21 +74,24 @@ internal object Chart {
             plot += geomVLine(xintercept = vertical, color = Figures.QUIET, linetype = "longdash", size = 0.7)
         }
         if (curves.any { it.error != null }) {
-            plot += geomErrorBar(width = 0.0, size = 0.5, alpha = 0.6, showLegend = false, tooltips = tooltipsNone) {
+            val size = if (isMarked) BAR else THIN_BAR
+            plot += geomErrorBar(width = 0.0, size = size, alpha = 0.75, showLegend = false, tooltips = tooltipsNone) {
                 x = "x"
                 ymin = "low"
                 ymax = "high"
                 color = "curve"
             }
         }
-        plot += geomLine(size = Figures.LINE) {
-            x = "x"
-            y = "y"
-            color = "curve"
-            linetype = "curve"
+        if (joined) {
+            plot += geomLine(size = Figures.LINE) {
+                x = "x"
+                y = "y"
+                color = "curve"
+                linetype = "curve"
+            }
         }
-        if (curves.all { it.x.size <= MOST_MARKED }) {
-            plot += geomPoint(size = 2.0) {
+        if (isMarked || !joined) {
+            plot += geomPoint(size = if (joined) POINT else LONE_POINT) {
                 x = "x"
                 y = "y"
                 color = "curve"
@@ -162,7 +168,8 @@ internal object Chart {
         val across = if (logX) Ticks.logarithmic(x.min(), x.max()) else Ticks.linear(x.min(), x.max())
         val up = if (logY) Ticks.logarithmic(y.min(), y.max()) else Ticks.linear(y.min(), y.max())
         val xScale = if (logX) {
-            scaleXLog10(breaks = across.places, labels = across.labels)
+            // Without limits the bars' width, counted in units of x, makes it begin far below the first point.
+            scaleXLog10(breaks = across.places, labels = across.labels, limits = room(x))
         } else {
             scaleXContinuous(breaks = across.places, labels = across.labels)
         }
@@ -293,5 +300,9 @@ internal object Chart {
 
     /** Points of a curve up to which each is marked. */
     private const val MOST_MARKED = 40
+    private const val POINT = 2.0
+    private const val LONE_POINT = 3.0
+    private const val BAR = 0.9
+    private const val THIN_BAR = 0.5
     private const val LEGEND_TEXT = 14
 }

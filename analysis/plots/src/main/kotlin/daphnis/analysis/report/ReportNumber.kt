@@ -14,6 +14,7 @@ import kotlin.math.abs
  * @property unit of [value], with powers as in `r^2`; empty for a pure number
  * @property value NaN when it has no meaning for this run
  * @property isSteady false for an average over a time in which the run drifts
+ * @property isJudged false for an average over a time with too few rows to tell whether the run drifts
  */
 public class ReportNumber @JvmOverloads constructor(
     public val key: String,
@@ -21,6 +22,7 @@ public class ReportNumber @JvmOverloads constructor(
     public val unit: String,
     public val value: Double,
     public val isSteady: Boolean = true,
+    public val isJudged: Boolean = true,
 ) {
     public companion object {
         private const val AT_END = "end_"
