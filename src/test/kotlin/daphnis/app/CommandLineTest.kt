@@ -168,4 +168,21 @@ class CommandLineTest {
         assertEquals(0, daphnis("run", "--help").code)
         assertEquals(0, daphnis("--version").code)
     }
+
+    @Test
+    fun `help begins with what a new user needs, has every option under a heading, and keeps to 80 columns`() {
+        val order =
+            listOf("Arguments:", "Scenario and files:", "Time:", "While it runs:", "Speed:", "Several machines:")
+        val run = assertDone(daphnis("run", "--help")).lines()
+        assertEquals(order + "Options:", run.filter { it.endsWith(":") && !it.startsWith(" ") })
+        for (command in listOf("run", "resume")) {
+            val lines = assertDone(daphnis(command, "--help")).lines()
+            val rest = lines.dropWhile { it != "Options:" }.filter { it.trim().startsWith("-") }
+            assertEquals(1, rest.size) { "$command has options without a heading: $rest" }
+        }
+        for (command in listOf("run", "resume", "sweep", "analyze", "movie", "bench", "node", "describe", "export")) {
+            val help = assertDone(daphnis(command, "--help"))
+            assertTrue(help.lines().all { it.length <= 80 }) { help }
+        }
+    }
 }
