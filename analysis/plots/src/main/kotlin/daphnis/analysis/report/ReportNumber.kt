@@ -14,7 +14,6 @@ import kotlin.math.abs
  * @property unit of [value], with powers as in `r^2`; empty for a pure number
  * @property value NaN when it has no meaning for this run
  * @property isSteady false for an average over a time in which the run drifts
- * @property isJudged false for an average over a time with too few rows to tell whether the run drifts
  */
 public class ReportNumber @JvmOverloads constructor(
     public val key: String,
@@ -22,8 +21,22 @@ public class ReportNumber @JvmOverloads constructor(
     public val unit: String,
     public val value: Double,
     public val isSteady: Boolean = true,
-    public val isJudged: Boolean = true,
 ) {
+    /** False for an average over a time with too few rows to tell whether the run drifts. */
+    public var isJudged: Boolean = true
+        private set
+
+    internal constructor(
+        key: String,
+        name: String,
+        unit: String,
+        value: Double,
+        isSteady: Boolean,
+        isJudged: Boolean,
+    ) : this(key, name, unit, value, isSteady) {
+        this.isJudged = isJudged
+    }
+
     public companion object {
         private const val AT_END = "end_"
         private const val ROUND_OFF = 1e-12

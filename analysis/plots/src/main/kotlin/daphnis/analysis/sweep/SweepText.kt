@@ -46,9 +46,9 @@ public class SweepText(private val sweep: Sweep) {
         val m = point.mean(q.key)
         if (m.count == 0) return "–"
         val mark = if (point.unsteady(q.key) > 0) {
-            UNSTEADY
+            MARK
         } else if (point.unjudged(q.key) > 0) {
-            UNJUDGED
+            UNJUDGED_MARK
         } else {
             ""
         }
@@ -126,9 +126,9 @@ public class SweepText(private val sweep: Sweep) {
         const val BETWEEN = 3
 
         /** Behind a mean over runs of which one at least is not steady. */
-        const val UNSTEADY = " !"
+        const val MARK = " !"
 
         /** Behind one over runs of which none is seen to drift, but one at least has too few rows to tell. */
-        const val UNJUDGED = " ?"
+        const val UNJUDGED_MARK = " ?"
     }
 }

@@ -170,7 +170,7 @@ class SweepTest {
             seed,
             listOf(
                 ReportNumber("a", "a", "", seed * 1.0, isSteady = seed > 1, isJudged = seed != 2L),
-                ReportNumber("b", "b", "", seed * 1.0, isJudged = seed != 2L),
+                ReportNumber("b", "b", "", seed * 1.0, isSteady = true, isJudged = seed != 2L),
                 number(seed * 2.0, "count"),
             ),
         )
