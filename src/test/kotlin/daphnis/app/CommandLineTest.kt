@@ -163,6 +163,14 @@ class CommandLineTest {
     }
 
     @Test
+    fun `one of a kind is named as one`() {
+        val words = arrayOf("--set", "particles.count=2", "--steps", "1", "--set", "output.seriesEvery=5", "--quiet")
+        val result = daphnis("run", "cooling-gas", *words, "--out", at("one"))
+        assertTrue(assertDone(result).startsWith("1 step to time 0.1 ")) { result.out }
+        assertTrue("the time series has 1 row; two are needed" in result.err) { result.err }
+    }
+
+    @Test
     fun `help and version are no errors`() {
         assertEquals(0, daphnis("--help").code)
         assertEquals(0, daphnis("run", "--help").code)

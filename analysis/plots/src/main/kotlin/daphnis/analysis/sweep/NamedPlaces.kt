@@ -34,7 +34,7 @@ internal class NamedPlaces(title: String, private val names: List<String>) {
             if (line == null || line.length + BETWEEN + entry.length > ROOM) {
                 lines += entry
             } else {
-                lines[lines.lastIndex] = "$line   $entry"
+                lines[lines.lastIndex] = "$line; $entry"
             }
         }
         return lines
@@ -43,7 +43,7 @@ internal class NamedPlaces(title: String, private val names: List<String>) {
     private companion object {
         /** Characters that have room along the axis. */
         const val ROOM = 80
-        const val BETWEEN = 3
+        const val BETWEEN = 2
 
         /** The library cuts longer ones. */
         const val LONGEST = 20
