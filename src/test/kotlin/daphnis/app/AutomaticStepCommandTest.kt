@@ -45,6 +45,13 @@ class AutomaticStepCommandTest {
     fun `describe says which step is chosen and why`() {
         val said = assertDone(daphnis("describe", gas))
         assertTrue("chosen, since no force acts" in said) { said }
+        assertTrue(
+            Regex(
+                "at \\S+ units of speed along an axis,\\s+moves at most \\S+ length units in a",
+            ).containsMatchIn(said),
+        ) {
+            said
+        }
         assertTrue("steps end at the times of outputs and at the end exactly" in said) { said }
         assertTrue("4 rows of series.csv" in said && "4 snapshots" in said) { said }
     }
