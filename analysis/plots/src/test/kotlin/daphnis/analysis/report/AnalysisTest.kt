@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -27,6 +28,7 @@ import java.nio.file.Path
 import javax.imageio.ImageIO
 import kotlin.io.path.name
 
+@Tag("jdk-neutral")
 class AnalysisTest {
     @TempDir
     lateinit var directory: Path
