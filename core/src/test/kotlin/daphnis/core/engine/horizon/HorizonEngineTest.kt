@@ -120,6 +120,17 @@ class HorizonEngineTest {
     }
 
     @Test
+    fun `groups whose work had mostly to be joined are not asked in the next epochs`() {
+        // A pile of flat layers, of which the groups get a half each: larger borders than is expected.
+        val engine = HorizonEngine(FixedPool(2))
+        val pile = gas(engine, layers = 64)
+        repeat(40) { pile.advance() }
+        assertTrue(engine.shared.reopened > 0)
+        assertTrue(engine.shared.steps in 1..20) { "${engine.shared.steps} steps of groups" }
+        engine.close()
+    }
+
+    @Test
     fun `where spheres fly on curved paths, the layout is found with which they keep to their lines`() {
         val random = SeededRandom(5)
         val n = 400
