@@ -263,7 +263,7 @@ internal class CollisionGroup(
             if (cells.holds(slot, from)) return true
         }
         lines.moveBack(slot, cells.imageInBox(lines, slot))
-        if (sight.group == Sight.ALL) space.addRoamer(slot) else newRoamers.add(slot)
+        if (sight.group == Sight.ALL) space.addRoamer(slot, isFinal = !keepsPaths) else newRoamers.add(slot)
         return false
     }
 

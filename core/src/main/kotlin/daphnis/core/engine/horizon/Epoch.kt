@@ -193,7 +193,7 @@ internal class Epoch(
     private fun searchAll() {
         loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
         plan.searched(searches.sumOf { it.tested }.toDouble() / spheres)
-        for (slot in cells.members until spheres) space.addRoamer(slot)
+        for (slot in cells.members until spheres) space.addRoamer(slot, isFinal = true)
         giants += space.giants.size
         loop.run(spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
             for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)

@@ -23,10 +23,10 @@ internal class EpochSpace(private val loop: RangeLoop) {
     /** Whether several groups process collisions. */
     val isShared: Boolean get() = loop.workers > 1
 
-    /** The sphere in [slot], whose line is new, has no cell. */
-    fun addRoamer(slot: Int) {
+    /** The sphere in [slot], whose line is new, has no cell. See [Roamers.add] about [isFinal]. */
+    fun addRoamer(slot: Int, isFinal: Boolean) {
         val isGiant = lines.radius(slot) > frame.memberRadius
-        (if (isGiant) giants else roamers).add(slot)
+        (if (isGiant) giants else roamers).add(slot, isFinal)
     }
 
     /** The step begins with the lines that there are. */

@@ -7,8 +7,7 @@ import kotlin.math.abs
  * threw them far from their cell. They are few, so they have a coarse grid of lists of their own, by where their lines are at the
  * middle of the epoch. A search looks as far as the fastest of them may go.
  *
- * A roamer whose line changes is added anew, over its old entry if that is in the same cell. Elsewhere the old entry
- * shows by its version.
+ * A roamer whose line changes is added anew; the old entry shows by its version.
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */
@@ -62,8 +61,12 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
         }
     }
 
-    /** Adds [slot] with its present line, which is in the box at the middle of the epoch. */
-    fun add(slot: Int) {
+    /**
+     * Adds [slot] with its present line, which is in the box at the middle of the epoch.
+     *
+     * @param isFinal whether it will never get back the line that it had before; then the old entry may go
+     */
+    fun add(slot: Int, isFinal: Boolean = false) {
         val middle = frame.middle
         val c2 = cellAt(lines.at(slot, frame.axes[2], middle), 2)
         val c1 = cellAt(lines.at(slot, frame.axes[1], middle), 1)
@@ -79,8 +82,8 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
         }
         if (isMore) measure()
         val cell = (c2 * count[1] + c1) * count[0] + c0
-        // Giants collide often.
-        if (heads[cell] != NONE && slots[heads[cell]] == slot) {
+        // Giants collide often, and would fill the list.
+        if (isFinal && heads[cell] != NONE && slots[heads[cell]] == slot) {
             versions[heads[cell]] = lines.version[slot]
             return
         }

@@ -155,7 +155,7 @@ internal class SharedCollisions(
             groups[g].bodies.store(columns, frame.duration)
             groups[g].paths.forEachLive { place -> settle(groups[g].bodies.slotOf(place)) }
         }
-        for (group in groups) group.newRoamers.forEachPresent(lines) { space.addRoamer(it) }
+        for (group in groups) group.newRoamers.forEachPresent(lines) { space.addRoamer(it, isFinal = true) }
         last.store(columns)
         for (group in groups) group.rest()
         steps++

@@ -244,7 +244,7 @@ class HorizonEngineTest {
     }
 
     private companion object {
-        val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 120L
+        val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 300L
         const val STEPS = 20
         val THREADS = intArrayOf(1, 2, 3, 2, 5, 9)
         val BOX = Box.centred(24.0, 24.0, 24.0)
