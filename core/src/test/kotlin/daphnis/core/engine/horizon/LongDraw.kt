@@ -87,7 +87,8 @@ class LongDraw(private val seed: Long) {
             val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), omega, softening = 0.5)
             return listOf(moon, HillFrame(omega, verticalFactor = 1.5))
         }
-        return if (hasForce) listOf(pull) else emptyList()
+        val fall = Kick { p, _, duration -> for (k in 0 until p.size) p.vy[k] -= 4 * spring * duration }
+        return if (!hasForce) emptyList() else listOf(if (boundary is Walls) fall else pull)
     }
 
     /** Does the same to the spheres of each of [simulations] after step [step], by their ids. */
