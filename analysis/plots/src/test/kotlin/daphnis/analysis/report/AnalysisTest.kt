@@ -110,6 +110,17 @@ class AnalysisTest {
         }
         assertTrue("<th scope=\"row\">particles</th><td>count 300, sizes (equal, radius 0.5), density" in html)
         assertTrue("<th scope=\"row\">guard</th><td>floor-speed, speed 1.7" in html)
+        assertFalse("unless the run was resumed" in html)
+    }
+
+    @Test
+    fun `the commands that do a run with chosen steps again have a condition`() {
+        val path = directory.resolve("chosen")
+        val settings = listOf("timeStep={\"type\":\"automatic\"}", "until=1", "particles.count=50")
+        Run.start(BuiltIn.scenario("cooling-gas", settings), "gas", path).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(path)).write(path)
+        val html = Files.readString(path.resolve("report.html"))
+        assertTrue("number of threads, unless the run was resumed to another end than it had at first." in html)
     }
 
     @Test
