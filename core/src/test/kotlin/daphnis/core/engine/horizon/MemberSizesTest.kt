@@ -63,6 +63,13 @@ class MemberSizesTest {
         prepared.measure(step, InlineLoop)
         space.frame.takeOver(step, prepared.reach, InlineLoop)
         space.cells.measure(p)
-        return MemberSizes().choose(p, space.frame, space.cells.rms)
+        val limit = MemberSizes().choose(p, space.frame, space.cells.rms)
+        space.frame.memberRadius = limit
+        val tuning = HorizonTuning(2)
+        assertTrue(space.frame.begin(tuning))
+        space.cells.sort(p, tuning)
+        val members = (0 until space.cells.members).map { radii[space.cells.order[it]] }
+        assertTrue(members.size > n / 2 && members.all { it <= limit })
+        return limit
     }
 }
