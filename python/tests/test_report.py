@@ -49,7 +49,7 @@ def test_tables_and_pictures_are_looked_up_by_name(report: daphnis.Report) -> No
     [
         ({"from_": 1e12}, "from_: is .*; the last state is at time 14345.571"),
         ({"elevation": 0}, "elevation: is 0; it must be in"),
-        ({"frames": 0}, "frames: is 0; it must be >= 1"),
+        ({"frames": 0}, "frames: is 0; it must be at least 1"),
         ({"slabs": -1}, "slabs: is -1"),
         ({"scenario": "ring-patch"}, "scenario: is for files"),
     ],

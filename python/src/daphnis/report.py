@@ -173,7 +173,7 @@ def _check(slabs: int, groups: int, elevation: float, azimuth: float, frames: in
         ("groups", groups, 0 <= groups <= _MOST, f"in 1..{_MOST}, or 0"),
         ("elevation", elevation, 0 < elevation <= 90, "in (0, 90] degrees"),
         ("azimuth", azimuth, -360 <= azimuth <= 360, "in -360..360 degrees"),
-        ("frames", frames, frames >= 1, ">= 1"),
+        ("frames", frames, frames >= 1, "at least 1"),
     ):
         if not holds:
             raise InputError(f"{name}: is {value}; it must be {right}")

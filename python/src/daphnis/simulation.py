@@ -174,7 +174,7 @@ class Simulation:
             RunError: a step failed, or the simulation is closed; everything is as before that step.
         """
         if isinstance(steps, bool) or not isinstance(steps, (int, np.integer)) or steps < 0:
-            raise InputError(f"steps: is {steps!r}; it must be a whole number >= 0")
+            raise InputError(f"steps: is {steps!r}; it must be a whole number of at least 0")
         self._require_mine()
         with CtrlC(self._failure, any_handler=False) as ctrl_c:
             for _ in range(steps):

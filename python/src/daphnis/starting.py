@@ -214,7 +214,7 @@ def _scenario_of(origin: Any) -> Scenario:
 def _end(scenario: ScenarioLike, settings: dict[str, Any], steps: int, origin: Any) -> float:
     """The time after `steps` steps."""
     if isinstance(steps, bool) or not isinstance(steps, int) or steps < 1:
-        raise InputError(f"steps: is {steps!r}; it must be a whole number >= 1")
+        raise InputError(f"steps: is {steps!r}; it must be a whole number of at least 1")
     found = as_scenario(scenario, set={**{k: v for k, v in settings.items() if k != "untilOrbits"}, "until": 1.0})
     with translated():
         step = java("daphnis.core.scenario.FrameSetup").times(found.java, found.source).getTimeStep()

@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.core.ProgramResult
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.analysis.table.UnitNames
+import daphnis.app.describe.counted
 import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
 import daphnis.app.progress.Progress
@@ -33,7 +34,11 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else originOf(run)
                 val count = spheres(run.simulation.population.size)
-                println("$count, ${from}time ${timesOf(run).span(run.simulation.time, run.until)}, into $directory")
+                val times = timesOf(run)
+                val isOver = run.simulation.time >= run.until
+                val now = if (isOver) "already at the end, " else ""
+                val span = if (isOver) times.text(run.simulation.time) else times.span(run.simulation.time, run.until)
+                println("$count, $from${now}time $span, into $directory")
             }
             interruption.armed = true
             val units = UnitsOfDimensions(run.scenario?.units)
@@ -114,12 +119,14 @@ private fun named(units: UnitsOfDimensions, dimension: String): String =
 private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensions) {
     fun say(format: String, vararg values: Any) = println(String.format(Locale.ROOT, format, *values))
     val end = times.text(summary.time)
-    say("%d steps to time %s in %.1f s, %d collisions", summary.steps, end, summary.wallSeconds, summary.collisions)
+    val collisions = counted(summary.collisions, "collision")
+    say("%s to time %s in %.1f s, %s", counted(summary.steps, "step"), end, summary.wallSeconds, collisions)
     val ofSpeeds = named(units, Dimension.SPEED_SQUARED)
     val ofEnergy = named(units, Dimension.ENERGY).ifEmpty { "in the scenario's units" }
     val temperature = String.format(Locale.ROOT, "%.6g %s", summary.temperature, ofSpeeds).trim()
     say("temperature %s, energy %.6g %s", temperature, summary.energy, ofEnergy)
     if (summary.maxOverlap > 0) say("deepest overlap %.2g of the sum of two radii", summary.maxOverlap)
-    if (summary.guardActivations > 0) say("the collapse guard made %d collisions elastic", summary.guardActivations)
+    val guarded = counted(summary.guardActivations, "collision")
+    if (summary.guardActivations > 0) say("the collapse guard made %s elastic", guarded)
     println("state digest ${summary.stateDigest}")
 }

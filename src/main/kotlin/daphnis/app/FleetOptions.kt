@@ -15,7 +15,7 @@ import daphnis.core.scenario.InputException
 import java.time.Duration
 
 /** The options of a command that can let nodes compute. */
-internal class FleetOptions : ProcessOptions("Several nodes", "See docs/cluster.md.") {
+internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See docs/cluster.md.") {
     private val nodes by option(
         "--nodes",
         metavar = "number",

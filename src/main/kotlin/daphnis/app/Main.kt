@@ -85,9 +85,12 @@ private fun daphnisCommand(): Daphnis {
     )
     val commands = others + HelpCommand(others.map { it.commandName }.toSet())
     val daphnis = Daphnis().subcommands(commands)
-    // The library hands this setting down to no command below.
+    // The library hands these settings down to no command below.
     for (command in commands + daphnis) {
-        command.context { suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) } }
+        command.context {
+            suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) }
+            helpFormatter = { GroupedHelp.of(it, command.commandName) }
+        }
     }
     return daphnis
 }

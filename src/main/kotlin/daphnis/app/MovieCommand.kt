@@ -37,7 +37,7 @@ class MovieCommand : CliktCommand(name = "movie") {
     ).choice(MovieColour.entries.associateBy { it.word }).default(MovieColour.SPEED)
     private val fps by option(
         "--fps",
-        help = "frames per second (default 25, or fewer so that few frames last 4 s)",
+        help = "frames per second (default 25, or fewer so that few frames last about 4 s)",
     ).double()
     private val width by option("--width", help = "width of the frames in pixels (default 1200)").int().default(1200)
     private val out by option(
@@ -90,7 +90,8 @@ class MovieCommand : CliktCommand(name = "movie") {
         val isOne = frames.number == 1
         if (isOne) println("the run has one snapshot only: for more, set output.snapshotEvery before a run")
         val count = if (isOne) "1 frame" else "${frames.number} frames"
-        val seconds = "${number(frames.number / rate)} s at ${number(rate)} per second"
+        val length = String.format(Locale.ROOT, "%.1f", frames.number / rate).removeSuffix(".0")
+        val seconds = "$length s at ${number(rate)} per second"
         println("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
         if (fps == null &&
             rate < MovieOptions.USUAL_RATE

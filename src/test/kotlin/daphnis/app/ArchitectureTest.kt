@@ -9,12 +9,14 @@ import com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /**
  * Modules know what the design allows, and no packages know one another in a circle. A rule that finds no class to
  * look at fails.
  */
+@Tag("jdk-neutral")
 class ArchitectureTest {
     private fun know(packages: String, vararg none: String, of: JavaClasses = classes) =
         noClasses().that().resideInAPackage(packages).should().dependOnClassesThat().resideInAnyPackage(*none).check(of)

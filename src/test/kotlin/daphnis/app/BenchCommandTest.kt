@@ -4,11 +4,13 @@ import daphnis.app.bench.TimingFile
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 
+@Tag("jdk-neutral")
 class BenchCommandTest {
     @TempDir
     lateinit var folder: Path

@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -78,6 +79,10 @@ class CommandLineTest {
         assertEquals(0, daphnis("resume", at("a"), "--until", "4").code)
         daphnis("run", "cooling-gas", "--set", "particles.count=100", "--until", "4", "--out", at("b"), "--quiet")
         assertEquals(0, daphnis("compare", at("a"), at("b")).code)
+        val (a, b) = listOf("a", "b").map { ScenarioJson.read(Path.of(at(it), "scenario.json")) }
+        assertEquals(b.until, a.until)
+        val again = assertDone(daphnis("resume", at("a")))
+        assertTrue("100 spheres, from step 40, already at the end, time 4 " in again) { again }
     }
 
     @Test
@@ -158,9 +163,34 @@ class CommandLineTest {
     }
 
     @Test
+    fun `one of a kind is named as one`() {
+        val words = arrayOf("--set", "particles.count=2", "--steps", "1", "--set", "output.seriesEvery=5", "--quiet")
+        val result = daphnis("run", "cooling-gas", *words, "--out", at("one"))
+        assertTrue(assertDone(result).startsWith("1 step to time 0.1 ")) { result.out }
+        assertTrue("the time series has 1 row; two are needed" in result.err) { result.err }
+    }
+
+    @Test
     fun `help and version are no errors`() {
         assertEquals(0, daphnis("--help").code)
         assertEquals(0, daphnis("run", "--help").code)
         assertEquals(0, daphnis("--version").code)
+    }
+
+    @Test
+    fun `help begins with what a new user needs, has every option under a heading, and keeps to 80 columns`() {
+        val order =
+            listOf("Arguments:", "Scenario and files:", "Time:", "While it runs:", "Speed:", "Several machines:")
+        val run = assertDone(daphnis("run", "--help")).lines()
+        assertEquals(order + "Options:", run.filter { it.endsWith(":") && !it.startsWith(" ") })
+        for (command in listOf("run", "resume")) {
+            val lines = assertDone(daphnis(command, "--help")).lines()
+            val rest = lines.dropWhile { it != "Options:" }.filter { it.trim().startsWith("-") }
+            assertEquals(1, rest.size) { "$command has options without a heading: $rest" }
+        }
+        for (command in listOf("run", "resume", "sweep", "analyze", "movie", "bench", "node", "describe", "export")) {
+            val help = assertDone(daphnis(command, "--help"))
+            assertTrue(help.lines().all { it.length <= 80 }) { help }
+        }
     }
 }

@@ -46,6 +46,14 @@ class MovieCommandTest {
     }
 
     @Test
+    fun `the length of a movie has one decimal`() {
+        val run =
+            run("many", "cooling-gas", "--steps", "30", "--set", "output.snapshotEvery=1", "--set", "particles.count=9")
+        val said = assertDone(movie(run, "--width", "240"))
+        assertTrue("31 frames of 240 × " in said && ", 4.4 s at 7 per second," in said) { said }
+    }
+
+    @Test
     fun `an mp4 of an odd width has one pixel more`() {
         val run = run("ring", "ring-patch", "--steps", "2", "--set", "output.snapshotEvery=1")
         val file = folder.resolve("made/ring.MP4")

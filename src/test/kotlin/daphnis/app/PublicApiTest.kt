@@ -12,6 +12,7 @@ import org.jetbrains.kotlin.abi.tools.AbiToolsFactory
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.File
@@ -23,6 +24,7 @@ import java.util.ServiceLoader
  * What programs are compiled against is written down, a file for each library, and changes on purpose only. Runs under
  * either build, so both make the same. [REWRITE] writes the files anew.
  */
+@Tag("jdk-neutral")
 class PublicApiTest {
     @TempDir
     lateinit var home: Path

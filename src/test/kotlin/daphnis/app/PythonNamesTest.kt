@@ -3,6 +3,7 @@ package daphnis.app
 import daphnis.core.Repository
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.nio.file.Files
 import kotlin.io.path.extension
@@ -10,6 +11,7 @@ import kotlin.io.path.readText
 import kotlin.streams.asSequence
 
 /** What Python names is there, also where there is no Python to try it. */
+@Tag("jdk-neutral")
 class PythonNamesTest {
     @Test
     fun `every class that the Python package names is there`() {

@@ -3,6 +3,7 @@ package daphnis.app
 import daphnis.core.Repository.read
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.io.File
 import java.nio.file.Path
@@ -11,6 +12,7 @@ import java.util.zip.ZipFile
 /**
  * Runs under either build, so both resolve what the table says: the same versions, and nothing that nobody knows of.
  */
+@Tag("jdk-neutral")
 class ShippedLibrariesTest {
     /** Version by artifact, from the table. */
     private val listed = read("docs/third-party.md").lines()

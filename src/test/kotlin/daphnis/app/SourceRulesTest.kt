@@ -3,6 +3,7 @@ package daphnis.app
 import daphnis.core.Repository
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.nio.file.Files
 import java.nio.file.Path
@@ -11,6 +12,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readLines
 
 /** Rules for the sources of the program. Exceptions are named here until they are fixed; none may be left over. */
+@Tag("jdk-neutral")
 class SourceRulesTest {
     private val modules = listOf("core", "actors", "analysis", "analysis/plots")
 

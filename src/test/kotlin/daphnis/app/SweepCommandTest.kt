@@ -4,11 +4,13 @@ import daphnis.core.run.Summary
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 
+@Tag("jdk-neutral")
 class SweepCommandTest {
     @TempDir
     lateinit var folder: Path
@@ -109,7 +111,8 @@ class SweepCommandTest {
         assertEquals(1, result.code) { result.err }
         assertTrue("failed: count=2000000: cooling-gas: particles.count: is 2000000" in result.out) { result.out }
         assertEquals("daphnis: 1 of 2 runs failed, see ${out("a")}/runs.csv", result.err.trim())
-        assertTrue(lines("a/sweep.csv").any { it.startsWith("50,granular_temperature,") && it.endsWith(",1,") })
+        val few = ",1,seed 1 not known to be steady: too few rows in the time averaged"
+        assertTrue(lines("a/sweep.csv").any { it.startsWith("50,granular_temperature,") && it.endsWith(few) })
         val failed = lines("a/sweep.csv").first { it.startsWith("2000000,") }
         assertTrue(",,0," in failed && "seed 1 failed: cooling-gas" in failed) { failed }
     }

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -18,6 +19,7 @@ import java.time.Duration
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /** Nodes in JVMs of their own, and signals. */
+@Tag("jdk-neutral")
 @Timeout(300)
 class LocalNodesTest {
     @TempDir

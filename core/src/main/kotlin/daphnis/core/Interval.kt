@@ -15,13 +15,20 @@ public class Interval(public val length: Double) {
     }
 
     /** How many multiples after 0 the last one is that is not later than [time]. */
-    public fun count(time: Double): Double = floor((time + ROUNDING * abs(time)) / length)
+    public fun count(time: Double): Double = count(time, abs(time))
 
     /** The first multiple after [time]. */
     public fun next(time: Double): Double = (count(time) + 1) * length
 
     /** Whether a multiple is later than [before] and not later than [time]. */
-    public fun isPassed(before: Double, time: Double): Boolean = count(time) > count(before)
+    public fun isPassed(before: Double, time: Double): Boolean {
+        if (before >= 0) return count(time) > count(before)
+        // A step that comes to time 0 from below misses it by the round-off of where it began.
+        val scale = maxOf(-before, abs(time))
+        return count(time, scale) > count(before, scale)
+    }
+
+    private fun count(time: Double, scale: Double) = floor((time + ROUNDING * scale) / length)
 
     public companion object {
         /** Times closer together than this part of them are one. */

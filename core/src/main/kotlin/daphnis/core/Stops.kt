@@ -38,7 +38,7 @@ public class Stops @JvmOverloads constructor(intervals: List<Interval>, end: Dou
     public fun duration(start: Double, longest: Double): Double {
         val whole = whole(longest)
         val room = next(start) - start
-        val duration = if (room < whole - slack(start + whole)) room else whole
+        val duration = if (room < whole - slack(start, start + whole)) room else whole
         check(start + duration > start) { "a step of $duration is lost in the rounding of the time, $start" }
         return duration
     }
@@ -52,7 +52,7 @@ public class Stops @JvmOverloads constructor(intervals: List<Interval>, end: Dou
         val end = start + duration
         val steps = Math.rint((stop - end) / duration)
         val even = stop - steps * duration
-        return if (abs(even - end) <= 2 * slack(end)) even else end
+        return if (abs(even - end) <= 2 * slack(start, end)) even else end
     }
 
     private fun checked(end: Double): Double {
@@ -60,8 +60,8 @@ public class Stops @JvmOverloads constructor(intervals: List<Interval>, end: Dou
         return end
     }
 
-    /** How much a time may be off by round-off. */
-    private fun slack(time: Double) = 4 * Math.ulp(time)
+    /** How much a time may be off by round-off in a step from [start] to [end]: near time 0, as much as [start] is. */
+    private fun slack(start: Double, end: Double) = 4 * Math.ulp(maxOf(abs(start), abs(end)))
 
     private fun whole(longest: Double): Double {
         if (shortest == null) return Math.scalb(1.0, Math.getExponent(longest))

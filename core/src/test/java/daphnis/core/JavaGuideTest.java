@@ -298,7 +298,7 @@ class JavaGuideTest {
         refuses(
             "two outputs are called 'a'; each needs its own name",
             () -> Run.builder(scenario).output("a", s -> { }).output("a", s -> { }));
-        for (String wrong : List.of("steps: is 0; it must be >= 1", "mine: engine.name: is \"snail\"")) {
+        for (String wrong : List.of("steps: is 0; it must be at least 1", "mine: engine.name: is \"snail\"")) {
             var run = Run.builder(scenario).directory(path).source("mine");
             if (wrong.startsWith("steps")) run.steps(0); else run.engine("snail");
             var e = assertThrows(RuntimeException.class, run::start);

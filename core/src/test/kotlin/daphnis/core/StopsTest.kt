@@ -56,6 +56,30 @@ class StopsTest {
     }
 
     @Test
+    fun `steps from before time 0 end at 0 to the bit, without a step of round-off beside it`() {
+        // 0.1 · 3 = 0.30000000000000004: a step of 0.3 would end 6e-17 before 0.
+        assertEquals(listOf(0.0, 0.3, 0.6), times(stops(0.3), 0.3, start = -0.1 * 3, end = 0.7))
+        val third = 1.0 / 3
+        for (n in 1..500) {
+            for ((length, longest) in listOf(0.1 to 0.1, 0.3 to 0.2, third to 1.0, 0.7 to 0.13)) {
+                val times = times(stops(length), longest, start = -n * 0.1, end = 1.0)
+                assertTrue(0.0 in times && (listOf(-n * 0.1) + times).zipWithNext { a, b -> b - a }.all { it > 1e-9 }) {
+                    "from ${-n * 0.1} by $length"
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `a step that ends at 0 but for round-off passes it, once`() {
+        val third = Interval(0.3)
+        assertTrue(third.isPassed(-0.1 * 3, -5.6e-17))
+        assertFalse(third.isPassed(-5.6e-17, 0.25))
+        assertTrue(third.isPassed(-0.25, 5.6e-17))
+        assertFalse(third.isPassed(-0.2, -0.1))
+    }
+
+    @Test
     fun `intervals that do not divide one another, and an end that is no multiple, are all hit`() {
         val times = times(stops(0.3, 0.7, end = 1.65), 0.2)
         for (wanted in listOf(0.3, 0.6, 3 * 0.3, 0.7, 1.4, 1.2, 1.5, 1.65)) assertTrue(wanted in times) { "$wanted" }

@@ -1,5 +1,6 @@
 package daphnis.app.bench
 
+import daphnis.app.describe.spheres
 import java.util.Locale
 import kotlin.math.roundToLong
 
@@ -13,7 +14,7 @@ internal class Overview(
     fun lines(): List<String> {
         val turns = contests.size * contestants.size * (1 + rounds)
         val counted = if (rounds == 1) "1 that counts" else "$rounds that count"
-        return contests.map { "${it.name}: ${it.spheres} spheres, ${it.span}" } + listOf(
+        return contests.map { "${it.name}: ${spheres(it.spheres)}, ${it.span}" } + listOf(
             "engines: ${engines()}",
             "1 round to warm up and $counted: " +
                 "${contests.size} x ${contestants.size} x ${1 + rounds} (scenarios x engines x rounds) = $turns turns",

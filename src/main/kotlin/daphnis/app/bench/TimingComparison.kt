@@ -1,5 +1,6 @@
 package daphnis.app.bench
 
+import daphnis.app.describe.counted
 import java.util.Locale
 
 /** What became of a time. */
@@ -74,8 +75,8 @@ internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
     /** The same steps of the same spheres; other numbers of collisions are another computation. */
     private fun key(t: Timing) = listOf(t.scenario, t.engine, t.threads, t.spheres, t.steps, t.collisions)
 
-    private fun words(t: Timing) =
-        "${t.engine} on ${t.threads} of ${t.scenario}, ${t.steps} steps, ${t.collisions} collisions"
+    private fun words(t: Timing) = "${t.engine} on ${t.threads} of ${t.scenario}, ${counted(t.steps, "step")}, " +
+        counted(t.collisions, "collision")
 
     private companion object {
         const val NOISE = 0.03

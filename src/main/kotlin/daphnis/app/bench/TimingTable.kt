@@ -1,6 +1,8 @@
 package daphnis.app.bench
 
 import daphnis.analysis.plot.Yardstick
+import daphnis.app.describe.counted
+import daphnis.app.describe.spheres
 import java.util.Locale
 
 /** Timings of one scenario as a table in Markdown. */
@@ -29,7 +31,8 @@ internal fun timingTable(timings: List<Timing>): String {
 internal fun timingTitle(timings: List<Timing>): String {
     val t = timings.first()
     val rounds = if (t.seconds.size == 1) "1 round" else "${t.seconds.size} rounds"
-    val work = "${t.scenario}: ${t.spheres} spheres, ${t.steps} steps, ${t.collisions} collisions"
+    val done = "${counted(t.steps, "step")}, ${counted(t.collisions, "collision")}"
+    val work = "${t.scenario}: ${spheres(t.spheres)}, $done"
     val yardstick = Ranking(timings).yardstick.let { Yardstick(it.engine, it.threads, it.fastest) }
     return "$work; $rounds; speed relative to $yardstick"
 }

@@ -48,8 +48,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     private fun choice(step: FreePathTimeStep) {
         val speed = step.measure(setup.population, InlineLoop)
         val flow = if (step.flow == null) "" else " relative to the flow"
-        val limit = "moves at most ${number(step.path)} in a step$flow"
-        rows.add("steps", "chosen, since no force acts: the fastest sphere, at ${number(speed)} along an axis, $limit")
+        val limit = "moves at most ${say.length(step.path)} in a step$flow"
+        val fastest = "the fastest sphere, at ${say.speed(speed)} along an axis"
+        rows.add("steps", "chosen, since no force acts: $fastest, $limit")
         if (step.stops.intervals.isNotEmpty()) {
             rows.add(
                 "steps",

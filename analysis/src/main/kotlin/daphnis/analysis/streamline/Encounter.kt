@@ -23,7 +23,7 @@ public class Encounter @JvmOverloads constructor(
 ) {
     init {
         require(distance != 0.0 && distance.isFinite()) { "distance from the moon is $distance; it must not be 0" }
-        require(moonE >= 0 && moonE.isFinite()) { "the moon's epicycle is $moonE; it must be >= 0" }
+        require(moonE >= 0 && moonE.isFinite()) { "the moon's epicycle is $moonE; it must be at least 0" }
     }
 
     /**

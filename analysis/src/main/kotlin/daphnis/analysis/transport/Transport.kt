@@ -47,7 +47,8 @@ import kotlin.math.sqrt
 public class Transport(private val table: TransportTable, private val shearRate: Double) {
     init {
         require(table.size >= 2) {
-            "the transport table has ${table.size} rows in the time that is averaged; two are needed"
+            val there = if (table.size == 1) "1 row" else "no row"
+            "the transport table has $there in the time that is averaged; two are needed"
         }
     }
 

@@ -13,12 +13,14 @@ import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.atan
 import kotlin.math.cos
 import kotlin.math.sqrt
 
+@Tag("jdk-neutral")
 class WavePatternTest {
     private val box = Box.centred(60.0, 72.0, 2.0)
     private val sheet = HillSheet(box, 1.0)

@@ -14,10 +14,12 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sqrt
 
+@Tag("jdk-neutral")
 class MeanSquareDisplacementTest {
     private val box = Box.centred(7.0, 5.0, 9.0)
     private val positions = listOf(Coordinate.Position(0), Coordinate.Position(1), Coordinate.Position(2))

@@ -19,7 +19,7 @@ public class NodesAwaited(private val fleet: Fleet, private val patience: Durati
      * @throws InterruptedException when the thread is interrupted
      */
     public fun await(count: Int): List<FleetNode> {
-        require(count >= 1) { "count is $count; it must be >= 1" }
+        require(count >= 1) { "count is $count; it must be at least 1" }
         var since = System.nanoTime()
         var told = ""
         while (true) {

@@ -35,7 +35,7 @@ public object NoGuard : CollapseGuard {
 /** ε = 1 below the impact speed [speed]. */
 public class FloorSpeedGuard(public val speed: Double) : CollapseGuard {
     init {
-        require(speed >= 0 && speed.isFinite()) { "floor speed is $speed; it must be >= 0" }
+        require(speed >= 0 && speed.isFinite()) { "floor speed is $speed; it must be at least 0" }
     }
 
     override val needsLastCollision: Boolean get() = false

@@ -41,8 +41,8 @@ public class BodyGravity @JvmOverloads constructor(
     private var pull = Array(3) { DoubleArray(0) }
 
     init {
-        require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be >= 0" }
-        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be >= 0" }
+        require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be at least 0" }
+        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be at least 0" }
     }
 
     override fun useLoop(loop: RangeLoop) {

@@ -48,9 +48,9 @@ public class SelfGravity @JvmOverloads constructor(
     private val seen = SeenPositions()
 
     init {
-        require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be >= 0" }
+        require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be at least 0" }
         require(openingAngle in 0.0..1.0) { "opening angle is $openingAngle; it must be in [0, 1]" }
-        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be >= 0" }
+        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be at least 0" }
         require(images in 0..MOST_IMAGES) { "images is $images; it must be in 0..$MOST_IMAGES" }
     }
 

@@ -11,7 +11,7 @@ import kotlin.math.abs
 internal class SnapshotCheck private constructor(private val snapshot: Snapshot, private val where: String) {
     private fun check() {
         must(abs(snapshot.time) <= FARTHEST) { "the time is ${snapshot.time}; it must be a number within ±$FARTHEST" }
-        must(snapshot.step >= 0) { "the step is ${snapshot.step}; it must be >= 0" }
+        must(snapshot.step >= 0) { "the step is ${snapshot.step}; it must be at least 0" }
         if (snapshot.size == 0) return
         ids()
         sizes()
@@ -21,7 +21,7 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
     }
 
     private fun ids() {
-        for (id in snapshot.id) must(id >= 0) { "id $id must be >= 0" }
+        for (id in snapshot.id) must(id >= 0) { "id $id must be at least 0" }
         val sorted = snapshot.id.copyOf().apply { sort() }
         for (k in 1 until sorted.size) must(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
     }

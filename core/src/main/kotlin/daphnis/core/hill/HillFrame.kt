@@ -49,7 +49,7 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     init {
         require(omega > 0 && omega.isFinite()) { "angular speed is $omega; it must be > 0" }
         require(verticalFactor >= 0 && verticalFactor.isFinite()) {
-            "vertical factor is $verticalFactor; it must be >= 0"
+            "vertical factor is $verticalFactor; it must be at least 0"
         }
     }
 

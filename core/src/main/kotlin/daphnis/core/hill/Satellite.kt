@@ -29,9 +29,9 @@ public class Satellite @JvmOverloads constructor(
 
     init {
         require(gravitationalParameter >= 0 && gravitationalParameter.isFinite()) {
-            "GM of the satellite is $gravitationalParameter; it must be >= 0"
+            "GM of the satellite is $gravitationalParameter; it must be at least 0"
         }
-        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be >= 0" }
+        require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be at least 0" }
     }
 
     override fun useLoop(loop: RangeLoop) {

@@ -29,7 +29,7 @@ public class PowerLawSizes(public val minimum: Double, public val maximum: Doubl
     init {
         require(minimum > 0 && minimum.isFinite()) { "smallest radius is $minimum; it must be > 0" }
         require(maximum >= minimum && maximum.isFinite()) {
-            "largest radius is $maximum; it must be >= the smallest, $minimum"
+            "largest radius is $maximum; it must be at least the smallest, $minimum"
         }
         require(exponent.isFinite()) { "exponent is $exponent; it must be finite" }
     }
@@ -71,10 +71,10 @@ public class LogNormalSizes(
 ) : SizeDistribution {
     init {
         require(median > 0 && median.isFinite()) { "median radius is $median; it must be > 0" }
-        require(sigma >= 0 && sigma.isFinite()) { "sigma is $sigma; it must be >= 0" }
+        require(sigma >= 0 && sigma.isFinite()) { "sigma is $sigma; it must be at least 0" }
         require(minimum > 0 && minimum <= median) { "smallest radius is $minimum; it must be in (0, median $median]" }
         require(maximum >= median && maximum.isFinite()) {
-            "largest radius is $maximum; it must be >= the median, $median"
+            "largest radius is $maximum; it must be at least the median, $median"
         }
     }
 

@@ -8,7 +8,7 @@ public fun interface VelocityField {
 /** Every component uniform in ±[halfWidth]. */
 public class UniformVelocities(public val halfWidth: Double) : VelocityField {
     init {
-        require(halfWidth >= 0 && halfWidth.isFinite()) { "half width is $halfWidth; it must be >= 0" }
+        require(halfWidth >= 0 && halfWidth.isFinite()) { "half width is $halfWidth; it must be at least 0" }
     }
 
     override fun draw(random: SeededRandom, into: DoubleArray) {
@@ -19,7 +19,7 @@ public class UniformVelocities(public val halfWidth: Double) : VelocityField {
 /** Maxwellian: every component normal with standard deviation [sigma]. */
 public class GaussianVelocities(public val sigma: Double) : VelocityField {
     init {
-        require(sigma >= 0 && sigma.isFinite()) { "sigma is $sigma; it must be >= 0" }
+        require(sigma >= 0 && sigma.isFinite()) { "sigma is $sigma; it must be at least 0" }
     }
 
     override fun draw(random: SeededRandom, into: DoubleArray) {

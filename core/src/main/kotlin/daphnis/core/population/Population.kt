@@ -79,7 +79,7 @@ public class Population @JvmOverloads constructor(
         for (k in 0 until n) {
             require(radius[k] > 0) { "radius of particle ${id[k]} is ${radius[k]}; it must be > 0" }
             require(mass[k] > 0) { "mass of particle ${id[k]} is ${mass[k]}; it must be > 0" }
-            require(id[k] >= 0) { "id ${id[k]} is negative; ids must be >= 0" }
+            require(id[k] >= 0) { "id ${id[k]} is negative; ids must be at least 0" }
         }
         val sorted = id.copyOf().apply { sort() }
         for (k in 1 until n) require(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }

@@ -1,11 +1,13 @@
 package daphnis.core.run
 
+import daphnis.core.Interval
 import daphnis.core.hill.HillFrame
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.IntervalUnit
 import daphnis.core.scenario.OutputSpec
+import kotlin.math.abs
 
 /** Makes the program's simulation first and then the directory, so a refusal leaves everything as it was. */
 internal fun startRun(program: Program, directory: RunDirectory, force: Boolean): Run {
@@ -53,10 +55,21 @@ private fun requireSame(made: ProgramRecord, program: Program, directory: RunDir
 }
 
 private fun requireOutput(output: OutputSpec, omega: Double?) {
-    for ((key, steps) in output.steps()) require(steps >= 0) { "output.$key is $steps; it must be >= 0" }
+    for ((key, steps) in output.steps()) require(steps >= 0) { "output.$key is $steps; it must be at least 0" }
     for ((key, problem) in output.problems()) throw IllegalArgumentException("output.$key $problem")
     require(output.intervalUnit != IntervalUnit.ORBIT || omega != null) {
         "output.intervalUnit is orbit; it needs a HillFrame"
+    }
+}
+
+/** As of a scenario: intervals must be longer than the round-off of the times up to [farthest]. */
+private fun requireFew(output: OutputSpec, farthest: Double) {
+    for ((key, interval) in output.intervals()) {
+        val count = farthest / interval
+        require(count <= Interval.MOST) {
+            "output.$key is $interval in time; the run goes to time $farthest, $count intervals, and there can be " +
+                "${Interval.MOST}"
+        }
     }
 }
 
@@ -81,6 +94,7 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
             simulation.goOnFrom(meta.time, meta.step)
             simulation.collisions?.let { meta.countInto(it.counters) }
         }
+        requireFew(output, maxOf(abs(simulation.runStart), abs(program.until)))
         val sums = PopulationSums(simulation.boundary.meanFlow, omega, program.firstBody)
         val own = program.outputs().also { RunOutputs.requireFree(it.keys) }
         return RunPlan(null, program.name, program.until, endSlack(simulation.timeStep), output, own, simulation, sums)

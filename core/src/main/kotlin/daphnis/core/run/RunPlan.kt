@@ -59,19 +59,21 @@ internal fun planOf(
     val output = scenario.output
     val records = PeriodicOutputs.readingCollisions(output).isNotEmpty()
     val engine = if (engines is FleetEngines) engines.create() else engineOf(scenario, source, engines)
-    val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, scenario.search)
-    meta?.countInto(forcing.counters)
-    val time = meta?.time ?: scenario.startTime
-    val step = meta?.step ?: 0
-    val elsewhere = closingIfItThrows(engine) {
-        (engine as? FleetEngine)?.steps(setup, source, setup.population, forcing, time, step)
+    val simulation = closingIfItThrows(engine) {
+        val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, scenario.search)
+        meta?.countInto(forcing.counters)
+        val time = meta?.time ?: scenario.startTime
+        val step = meta?.step ?: 0
+        val elsewhere = (engine as? FleetEngine)?.steps(setup, source, setup.population, forcing, time, step)
+        Simulation(
+            setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
+            scenario.startTime, elsewhere, scenario.clock,
+        )
     }
-    val simulation = Simulation(
-        setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
-        scenario.startTime, elsewhere, scenario.clock,
-    )
-    val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, scenario.firstBody)
-    return RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
+    return closingIfItThrows(simulation) {
+        val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, scenario.firstBody)
+        RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
+    }
 }
 
 private inline fun <T> closingIfItThrows(owner: AutoCloseable, make: () -> T): T = try {

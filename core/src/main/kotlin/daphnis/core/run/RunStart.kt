@@ -96,24 +96,32 @@ private fun resumed(
     own: Map<String, Output>,
     lock: AutoCloseable,
 ): Run {
-    val written = ScenarioJson.read(directory.scenario)
-    val scenario = withEnd(until, written.atHome(directory.path))
+    val found = ScenarioJson.read(directory.scenario)
+    val written = withEnd(until, found)
+    val scenario = written.atHome(directory.path)
     val notices = ArrayList<String>()
     val checkpoints = Checkpoints(directory)
     val good = checkpoints.lastGood(acceptLoss, notices)
     val checkpoint = good?.checkpoint
-    val changes = checkSame(directory, checkpoint, written, notices)
+    val changes = checkSame(directory, checkpoint, found, notices)
     val source = directory.scenario.toString()
     requireLaterEnd(until, changes, FrameSetup.times(scenario, source), checkpoint?.meta?.time ?: 0.0, source)
     val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
     val plan = planOf(setup, checkpoint?.meta, source, engines, own)
-    return goingOn(directory, plan, ScenarioJson.write(written), checkpoints, good, lock, notices)
+    val text = ScenarioJson.write(written)
+    return goingOn(directory, plan, text, checkpoints, good, lock, notices) {
+        // From here on this is the run of the new end, also for one who resumes it when it is killed before that.
+        if (written != found) directory.files.writeAtomically(directory.scenario) { Files.writeString(it, text) }
+    }
 }
 
-/** [scenario] with the end [until] in place of its own, unless that is null. */
+/** [scenario] with the end [until] in place of its own, unless that is null; as it would be if begun with this end. */
 private fun withEnd(until: Double?, scenario: Scenario): Scenario {
     if (until == null) return scenario
-    if (until > scenario.startTime && until.isFinite()) return scenario.copy(until = until)
+    if (until > scenario.startTime && until.isFinite()) {
+        val description = scenario.description.replace(CHANGED_END) { "${it.groupValues[1]}$UNTIL=$until" }
+        return scenario.copy(until = until, untilOrbits = null, description = description)
+    }
     throw wrongArgument(UNTIL, null, "is $until; it must be > ${scenario.startTime}")
 }
 
@@ -127,7 +135,12 @@ private fun requireLaterEnd(until: Double?, changes: ScenarioChanges, times: Run
     }
 }
 
-/** A run of [plan] that continues from [good]. Closes the plan when it throws, but not the [lock]. */
+/**
+ * A run of [plan] that continues from [good]. Closes the plan when it throws, but not the [lock].
+ *
+ * @param origin text of the scenario or program, for checkpoints
+ * @param keep writes what is new in the directory, when the summary of an earlier end is gone
+ */
 internal fun goingOn(
     directory: RunDirectory,
     plan: RunPlan,
@@ -136,12 +149,14 @@ internal fun goingOn(
     good: GoodCheckpoint?,
     lock: AutoCloseable,
     notices: MutableList<String>,
+    keep: () -> Unit = {},
 ): Run {
     try {
         if (good != null) giveBack(plan.own, good.checkpoint, directory, notices)
         // Snapshots after the checkpoint are written again, with the same bits; the summary would be that of a run
         // which has not ended.
-        Files.deleteIfExists(directory.summary)
+        directory.files.delete(directory.summary)
+        keep()
         for (folder in directory.folders) Files.createDirectories(folder)
         return Run(directory, plan, origin, checkpoints, good, lock, notices)
     } catch (e: Throwable) {
@@ -195,4 +210,7 @@ internal fun cannotWrite(directory: RunDirectory, e: IOException): RunException 
     RunException("cannot write to ${directory.path}: ${reasonOf(e, directory.path)}", e)
 
 private const val UNTIL = "until"
+
+/** The end among what the command line changed of a scenario, which it says behind the description. */
+private val CHANGED_END = Regex("""(; changed: (?:.*, )?)(?:until|untilOrbits|steps)=[^,;]*""")
 private const val END_SLACK = 1e-6

@@ -35,7 +35,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
             check.that("$key.openingAngle", spec.openingAngle, spec.openingAngle >= 0 && spec.openingAngle <= 1) {
                 "must be in [0, 1]"
             }
-            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
+            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
             check.that("$key.images", spec.images, spec.images in 0..SelfGravity.MOST_IMAGES) {
                 "must be in 0..${SelfGravity.MOST_IMAGES}"
             }
@@ -43,7 +43,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
         }
         is ForceSpec.BodyGravity -> {
             check.must(key, scenario.bodies.isNotEmpty()) { "is body-gravity; it needs bodies" }
-            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
+            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
             BodyGravity(
                 IntArray(scenario.bodies.size) {
                     firstBody + it
@@ -57,7 +57,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
 
     private fun constant(given: Double?, key: String): Double {
         if (given != null) {
-            check.that("$key.constant", given, given >= 0) { "must be >= 0" }
+            check.that("$key.constant", given, given >= 0) { "must be at least 0" }
             return given
         }
         val constant = scenario.units.gravitationalConstant
@@ -80,9 +80,9 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
             spec.massRatio * parameter
         }
         check.must(key, strength.isFinite()) { "has a mass that makes its gravity $strength; it must be finite" }
-        check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be >= 0" }
-        check.that("$key.e", spec.e, spec.e >= 0) { "must be >= 0" }
-        check.that("$key.radius", spec.radius, spec.radius >= 0) { "must be >= 0 (0 for a point)" }
+        check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
+        check.that("$key.e", spec.e, spec.e >= 0) { "must be at least 0" }
+        check.that("$key.radius", spec.radius, spec.radius >= 0) { "must be at least 0 (0 for a point)" }
         val satellite = Satellite(strength, Epicycle(spec.x, spec.y, spec.e, spec.phase), omega, spec.softening)
         if (spec.radius > 0) boundary = SatelliteSurface(boundary, satellite, spec.radius)
         return satellite

@@ -17,7 +17,7 @@ public object FrameSetup {
         check.must("frame", (frame.angularSpeed == null) != (frame.distanceInKm == null)) {
             "needs exactly one of angularSpeed and distanceInKm"
         }
-        check.that("frame.verticalFactor", frame.verticalFactor, frame.verticalFactor >= 0) { "must be >= 0" }
+        check.that("frame.verticalFactor", frame.verticalFactor, frame.verticalFactor >= 0) { "must be at least 0" }
         frame.angularSpeed?.let { return it.also { speed -> check.positive("frame.angularSpeed", speed) } }
         val distance = frame.distanceInKm!!
         check.positive("frame.distanceInKm", distance)

@@ -21,7 +21,7 @@ internal class InitialVelocities(
         when (spec) {
             is VelocitiesSpec.Rest -> Unit
             is VelocitiesSpec.Uniform -> {
-                check.that("velocities.halfWidth", spec.halfWidth, spec.halfWidth >= 0) { "must be >= 0" }
+                check.that("velocities.halfWidth", spec.halfWidth, spec.halfWidth >= 0) { "must be at least 0" }
                 val field = UniformVelocities(spec.halfWidth)
                 fill(v) { _, into -> field.draw(random, into) }
             }
@@ -48,8 +48,8 @@ internal class InitialVelocities(
         check.must("velocities", (spec.sigma == null) != (spec.temperature == null)) {
             "needs exactly one of sigma and temperature"
         }
-        spec.sigma?.let { check.that("velocities.sigma", it, it >= 0) { "must be >= 0" } }
-        spec.temperature?.let { check.that("velocities.temperature", it, it >= 0) { "must be >= 0" } }
+        spec.sigma?.let { check.that("velocities.sigma", it, it >= 0) { "must be at least 0" } }
+        spec.temperature?.let { check.that("velocities.temperature", it, it >= 0) { "must be at least 0" } }
         val field = GaussianVelocities(1.0)
         fill(v) { k, into ->
             field.draw(random, into)

@@ -46,7 +46,7 @@ public class OutputSpec @JvmOverloads constructor(
 
     /** What is wrong with the values: keys with a sentence. */
     internal fun problems(): List<Pair<String, String>> = buildList {
-        for ((key, steps) in steps()) if (steps < 0) add(key to "is $steps; must be >= 0 (0 for never)")
+        for ((key, steps) in steps()) if (steps < 0) add(key to "is $steps; must be at least 0 (0 for never)")
         val defaults = OutputSpec().steps()
         for ((key, interval) in intervals()) {
             if (!(interval > 0) || interval.isInfinite()) add(key to "is $interval; must be > 0")

@@ -155,7 +155,7 @@ public class ScenarioSetup private constructor(
                 "needs exactly one of speed and relative"
             }
             val relative = spec.relative ?: return spec
-            check.that("guard.relative", relative, relative >= 0) { "must be >= 0" }
+            check.that("guard.relative", relative, relative >= 0) { "must be at least 0" }
             return GuardSpec.FloorSpeed(speed = relative * rmsSpeed(population))
         }
 
@@ -167,7 +167,7 @@ public class ScenarioSetup private constructor(
             }
             is GuardSpec.FloorSpeed -> {
                 val speed = spec.speed ?: 0.0
-                check.that("guard.speed", speed, speed >= 0 && speed.isFinite()) { "must be >= 0" }
+                check.that("guard.speed", speed, speed >= 0 && speed.isFinite()) { "must be at least 0" }
                 FloorSpeedGuard(speed)
             }
         }

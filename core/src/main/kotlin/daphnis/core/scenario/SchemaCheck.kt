@@ -71,13 +71,26 @@ internal class SchemaCheck(private val source: String) {
     private fun checkSealed(element: JsonElement, descriptor: SerialDescriptor, path: String) {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val types = descriptor.getElementDescriptor(1)
-        val type =
-            element["type"] ?: fail(join(path, "type"), "is missing; it must be one of ${types.names().joinToString()}")
+        val type = element["type"] ?: fail(join(path, "type"), missing(element, types, path))
         val name = (type as? JsonPrimitive)?.takeIf { it.isString }?.content
         if (name == null || name !in types.names()) {
             fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
         }
         checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, setOf("type"))
+    }
+
+    /** What [element] lacks is its type, which its keys may tell. */
+    private fun missing(element: JsonObject, types: SerialDescriptor, path: String): String {
+        val meant = types.names().filter { name ->
+            types.getElementDescriptor(types.getElementIndex(name)).names().containsAll(element.keys)
+        }
+        val hint = if (element.isEmpty() || meant.size != 1) {
+            ""
+        } else {
+            val verb = if (element.size == 1) "is" else "are"
+            "${element.keys.joinToString()} $verb of type ${meant[0]}, so give $path.type=${meant[0]} too; "
+        }
+        return "is missing; ${hint}it must be one of ${types.names().joinToString()}"
     }
 
     private fun checkPrimitive(element: JsonElement, descriptor: SerialDescriptor, path: String) {

@@ -39,7 +39,7 @@ class NodeEngineTest {
         var redone = 0L
         var replays = 0L
         var failures = 0
-        for (seed in 1..draws) {
+        for (seed in FIRST..<FIRST + draws) {
             val case = case(seed)
             val serial = case.simulation(SerialEngine())
             val engine = nodes(case)
@@ -100,6 +100,7 @@ class NodeEngineTest {
 
     private companion object {
         val LONG = System.getProperty("daphnis.long") == "true"
+        val FIRST = java.lang.Long.getLong("daphnis.firstDraw", 1)
 
         /** In mean diameters. */
         val WIDTHS = doubleArrayOf(0.0, 0.0, 0.3, 1.0, 3.0)

@@ -6,11 +6,13 @@ import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sin
 import kotlin.math.sqrt
 
+@Tag("jdk-neutral")
 class GranularTemperatureTest {
     private val flow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = 0.7)
     private val hill = MeanFlow(normalAxis = 0, flowAxis = 1, rate = -1.5)

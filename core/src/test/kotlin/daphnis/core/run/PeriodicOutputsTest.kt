@@ -117,13 +117,13 @@ class PeriodicOutputsTest {
             val refused = assertThrows(InputException::class.java) {
                 startIn(home.resolve("refused"), tableScenario("output.$key=-1"))
             }
-            assertEquals("test: output.$key: is -1; must be >= 0 (0 for never)", refused.message)
+            assertEquals("test: output.$key: is -1; must be at least 0 (0 for never)", refused.message)
             val spec = Json.decodeFromString(OutputSpec.serializer(), """{"$key":-1}""")
             val program = object : Program by FailingOutputTest.Gas(emptyMap()) {
                 override val output = spec
             }
             val e = assertThrows(IllegalArgumentException::class.java) { Run.start(program, home.resolve("refused")) }
-            assertEquals("output.$key is -1; it must be >= 0", e.message)
+            assertEquals("output.$key is -1; it must be at least 0", e.message)
             assertFalse(Files.exists(home.resolve("refused")))
         }
     }
@@ -142,6 +142,8 @@ class PeriodicOutputsTest {
             "output.seriesInterval is -1.0; must be > 0" to OutputSpec(seriesInterval = -1.0),
             "output.snapshotInterval is given together with snapshotEvery; one of the two is enough" to
                 OutputSpec(snapshotEvery = 3, snapshotInterval = 1.0),
+            "output.snapshotInterval is 1.0E-10 in time; the run goes to time 1.2, 1.2E10 intervals, and there " +
+                "can be 1.0E9" to OutputSpec(snapshotInterval = 1e-10),
             "output.intervalUnit is orbit; it needs a HillFrame" to
                 OutputSpec(seriesInterval = 1.0, intervalUnit = IntervalUnit.ORBIT),
         )

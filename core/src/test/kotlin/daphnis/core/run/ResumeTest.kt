@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -187,6 +188,46 @@ class ResumeTest {
         val longer = edited("longer", "\"until\": 1.2", "\"until\": 1.4")
         assertTrue("until: is 1.4; the run was made with 1.2" in resume(longer).single())
         assertEquals(14L, Summary.read(RunDirectory(longer).summary).steps)
+    }
+
+    @Test
+    fun `a resume to another end is the run of that end, wherever it is killed`() {
+        val made = "made for this; changed: a=1, steps=12, seed=4"
+        val before = home.resolve("before")
+        startIn(before, tableScenario().copy(description = made)).toStep(Long.MAX_VALUE)
+        val longer = home.resolve("longer-at-once")
+        val asOne = "made for this; changed: a=1, until=1.6, seed=4"
+        startIn(longer, tableScenario("until=1.6").copy(description = asOne)).toStep(Long.MAX_VALUE)
+        var n = 0
+        do {
+            val directory = copyOf(before, home.resolve("longer-$n"))
+            val run = RunDirectory(directory, MortalFiles(n++))
+            val isKilled = try {
+                resumeRun(run, 1.6, daphnis.core.Engines, false).toStep(Long.MAX_VALUE)
+                false
+            } catch (e: Killed) {
+                true
+            }
+            val end = ScenarioJson.read(run.scenario).until
+            if (Files.exists(run.summary)) assertEquals(end!!, Summary.read(run.summary).time, 1e-9) { "killed at $n" }
+            if (isKilled) Run.resume(directory, if (end == 1.6) null else 1.6).toStep(Long.MAX_VALUE)
+            assertEquals(results(longer), results(directory)) { "killed at $n" }
+            assertEquals(Files.readString(longer.resolve("scenario.json")), Files.readString(run.scenario))
+            assertEquals(emptyList<String>(), resume(directory)) { "the checkpoint knows the new end" }
+        } while (isKilled)
+        assertTrue(n > 10) { "$n" }
+    }
+
+    @Test
+    fun `resumed to an earlier end that is still to come, a run is complete there`() {
+        val directory = damaged("earlier") {}
+        Run.resume(directory, until = 1.0).toStep(Long.MAX_VALUE)
+        val run = RunDirectory(directory)
+        assertEquals(1.0, ScenarioJson.read(run.scenario).until)
+        assertTrue(Summary.read(run.summary).finished)
+        val text = Files.readString(run.scenario)
+        assertThrows(InputException::class.java) { Run.resume(directory, until = 0.5) }
+        assertEquals(text, Files.readString(run.scenario)) { "a refused resume changes nothing" }
     }
 
     @Test

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.Output
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
@@ -334,6 +335,33 @@ class RunTest {
         assertEquals(7L, Checkpoint.read(RunDirectory(home.resolve("broken")).checkpoint).meta.step)
         assertEquals(whole.stateDigest, resume("broken").first.stateDigest)
         assertEquals(files("whole"), files("broken"))
+    }
+
+    @Test
+    fun `an engine is closed when what comes after it cannot be made`() {
+        var closed = 0
+        val engines = object : EngineFactory {
+            override val names = listOf("counting")
+
+            override fun create(name: String, threads: Int) = object : CollisionEngine {
+                override val name = "serial"
+                override val threads = 1
+
+                override fun advance(step: CollisionStep) = Unit
+
+                override fun close() {
+                    closed++
+                }
+            }
+        }
+        val outputs = object : Map<String, Output> by emptyMap() {
+            override val entries: Set<Map.Entry<String, Output>> get() = throw OutOfMemoryError("on purpose")
+        }
+        assertThrows(OutOfMemoryError::class.java) {
+            Run.start(scenario(), "test", home.resolve("none"), engines = engines, outputs = outputs)
+        }
+        assertEquals(1, closed)
+        assertFalse(Files.exists(home.resolve("none")))
     }
 
     @Test

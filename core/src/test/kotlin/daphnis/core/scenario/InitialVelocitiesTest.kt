@@ -109,7 +109,7 @@ class InitialVelocitiesTest {
         }
         wrong("""{ "type": "gaussian" }""", "velocities", "exactly one of sigma and temperature")
         wrong("""{ "type": "gaussian", "sigma": 1, "temperature": 1 }""", "exactly one of sigma and temperature")
-        wrong("""{ "type": "gaussian", "temperature": -1 }""", "velocities.temperature", "-1.0", ">= 0")
+        wrong("""{ "type": "gaussian", "temperature": -1 }""", "velocities.temperature", "-1.0", "at least 0")
         wrong("""{ "type": "gaussian", "sigma": 1, "exact": true }""", "velocities.exact", "two particles", count = 1)
         assertThrows(InputException::class.java) {
             scenario("""{ "type": "uniform", "halfWidth": 1, "exact": true }""")

@@ -147,7 +147,7 @@ class ScenarioJsonTest {
         assertWrong("velocities.shearProfile=true", "velocities.shearProfile", "lees-edwards")
         assertWrong("engine.threads=-1", "engine.threads", "1..")
         assertWrong("engine.threads=1000", "engine.threads", "1..")
-        assertWrong("output.snapshotEvery=-1", "output.snapshotEvery", ">= 0")
+        assertWrong("output.snapshotEvery=-1", "output.snapshotEvery", "at least 0")
         assertWrong("placement={\"type\":\"file\",\"path\":\"nowhere.csv\"}", "particles", "left out")
     }
 

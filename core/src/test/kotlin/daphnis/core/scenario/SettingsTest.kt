@@ -26,6 +26,21 @@ class SettingsTest {
     }
 
     @Test
+    fun `of a part without a type its keys tell which one is meant`() {
+        val free = text.replace(""""timeStep": { "type": "fixed", "dt": 1 }, """, "")
+        fun refusal(setting: String) = assertThrows(InputException::class.java) {
+            ScenarioJson.parse(free, "s", listOf(setting))
+        }.message.orEmpty()
+        val mend = "timeStep.type: is missing; dt is of type fixed, so give timeStep.type=fixed too; it must be one of"
+        assertTrue(mend in refusal("timeStep.dt=0.1")) { refusal("timeStep.dt=0.1") }
+        val both = refusal("""timeStep={"fraction":0.1,"longest":1}""")
+        assertTrue("fraction, longest are of type cell-crossing" in both) { both }
+        for (unknown in listOf("timeStep={}", "timeStep.tt=1")) {
+            assertTrue("timeStep.type: is missing; it must be one of" in refusal(unknown)) { refusal(unknown) }
+        }
+    }
+
+    @Test
     fun `an entry of a list is replaced where the path says, the others stay`() {
         assertEquals(listOf(4.0, 5.0, 9.0), with("box.lengths[2]=9").box.lengths)
         assertEquals(listOf(7.0, 5.0, 8.0), with("box.lengths[2]=8", "box.lengths[0]=7").box.lengths)

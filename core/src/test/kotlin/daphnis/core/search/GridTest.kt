@@ -17,10 +17,12 @@ import daphnis.core.randomSpheres
 import daphnis.core.search.SearchStructure.LEVELS
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sqrt
 
+@Tag("jdk-neutral")
 class GridTest {
     private class Pair(val a: Int, val b: Int, val code: Int) {
         override fun equals(other: Any?) = other is Pair && a == other.a && b == other.b && code == other.code

@@ -48,6 +48,7 @@ internal object Chart {
      * positive are left out
      * @param horizontal a dashed line across at this height
      * @param vertical a dashed line upright at this place
+     * @param joined whether lines join the points of a curve
      * @param ticks where the axis across has its marks, all whole numbers; null to choose. Then the other begins at 0
      */
     fun lines(
@@ -61,8 +62,10 @@ internal object Chart {
         vertical: Double? = null,
         height: Int = HEIGHT,
         ticks: List<Int>? = null,
+        joined: Boolean = true,
     ): Plot {
-        val points = Points(curves, logX, logY)
+        val points = ChartPoints(curves, logX, logY)
+        val isMarked = curves.all { it.x.size <= MOST_MARKED }
         var plot = letsPlot(points.columns)
         if (horizontal != null) {
             plot += geomHLine(yintercept = horizontal, color = Figures.QUIET, linetype = "dashed", size = 0.5)
@@ -71,21 +74,24 @@ internal object Chart {
             plot += geomVLine(xintercept = vertical, color = Figures.QUIET, linetype = "longdash", size = 0.7)
         }
         if (curves.any { it.error != null }) {
-            plot += geomErrorBar(width = 0.0, size = 0.5, alpha = 0.6, showLegend = false, tooltips = tooltipsNone) {
+            val size = if (isMarked) BAR else THIN_BAR
+            plot += geomErrorBar(width = 0.0, size = size, alpha = 0.75, showLegend = false, tooltips = tooltipsNone) {
                 x = "x"
                 ymin = "low"
                 ymax = "high"
                 color = "curve"
             }
         }
-        plot += geomLine(size = Figures.LINE) {
-            x = "x"
-            y = "y"
-            color = "curve"
-            linetype = "curve"
+        if (joined) {
+            plot += geomLine(size = Figures.LINE) {
+                x = "x"
+                y = "y"
+                color = "curve"
+                linetype = "curve"
+            }
         }
-        if (curves.all { it.x.size <= MOST_MARKED }) {
-            plot += geomPoint(size = 2.0) {
+        if (isMarked || !joined) {
+            plot += geomPoint(size = if (joined) POINT else LONE_POINT) {
                 x = "x"
                 y = "y"
                 color = "curve"
@@ -118,38 +124,6 @@ internal object Chart {
         return if (shown.length > LONGEST_LABEL) shown.replace(" [", "\n[") else shown
     }
 
-    /** The points of [curves] without those that are not finite or that a logarithmic axis cannot show. */
-    private class Points(curves: List<Curve>, logX: Boolean, logY: Boolean) {
-        val x = ArrayList<Double>()
-        val y = ArrayList<Double>()
-        val low = ArrayList<Double>()
-        val high = ArrayList<Double>()
-        private val name = ArrayList<String>()
-
-        init {
-            for (curve in curves) {
-                for (k in curve.x.indices) {
-                    if (!curve.y[k].isFinite() || logY && curve.y[k] <= 0 || logX && curve.x[k] <= 0) continue
-                    val e = curve.error?.get(k)?.takeIf { it.isFinite() } ?: 0.0
-                    x += curve.x[k]
-                    y += curve.y[k]
-                    low += if (logY && curve.y[k] - e <= 0) curve.y[k] else curve.y[k] - e
-                    high += curve.y[k] + e
-                    name += curve.name
-                }
-            }
-        }
-
-        /** As columns for lets-plot. */
-        val columns: Map<String, List<Any>> get() = mapOf(
-            "x" to x,
-            "y" to y,
-            "low" to low,
-            "high" to high,
-            "curve" to name,
-        )
-    }
-
     /** [plot] with both axes marked at round places. */
     private fun marked(
         plot: Plot,
@@ -162,7 +136,8 @@ internal object Chart {
         val across = if (logX) Ticks.logarithmic(x.min(), x.max()) else Ticks.linear(x.min(), x.max())
         val up = if (logY) Ticks.logarithmic(y.min(), y.max()) else Ticks.linear(y.min(), y.max())
         val xScale = if (logX) {
-            scaleXLog10(breaks = across.places, labels = across.labels)
+            // Without limits the bars' width, counted in units of x, makes it begin far below the first point.
+            scaleXLog10(breaks = across.places, labels = across.labels, limits = room(x))
         } else {
             scaleXContinuous(breaks = across.places, labels = across.labels)
         }
@@ -293,5 +268,9 @@ internal object Chart {
 
     /** Points of a curve up to which each is marked. */
     private const val MOST_MARKED = 40
+    private const val POINT = 2.0
+    private const val LONE_POINT = 3.0
+    private const val BAR = 0.9
+    private const val THIN_BAR = 0.5
     private const val LEGEND_TEXT = 14
 }

@@ -24,7 +24,7 @@ public object RunPlot {
     @Throws(IOException::class)
     public fun write(series: Path, directory: Path, title: String, scale: PlotScale) {
         val table = SeriesTable.read(series)
-        require(table.size >= 2) { "the time series has ${table.size} rows; two are needed" }
+        require(table.size >= 2) { "the time series has ${if (table.size == 1) "1 row" else "no row"}; two are needed" }
         val charts = charts(table, title, scale)
         require(charts.isNotEmpty()) {
             "the time series has no granular temperature and no two rows at different times"

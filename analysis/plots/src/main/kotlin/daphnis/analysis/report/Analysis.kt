@@ -66,7 +66,8 @@ public class Analysis @JvmOverloads constructor(
         for (k in sections.states) sections.add(k)
         return sections.numbers().map {
             val isSteady = !(sections.isDrifting && it.isAverage)
-            ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value, isSteady)
+            val isJudged = !(sections.isUnjudged && it.isAverage)
+            ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value, isSteady, isJudged)
         }
     }
 

@@ -30,7 +30,7 @@ internal class AveragedCurve(
         val label = "$words $symbol"
         val axis = UnitNames.axis(argument, unit)
         val figure = Chart.lines(listOf(Curve(label, x, y, error)), axis, label, horizontal = 1.0)
-        study.draw(page, figure, name, words, "$caption Bars are one standard error, from 16 states on.")
+        study.draw(page, figure, name, words, "$caption ${Study.BARS}")
         val columns = listOf(Column(short, unit, x), Column(symbol, "", y), Column("${symbol}_error", "", error))
         Table(name, columns).write(study.tables)
     }

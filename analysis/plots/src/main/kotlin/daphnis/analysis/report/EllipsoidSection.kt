@@ -22,16 +22,28 @@ internal class EllipsoidSection(private val study: Study) : Section {
         val curves =
             listOf(curve("v_x, v_y", e.major, e.minor, e.orientation), curve("v_x, v_z", sqrt(xx(e)), e.vertical, 0.0))
         val unit = study.scale.speedName
-        val turned = ReportText.short(Math.toDegrees(e.orientation))
         study.draw(
             page,
             Chart.ellipses(curves, UnitNames.axis("v_x", unit), UnitNames.axis("v_y, v_z", unit)),
             "velocity-ellipsoid",
             "sections of the velocity ellipsoid",
-            "Sections of the velocity ellipsoid, one standard deviation; " +
-                "in the plane its long axis is turned by $turned° from x toward y.",
+            "Sections of the velocity ellipsoid, one standard deviation; ${direction()}.",
             HEIGHT,
         )
+    }
+
+    /** Of the long axis in the plane, if there is one. */
+    private fun direction(): String {
+        if (!AxesInPlane.isSeen(study.motion, study.bulk.particles)) {
+            return "in the plane its axes are equal within their errors, so they have no direction"
+        }
+        val degrees = study.motion.orientation * Math.toDegrees(1.0)
+        val turned = if (degrees.isLevelled) {
+            ReportText.withError(degrees.mean, degrees.error)
+        } else {
+            ReportText.short(degrees.mean)
+        }
+        return "in the plane its long axis is turned by $turned degrees from x toward y"
     }
 
     private fun curve(name: String, a: Double, b: Double, turned: Double): Curve {

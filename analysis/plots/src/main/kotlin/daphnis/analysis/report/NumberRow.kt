@@ -24,9 +24,12 @@ internal class NumberRow(
     /** Whether it is an average, not a number that follows from the particles themselves. */
     val isAverage: Boolean get() = !error.isNaN() || unknown != null
 
-    /** This average over a time in which the run was not steady: an error would say that more is known than is. */
+    /**
+     * This average over a time in which the run was not steady: an error would say that more is known than is. That
+     * there are too few states for one then matters less: more of them would not help.
+     */
     fun unsteady(): NumberRow =
-        if (error.isNaN()) this else NumberRow(name, value, Double.NaN, unit, reference, note, Unknown.UNSTEADY, key)
+        if (isAverage) NumberRow(name, value, Double.NaN, unit, reference, note, Unknown.UNSTEADY, key) else this
 }
 
 /**

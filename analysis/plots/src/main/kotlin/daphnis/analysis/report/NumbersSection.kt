@@ -20,8 +20,13 @@ internal class NumbersSection(private val study: Study, private val others: List
         }
     }
 
+    private val verdicts by lazy { histories.map { it.steadiness(study.from).verdict } }
+
     /** Whether one of the main quantities drifts over the time averaged; asked for like [rows]. */
-    val isDrifting by lazy { histories.any { it.steadiness(study.from).verdict == Verdict.DRIFTING } }
+    val isDrifting by lazy { Verdict.DRIFTING in verdicts }
+
+    /** Whether none is seen to drift, but one has too few rows to tell. */
+    val isUnjudged by lazy { !isDrifting && Verdict.TOO_SHORT in verdicts }
 
     /** All rows of the table; without errors where the run is not steady. */
     fun rows(): List<NumberRow> {
@@ -33,7 +38,8 @@ internal class NumbersSection(private val study: Study, private val others: List
         val rows = rows()
         val notes = ArrayList<String>()
         if (rows.any { !it.error.isNaN() }) {
-            notes += "± is one standard error; numbers without it follow from the particles themselves."
+            notes +=
+                "± is one standard error; numbers without it and without a mark follow from the particles themselves."
         }
         val source = if (study.input.scenario == null) "file" else "scenario"
         if (rows.any { "unit" in it.unit }) notes += "Units without a name are those of the $source."
@@ -53,7 +59,8 @@ internal class NumbersSection(private val study: Study, private val others: List
     /** Whether the averages are over a steady time, in sentences. */
     private fun steadiness(): List<String> {
         val orbit = study.input.omega?.let { 2 * PI / it }
-        val text = SteadinessText(study.from, if (orbit != null) "orbit" else "unit of time", orbit ?: 1.0)
+        val unit = if (orbit != null) "orbit" else "unit of time"
+        val text = SteadinessText(study.from, unit, orbit ?: 1.0, FreeCooling.isSeen(study.input))
         return listOfNotNull(if (study.isStartFound) text.found() else null) + text.of(histories)
     }
 }

@@ -25,8 +25,7 @@ internal class ProfilesSection(private val study: Study) : Section {
     private val acrossAxis = study.lengthAxis(if (isAcrossY) "y" else radialName)
 
     override val heading = "Profiles"
-    override val over = "Averages in equal bins over ${study.averagedStates}. Bars are one standard error; bins " +
-        "that are filled in fewer than 16 states have none."
+    override val over = "Averages in equal bins over ${study.averagedStates}. ${Study.BARS}"
     override val leftOut = study.tooFew()
 
     /** A profile with its averages. */

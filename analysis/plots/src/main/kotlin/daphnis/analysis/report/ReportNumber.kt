@@ -22,6 +22,21 @@ public class ReportNumber @JvmOverloads constructor(
     public val value: Double,
     public val isSteady: Boolean = true,
 ) {
+    /** False for an average over a time with too few rows to tell whether the run drifts. */
+    public var isJudged: Boolean = true
+        private set
+
+    internal constructor(
+        key: String,
+        name: String,
+        unit: String,
+        value: Double,
+        isSteady: Boolean,
+        isJudged: Boolean,
+    ) : this(key, name, unit, value, isSteady) {
+        this.isJudged = isJudged
+    }
+
     public companion object {
         private const val AT_END = "end_"
         private const val ROUND_OFF = 1e-12

@@ -36,12 +36,14 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
         for (axis in listOf("x", "y", "z")) {
             rows.average("sigma_$axis", "σ_$axis", motion.moment("$axis$axis").root() per speed, "r Ω")
         }
+        val isTurned = AxesInPlane.isSeen(motion, bulk.particles)
+        val none = BlockAverage(Double.NaN, Double.NaN, 0)
         rows.average(
             "ellipsoid_orientation",
             "orientation of the velocity ellipsoid",
-            motion.orientation per Math.toRadians(1.0),
+            if (isTurned) motion.orientation per Math.toRadians(1.0) else none,
             "degrees",
-            "from the radial direction toward the orbit",
+            if (isTurned) "from the radial direction toward the orbit" else "none: its axes are equal within errors",
         )
         rows.average("scale_height", "scale height H", motion.scaleHeight per r, "r")
         rows.average("midplane_filling_factor", "filling factor in the middle plane", motion.middlePlane per 1.0, "")

@@ -7,6 +7,7 @@ import daphnis.analysis.report.ReportText.short
 import daphnis.analysis.table.UnitNames
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Summary
+import daphnis.core.scenario.UnitsSpec
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -26,7 +27,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         val largest = short(radius.max())
         rows += if (smallest == largest) "radius" to length(smallest) else "radii" to length("$smallest to $largest")
         rows += "box" to length((0..2).joinToString(" × ") { short(box.length(it)) })
-        rows += "boundary" to boundary()
+        boundary()?.let { rows += "boundary" to it }
         val omega = input.omega ?: return rows
         val orbit = UnitNames.amount(short(2 * PI / omega), units.time)
         rows += "angular speed Ω" to "${ReportText.plain(omega, 6)} ${units.rate}, orbit $orbit"
@@ -35,31 +36,30 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
 
     private fun length(text: String) = UnitNames.amount(text, units.length)
 
-    /** The scenario's word for it; a file without one has a periodic box or none. */
-    private fun boundary(): String {
-        val given = input.scenario?.boundary
-        return when {
-            given != null -> word(given)
-            (0..2).any { last.boundary.hasImages(it) } -> "periodic"
-            else -> "open; the box is where the spheres are"
-        }
+    /** Of a file without a scenario, which has a periodic box or none; a scenario says it with its values. */
+    private fun boundary(): String? = when {
+        input.scenario != null -> null
+        (0..2).any { last.boundary.hasImages(it) } -> "periodic"
+        else -> "open; the box is where the spheres are"
     }
 
     private fun scenario(): List<Pair<String, String>> {
         val scenario = input.scenario ?: return emptyList()
-        val speed = "speed ${short(scenario.units.speedInCmPerSecond)} cm/s"
-        val units = "units" to speed + (scenario.units.lengthInMetres?.let { ", length ${short(it)} m" } ?: "")
+        val units = "units" to units(scenario.units)
         val program = input.directory?.program
         if (program != null && Files.exists(program)) {
             // The scenario was given for space, time and units only.
-            return listOf("restitution, forces" to "of ${ProgramRecord.read(program)}", units)
+            val boundary = "boundary" to scenario.boundary.inWords({ short(it) }, { short(it) })
+            return listOf(boundary, "restitution, forces" to "of ${ProgramRecord.read(program)}", units)
         }
-        return listOf(
-            "seed" to "${scenario.seed}",
-            "restitution" to word(scenario.restitution),
-            "forces" to scenario.forces.joinToString { word(it) }.ifEmpty { "none" },
-            units,
-        )
+        return ScenarioWords(scenario).rows() + units
+    }
+
+    /** Without a length nothing is known in SI units but speeds and, for what it is worth, masses. */
+    private fun units(units: UnitsSpec): String {
+        val length = units.lengthInMetres?.let { "${short(it)} m" } ?: "not given"
+        val time = units.timeInSeconds?.let { ", time ${short(it)} s" }.orEmpty()
+        return "speed ${short(units.speedInCmPerSecond)} cm/s, length $length, mass ${short(units.massInKg)} kg$time"
     }
 
     private fun states(): List<Pair<String, String>> {
@@ -86,8 +86,4 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     } else {
         listOf("summary" to "none yet: the run goes on or was interrupted")
     }
-
-    /** A part of the scenario in the scenario's spelling: `hill-sheet`. */
-    private fun word(part: Any): String =
-        part.javaClass.simpleName.replace(Regex("(?<=[a-z])(?=[A-Z])"), "-").lowercase()
 }

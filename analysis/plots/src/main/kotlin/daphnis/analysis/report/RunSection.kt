@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.core.scenario.TimeStepSpec
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -15,10 +16,13 @@ internal class RunSection(private val study: Study) : Section {
         val directory = input.directory ?: return
         if (Files.exists(directory.program)) return
         val run = directory.path
+        // A step ends where a run was to end first.
+        val isChosen = input.scenario?.timeStep is TimeStepSpec.Automatic
+        val unless = if (isChosen) ", unless the run was resumed to another end than it had at first" else ""
         page.paragraph(
             "To do it again, from the directory in which this report was made: the scenario as it was resolved is in " +
                 "the run directory; it gives the same state digest on any machine, with any engine and number of " +
-                "threads.",
+                "threads$unless.",
         )
         val again = quoted(besides(run))
         page.commands(

@@ -28,6 +28,9 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     /** Whether averages are over a time in which the run drifts. */
     val isDrifting: Boolean get() = numbers.isDrifting
 
+    /** Whether there are too few rows in that time to tell. */
+    val isUnjudged: Boolean get() = numbers.isUnjudged
+
     /** The rows of the table of numbers. */
     fun numbers(): List<NumberRow> = numbers.rows()
 

@@ -23,7 +23,7 @@ internal class SizeClassSection(private val study: Study) : Section {
     override val heading = "Sizes"
     override val over =
         "Particles by size, around the mean flow and the centre of mass of all. ${study.overAverages} " +
-            "By number. Bars are one standard error, from 16 states on."
+            "By number. ${Study.BARS}"
     override val leftOut get() = when {
         averages == null -> "all particles have one radius"
         filled.isEmpty() -> "too few particles"

@@ -10,8 +10,14 @@ import kotlin.math.abs
  *
  * @param unit what [duration] is one of, such as `orbit`
  * @param duration a length of time, by which drifts are given
+ * @param isCooling whether it never becomes steady, see [FreeCooling]
  */
-internal class SteadinessText(private val from: Double, private val unit: String, private val duration: Double) {
+internal class SteadinessText(
+    private val from: Double,
+    private val unit: String,
+    private val duration: Double,
+    private val isCooling: Boolean = false,
+) {
     /**
      * One sentence for each [history] that drifts, then one for those that do not, and one for those that are too short
      * to tell.
@@ -42,10 +48,10 @@ internal class SteadinessText(private val from: Double, private val unit: String
         val what = if (part < 0) "fell" else "rose"
         val each = percent(abs(part) * duration / (history.times.last() - history.times[first]))
         val mser = history.steadyFrom()
-        val advice = if (mser != null && mser > from) {
-            "by MSER-5 it is steady from time ${time(mser)} on (--from)"
-        } else {
-            "a longer run is needed"
+        val advice = when {
+            isCooling -> "nothing replaces the energy that collisions take, so a longer run is not steady either"
+            mser != null && mser > from -> "by MSER-5 it is steady from time ${time(mser)} on (--from)"
+            else -> "a longer run is needed"
         }
         return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged " +
             "($each per $unit), more than its fluctuations explain, so no ± is given; $advice."

@@ -5,6 +5,7 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Figures
 import daphnis.analysis.plot.PlotScale
+import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.UnitNames
 import daphnis.core.format.Snapshot
 import org.jetbrains.letsPlot.Figure
@@ -90,11 +91,16 @@ internal class Study(
         page.svg(Figures.write(figure, plots, name, Chart.WIDTH, height), alt, caption)
     }
 
-    private companion object {
+    companion object {
+        /** What bars on averages by bin are, see [BlockAverage]. */
+        const val BARS =
+            "Bars are one standard error; there is none where fewer than ${BlockAverage.FEWEST_NUMBERS} states tell " +
+                "something, or where they are worth fewer than eight independent ones."
+
         /** Particles below which averages over them mean nothing. */
-        const val FEWEST = 10
+        private const val FEWEST = 10
 
         /** Length of a patch over its width up to which it is compact. */
-        const val LONGEST = 20
+        private const val LONGEST = 20
     }
 }

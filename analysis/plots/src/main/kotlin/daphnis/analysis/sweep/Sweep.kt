@@ -58,9 +58,18 @@ public class Sweep @JvmOverloads constructor(
         /** How many runs have a number of [key] that is an average over a time in which they drift. */
         internal fun unsteady(key: String): Int = runs.count { run -> run.isUnsteady(key) }
 
+        /** How many runs have a number of [key] of which it cannot be told whether they drift. */
+        internal fun unjudged(key: String): Int = runs.count { run -> run.isUnjudged(key) }
+
         private fun SweepRun.isUnsteady(key: String) = numbers.any { it.key == key && !it.isSteady }
 
-        private fun SweepRun.said(key: String?) =
-            failure?.let { "failed: $it" } ?: remark ?: if (key != null && isUnsteady(key)) SweepRun.UNSTEADY else null
+        private fun SweepRun.isUnjudged(key: String) = numbers.any { it.key == key && !it.isJudged }
+
+        private fun SweepRun.said(key: String?) = failure?.let { "failed: $it" } ?: remark ?: when {
+            key == null -> null
+            isUnsteady(key) -> SweepRun.UNSTEADY
+            isUnjudged(key) -> SweepRun.UNJUDGED
+            else -> null
+        }
     }
 }

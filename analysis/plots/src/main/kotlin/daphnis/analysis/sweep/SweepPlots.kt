@@ -3,14 +3,17 @@ package daphnis.analysis.sweep
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.plot.Figures
+import daphnis.analysis.report.JsonWords
 import daphnis.analysis.report.ReportNumber
 import daphnis.analysis.table.UnitNames
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
 import org.jetbrains.letsPlot.intern.Plot
-import org.jetbrains.letsPlot.scale.scaleXContinuous
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.abs
+import kotlin.math.pow
 
 /**
  * Plots of the numbers of a [sweep] against the swept keys, with bars of one standard error. Needs no display.
@@ -35,16 +38,20 @@ public class SweepPlots(private val sweep: Sweep) {
     @Throws(IOException::class)
     public fun write(directory: Path): Int {
         var drawn = 0
-        for (axis in axes) {
-            for (quantity in sweep.quantities.filter { varies(it) }) {
-                val curves = curves(axis, quantity).filter { c -> c.y.count { it.isFinite() } > 1 }
-                if (curves.isEmpty()) continue
-                Files.createDirectories(directory)
-                Figures.write(plot(axis, quantity, curves), directory, name(axis, quantity), Chart.WIDTH, Chart.HEIGHT)
-                drawn++
-            }
+        for ((name, plot) in plots()) {
+            Files.createDirectories(directory)
+            Figures.write(plot, directory, name, Chart.WIDTH, Chart.HEIGHT)
+            drawn++
         }
         return drawn
+    }
+
+    /** The plots with their names, each made when it is asked for. */
+    internal fun plots(): Sequence<Pair<String, Plot>> = axes.asSequence().flatMap { axis ->
+        sweep.quantities.asSequence().filter { varies(it) }.mapNotNull { quantity ->
+            val curves = curves(axis, quantity).filter { c -> c.y.count { it.isFinite() } > 1 }
+            if (curves.isEmpty()) null else name(axis, quantity) to plot(axis, quantity, curves)
+        }
     }
 
     /** Whether the numbers of runs differ by more than round-off. */
@@ -63,10 +70,25 @@ public class SweepPlots(private val sweep: Sweep) {
         val x = curves.flatMap { it.x.asList() }
         val isWide = isNumeric(axis) && x.min() > 0 && x.max() > WIDE * x.min()
         val label = UnitNames.axis(quantity.name, quantity.unit)
-        val plot = Chart.lines(curves, sweep.labels[axis], label, logX = isWide)
-        if (isNumeric(axis)) return plot
-        val values = values(axis)
-        return plot + scaleXContinuous(breaks = values.indices.map { it.toDouble() }, labels = values.map { short(it) })
+        // A line through two points tells nothing that they do not, and between values that are no numbers is nothing.
+        val isJoined = isNumeric(axis) && x.distinct().size > 2
+        val named = if (isNumeric(axis)) null else NamedPlaces(sweep.labels[axis], values(axis).map { short(it) })
+        val across = named?.label ?: sweep.labels[axis]
+        val plot = Chart.lines(aside(curves, isWide), across, label, logX = isWide, joined = isJoined)
+        return if (named == null) plot else plot + named.scale()
+    }
+
+    /** [curves] beside each other by less than a point is wide, so that the bars of one do not hide those of another. */
+    private fun aside(curves: List<Curve>, isWide: Boolean): List<Curve> {
+        if (curves.size == 1) return curves
+        val x = curves.flatMap { it.x.asList() }
+        return curves.mapIndexed { k, curve ->
+            val part = ASIDE * (k - (curves.size - 1) / 2.0)
+            val moved = DoubleArray(curve.x.size) {
+                if (isWide) curve.x[it] * (x.max() / x.min()).pow(part) else curve.x[it] + part * (x.max() - x.min())
+            }
+            Curve(curve.name, moved, curve.y, curve.error)
+        }
     }
 
     private fun isNumeric(axis: Int) = places(axis).all { it.isFinite() }
@@ -93,12 +115,25 @@ public class SweepPlots(private val sweep: Sweep) {
         }
     }
 
-    private fun short(value: String) = if (value.length <= LONGEST) value else value.take(LONGEST - 1) + "…"
+    /** A value in a legend or at an axis; one that is an object is in words. */
+    private fun short(value: String): String {
+        val words = words(value)
+        return if (words.length <= LONGEST) words else words.take(LONGEST - 1) + "…"
+    }
+
+    private fun words(value: String): String = try {
+        if (value.startsWith("{")) JsonWords.text(Json.parseToJsonElement(value)) else value
+    } catch (e: SerializationException) {
+        value
+    }
 
     private companion object {
         /** Ratio of the largest to the smallest value from which an axis is logarithmic. */
         const val WIDE = 20.0
-        const val LONGEST = 24
+        const val LONGEST = 40
+
+        /** How far curves are beside each other, as a part of the axis. */
+        const val ASIDE = 0.006
 
         /** Relative difference that is no difference. */
         const val ROUNDING = 1e-12

@@ -24,7 +24,20 @@ public class SweepRun @JvmOverloads constructor(
     /** Whether all its averages are over a time in which it does not drift. */
     public val isSteady: Boolean get() = numbers.all { it.isSteady }
 
+    /** Whether it can be told of all its averages. */
+    internal val isJudged: Boolean get() = numbers.all { it.isJudged }
+
+    /** What is to be said of its averages; null for nothing. */
+    internal val ofSteadiness: String? get() = if (!isSteady) {
+        UNSTEADY
+    } else if (!isJudged) {
+        UNJUDGED
+    } else {
+        null
+    }
+
     internal companion object {
         const val UNSTEADY = "not steady over the time averaged"
+        const val UNJUDGED = "not known to be steady: too few rows in the time averaged"
     }
 }

@@ -32,7 +32,7 @@ public class SweepTables(private val sweep: Sweep) {
     public fun writeRuns(path: Path) {
         val rows = sweep.runs.map { run ->
             val numbers = sweep.quantities.map { q -> text(run.numbers.find { it.key == q.key }?.value ?: Double.NaN) }
-            val remark = run.failure?.let { "failed: $it" } ?: run.remark ?: if (run.isSteady) "" else SweepRun.UNSTEADY
+            val remark = run.failure?.let { "failed: $it" } ?: run.remark ?: run.ofSteadiness.orEmpty()
             listOf(run.name) + run.values + "${run.seed}" + numbers + remark
         }
         val names = sweep.quantities.map { if (it.unit.isEmpty()) it.key else "${it.key} [${it.unit}]" }

@@ -3,6 +3,7 @@ package daphnis.analysis.sweep
 import daphnis.analysis.report.ReportNumber
 import daphnis.analysis.report.ReportText
 import daphnis.analysis.statistics.SampleMean
+import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.table.UnitNames
 import java.util.Locale
 
@@ -23,7 +24,7 @@ public class SweepText(private val sweep: Sweep) {
             val shown = sweep.points.map { listOf(label(it)) + quantities.map { q -> cell(it, q) } }
             for (block in blocks(shown, columns)) parts += table(listOf(listOf(corner()) + names) + block)
         }
-        val notes = listOfNotNull(meaning(), zeros(), unsteady()) + incomplete() + failures()
+        val notes = listOfNotNull(meaning(), zeros(), unsteady(), unjudged()) + incomplete() + failures()
         if (notes.isNotEmpty()) parts += notes.joinToString("\n")
         return parts.joinToString("\n\n")
     }
@@ -44,7 +45,14 @@ public class SweepText(private val sweep: Sweep) {
     private fun cell(point: Sweep.Point, q: ReportNumber): String {
         val m = point.mean(q.key)
         if (m.count == 0) return "–"
-        val text = ReportText.withError(m.mean, m.error) + if (point.unsteady(q.key) > 0) MARK else ""
+        val mark = if (point.unsteady(q.key) > 0) {
+            MARK
+        } else if (point.unjudged(q.key) > 0) {
+            UNJUDGED_MARK
+        } else {
+            ""
+        }
+        val text = ReportText.withError(m.mean, m.error) + mark
         return if (m.count == most) text else "$text (n = ${m.count})"
     }
 
@@ -98,6 +106,13 @@ public class SweepText(private val sweep: Sweep) {
             "all of them may be off to the same side."
     }
 
+    private fun unjudged(): String? {
+        val short = sweep.runs.count { it.failure == null && !it.isJudged }
+        if (short == 0) return null
+        return "?: ${SweepRun.UNJUDGED}, in $short of ${ReportText.count(sweep.runs.size, "run")}; " +
+            "it takes ${Steadiness.FEWEST} in each (output.seriesEvery or transportEvery)."
+    }
+
     /** Remarks on runs that are finished, each once. */
     private fun incomplete(): List<String> =
         sweep.runs.filter { it.failure == null && it.remark != null }.groupBy { it.remark }.map { (remark, runs) ->
@@ -112,5 +127,8 @@ public class SweepText(private val sweep: Sweep) {
 
         /** Behind a mean over runs of which one at least is not steady. */
         const val MARK = " !"
+
+        /** Behind one over runs of which none is seen to drift, but one at least has too few rows to tell. */
+        const val UNJUDGED_MARK = " ?"
     }
 }

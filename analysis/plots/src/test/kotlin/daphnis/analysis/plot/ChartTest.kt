@@ -2,6 +2,7 @@ package daphnis.analysis.plot
 
 import org.jetbrains.letsPlot.intern.toSpec
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class ChartTest {
@@ -18,6 +19,17 @@ class ChartTest {
         assertEquals("autocorrelation A", fill["name"])
         assertEquals(0.0, fill["midpoint"])
         return fill["limits"] as List<*>
+    }
+
+    @Test
+    fun `a logarithmic axis ends a little beyond its points`() {
+        val curve = Curve("a", doubleArrayOf(0.5, 1.0, 8.0), doubleArrayOf(1.0, 2.0, 3.0), DoubleArray(3) { 0.1 })
+        val spec = Chart.lines(listOf(curve), "x", "y", logX = true).toSpec()
+        val x = (spec["scales"] as List<*>).map {
+            it as Map<*, *>
+        }.single { it["aesthetic"] == "x" && "limits" in it }
+        val (low, high) = (x["limits"] as List<*>).map { it as Double }
+        assertTrue(low in 0.4..0.499 && high in 8.01..10.0) { "$low to $high" }
     }
 
     @Test

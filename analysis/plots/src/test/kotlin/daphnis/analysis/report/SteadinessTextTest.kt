@@ -54,6 +54,21 @@ class SteadinessTextTest {
     }
 
     @Test
+    fun `a gas that cools for ever is not told to run longer, nor to look later`() {
+        val falls = history("temperature") { k -> if (k < 200) 2 - k / 200.0 else 1.0 }
+        for (one in listOf(falls, history("temperature") { k -> 2 - k / 400.0 })) {
+            val said = SteadinessText(20.0, "unit of time", 1.0, isCooling = true).of(listOf(one)).single()
+            assertTrue(
+                said.endsWith(
+                    "nothing replaces the energy that collisions take, so a longer run is not steady either.",
+                ),
+            ) {
+                said
+            }
+        }
+    }
+
+    @Test
     fun `where averages begin late it says when, in orbits too`() {
         val said = SteadinessText(25.0, "orbit", 10.0).found()
         assertEquals("The run became steady at time 25 (2.50 orbits), by MSER-5; averages begin there.", said)

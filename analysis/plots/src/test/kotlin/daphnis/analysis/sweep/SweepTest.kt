@@ -2,6 +2,7 @@ package daphnis.analysis.sweep
 
 import daphnis.analysis.report.ReportNumber
 import daphnis.core.initial.SeededRandom
+import org.jetbrains.letsPlot.intern.toSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -159,6 +160,66 @@ class SweepTest {
         assertTrue(means[3].endsWith(",3,")) { means[3] }
         val runs = written { SweepTables(sweep).writeRuns(it) }
         assertTrue(runs[2].endsWith(",not steady over the time averaged") && runs[3].endsWith(",")) { "$runs" }
+    }
+
+    @Test
+    fun `averages of runs that are too short to be judged say so, and those that drift come first`() {
+        fun run(seed: Long) = SweepRun(
+            "$seed",
+            emptyList(),
+            seed,
+            listOf(
+                ReportNumber("a", "a", "", seed * 1.0, isSteady = seed > 1, isJudged = seed != 2L),
+                ReportNumber("b", "b", "", seed * 1.0, isSteady = true, isJudged = seed != 2L),
+                number(seed * 2.0, "count"),
+            ),
+        )
+        val sweep = Sweep(emptyList(), (1L..3).map { run(it) })
+        val text = SweepText(sweep).text(80)
+        assertEquals(
+            listOf(" !", " ?", ".2"),
+            text.lines().filter { "±" in it && it.startsWith("|") }.map { row ->
+                row.removeSuffix(" |").takeLast(2)
+            },
+        ) { text }
+        assertTrue(
+            "?: not known to be steady: too few rows in the time averaged, in 1 of 3 runs; it takes 24" in text,
+        ) {
+            text
+        }
+        val means = written { SweepTables(sweep).writeMeans(it) }
+        assertTrue(means[2].endsWith(",seed 2 not known to be steady: too few rows in the time averaged")) { means[2] }
+        assertTrue(means[3].endsWith(",3,")) { means[3] }
+        val runs = written { SweepTables(sweep).writeRuns(it) }
+        assertTrue(runs[2].endsWith(",not known to be steady: too few rows in the time averaged")) { runs[2] }
+    }
+
+    @Test
+    fun `two points are not joined by a line, and three only along numbers`() {
+        fun lines(vararg values: String): Boolean {
+            val runs = values.flatMap { a -> (1L..2).map { run(listOf(a), it, it + a.length * 1.0) } }
+            val spec = SweepPlots(Sweep(listOf("a"), runs)).plots().single().second.toSpec()
+            return "line" in (spec["layers"] as List<*>).map { (it as Map<*, *>)["geom"] }
+        }
+        assertFalse(lines("1", "20"))
+        assertTrue(lines("1", "20", "300"))
+        assertFalse(lines("[1]", "[2,1]", "[1,3,1]"))
+    }
+
+    @Test
+    fun `an object as a value stands at the axis in words, or below it by number where words have no room`() {
+        fun texts(values: List<String>): String {
+            SweepPlots(Sweep(listOf("law"), values.map { run(listOf(it), 1, it.length * 1.0) })).write(folder)
+            return Files.readString(folder.resolve("depth.svg")).replace(Regex("\\s+"), " ")
+        }
+        val short = listOf("{\"type\":\"bridges\"}", "{\"type\":\"borderies\"}")
+        assertTrue(texts(short).let { "> bridges <" in it && "> borderies <" in it && "(1)" !in it })
+        val four =
+            listOf(short[0], "{\"type\":\"bridges\",\"prefactor\":0.3}") +
+                listOf("{\"type\":\"borderies\",\"criticalSpeed\":0.1}", "{\"type\":\"none")
+        val svg = texts(four)
+        assertTrue("> (4) <" in svg && "(2) bridges, prefactor 0.3" in svg && "(3) borderies, criticalSpeed 0.1" in svg)
+        assertTrue("(4) {&quot;type" in svg) { "what is malformed stays as it is" }
     }
 
     @Test

@@ -16,7 +16,7 @@ import daphnis.core.step.PreparedStep
  * @param numbers how many groups there are
  */
 internal class CollisionGroup(
-    prepared: PreparedStep,
+    private val prepared: PreparedStep,
     private val space: EpochSpace,
     private val calendar: PairCalendar,
     places: SlotPlaces,
@@ -40,7 +40,7 @@ internal class CollisionGroup(
     /** Spheres that have become roamers in this step, of which only this group knows yet. */
     val newRoamers = Roamers(frame, lines)
     val sight = Sight(lines, space.before, space.shares)
-    val search = LineSearch(frame, cells, space.roamers, newRoamers, sight, this)
+    val search = LineSearch(frame, cells, space.roamers, space.giants, newRoamers, sight, this)
     val bodies = EpochBodies(places)
     val impact = EpochImpact(prepared, bodies, this)
     val trails = Trails(frame, cells, number)
@@ -73,7 +73,7 @@ internal class CollisionGroup(
     /** Begins an epoch, in which [filter] dismisses lines. */
     fun beginEpoch(filter: LineFilter) {
         lastVersion = 0
-        newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest)
+        newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         search.begin(filter)
         rest()
     }
@@ -92,7 +92,7 @@ internal class CollisionGroup(
         compared = 0
         bodies.begin(population, order, frame.duration, tracks)
         crossings.clear()
-        if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest)
+        if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         if (!keepsPaths) return
         trails.begin()
         paths.begin()
@@ -143,11 +143,33 @@ internal class CollisionGroup(
         calendar.file(step, i, j, code, lines.version[i], sight.of(j).version[j])
     }
 
-    /** Queues the collision of two spheres if they touch in the present step; if not, files them under a later one. */
+    /**
+     * Queues the collision of two spheres if they touch in the present step; if not, files them under a later one. A
+     * sphere with itself stands for the sphere and the walls.
+     */
     fun ask(i: Int, j: Int, code: Int) {
+        if (i == j) return askWalls(i)
         val time = contact(i, j, code, lines)
         if (time > frame.duration) return
         bodies.queue.add(time, bodies.placeOf(i), bodies.placeOf(j), lines.spheresImage(code, i, lines, j))
+    }
+
+    private fun askWalls(slot: Int) {
+        prepared.queueWalls(bodies.rows, bodies.placeOf(slot), bodies.queue)
+        val next = frame.step + 1
+        if (next == frame.steps) return
+        val due = maxOf(frame.stepAt(lines.touchWall(slot, next * frame.duration)), next)
+        if (due < frame.steps) file(due, slot, slot, 0)
+    }
+
+    /** Finds out when the sphere in [slot] may touch a wall, from time [from] on. */
+    fun lookAtWalls(slot: Int, from: Double) {
+        val due = frame.stepAt(lines.touchWall(slot, from))
+        if (due > frame.step || !isUnderWay) {
+            if (due < frame.steps) file(maxOf(due, frame.step), slot, slot, 0)
+        } else {
+            askWalls(slot)
+        }
     }
 
     /** Whether two spheres touch in the present step if they keep the lines they had when it began; files as [ask]. */
@@ -241,7 +263,7 @@ internal class CollisionGroup(
             if (cells.holds(slot, from)) return true
         }
         lines.moveBack(slot, cells.imageInBox(lines, slot))
-        if (sight.group == Sight.ALL) space.roamers.add(slot) else newRoamers.add(slot)
+        if (sight.group == Sight.ALL) space.addRoamer(slot, isFinal = !keepsPaths) else newRoamers.add(slot)
         return false
     }
 
@@ -250,6 +272,7 @@ internal class CollisionGroup(
         val local = bodies.rows.state[place * StepRows.STRIDE + StepRows.TIME]
         sight.hasMetOthers = false
         search.around(slot, frame.stepStart + local, except)
+        if (frame.hasWalls) lookAtWalls(slot, frame.stepStart + local)
         if (keepsPaths) {
             val piece = paths.pieceOf(place)
             if (sight.hasMetOthers) trails.open(piece)

@@ -52,7 +52,6 @@ internal class Epoch(
     private val frame = space.frame
     private val lines = space.lines
     private val cells = space.cells
-    private val roamers = space.roamers
 
     /** One for each group; the first is also that of [whole]. */
     private val calendars = List(loop.workers) { PairCalendar(lines) }
@@ -66,10 +65,12 @@ internal class Epoch(
     val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop, isPatient = isEager)
 
     /** By worker. */
-    private val searches = if (groups.isEmpty()) listOf(whole.search) else groups.map { it.search }
+    private val workers = groups.ifEmpty { listOf(whole) }
+    private val searches = workers.map { it.search }
     private val passage = Passage(space, loop)
 
     private val plan = EpochPlan(loop.workers)
+    private val sizes = MemberSizes()
     private var filter: LineFilter = ScalarFilter
 
     private var spheres = 0
@@ -92,6 +93,10 @@ internal class Epoch(
 
     /** Spheres that were found off their lines since the start. */
     var strays = 0L
+        private set
+
+    /** Spheres that were too large for cells, at the starts of epochs, since the start. */
+    var giants = 0L
         private set
 
     /** The next step begins a new epoch. */
@@ -153,6 +158,7 @@ internal class Epoch(
     private fun layOut(step: CollisionStep, fixed: HorizonTuning?): Boolean {
         frame.takeOver(step, prepared.reach, loop)
         cells.measure(step.population)
+        frame.memberRadius = sizes.choose(step.population, frame, cells.rms)
         filter = filters.choose(step.population.size)
         val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter) ?: return false
         if (!frame.begin(tuning)) return false
@@ -169,7 +175,8 @@ internal class Epoch(
         for (calendar in calendars) calendar.begin(frame.steps)
         passage.first(population, cells, columns)
         space.settle(spheres)
-        roamers.begin(spheres, cells.fastest)
+        space.roamers.begin(spheres, cells.fastest, frame.memberRadius)
+        space.giants.begin(spheres, cells.fastest, frame.largestRadius)
         wholePlaces.reserve(spheres)
         if (groups.isNotEmpty()) shared.divide(spheres)
         whole.beginEpoch(filter)
@@ -179,16 +186,20 @@ internal class Epoch(
     /** The epoch ends before the present step. */
     private fun ended(isBroken: Boolean) {
         val sphereSteps = spheres.toDouble() * frame.step
-        plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, isBroken)
+        val listed = searches.sumOf { it.listed }
+        plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, listed / sphereSteps, isBroken)
     }
 
     private fun searchAll() {
         loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
         plan.searched(searches.sumOf { it.tested }.toDouble() / spheres)
-        for (slot in cells.members until spheres) roamers.add(slot)
+        for (slot in cells.members until spheres) space.addRoamer(slot, isFinal = true)
+        giants += space.giants.size
         loop.run(spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
             for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
         }
+        if (!frame.hasWalls) return
+        loop.run(spheres) { worker, from, to -> for (slot in from until to) workers[worker].lookAtWalls(slot, 0.0) }
     }
 
     private fun searchChanged(population: Population) {
@@ -204,7 +215,10 @@ internal class Epoch(
         }
         if (lines.isLost) return
         loop.run(passage.changed, SEARCHES_A_PIECE) { worker, from, to ->
-            for (k in from until to) searches[worker].around(passage.slots[k], t, NOBODY)
+            for (k in from until to) {
+                searches[worker].around(passage.slots[k], t, NOBODY)
+                if (frame.hasWalls) workers[worker].lookAtWalls(passage.slots[k], t)
+            }
         }
     }
 

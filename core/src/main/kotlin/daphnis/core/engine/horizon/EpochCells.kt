@@ -15,8 +15,8 @@ import kotlin.math.sqrt
  * spheres are at the start would need twice as much. Along rows, velocities are relative to the mean flow of the layer.
  *
  * Spheres in cells are **members**: at each moment from its last change on, the line of a member is within [reach] of
- * its cell ([holds]), which moves with the flow of its layer. A sphere that is too fast, or was thrown out of its
- * place by a collision, is a roamer instead.
+ * its cell ([holds]), which moves with the flow of its layer. A sphere that is too fast, too large, or was thrown out of
+ * its place by a collision, is a roamer instead.
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */
@@ -119,7 +119,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private fun layOut(spheres: Int, tuning: HorizonTuning) {
         for (k in 0 until AXES) bound[k] = tuning.classBound * rmsAtLeast(k)
         for (k in 0 until AXES) {
-            val range = 2 * (2 * frame.largestRadius + frame.inflation + bound[k] * frame.middle)
+            val range = 2 * (2 * frame.memberRadius + frame.inflation + bound[k] * frame.middle)
             val perRange = if (k == 0) tuning.cellsAlong else tuning.cellsAcross
             count[k] = (frame.length[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
         }
@@ -167,7 +167,10 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
             val m0 = p0[i] + v0[i] * t - if (frame.slides) slow * frame.offset(t) else 0.0
             val row = boxes(m0, 0)
             val c2 = cellAt(m2 - slow * frame.length[2], 2)
-            val isMember = abs(along - flow[c2]) <= bound[0] && abs(v1[i]) <= bound[1] && abs(v2[i]) <= bound[2]
+            val isMember = abs(along - flow[c2]) <= bound[0] &&
+                abs(v1[i]) <= bound[1] &&
+                abs(v2[i]) <= bound[2] &&
+                spheres.radius[i] <= frame.memberRadius
             val c1 = cellAt(m1 - middle * frame.length[1], 1)
             val c0 = cellAt(m0 - row * frame.length[0], 0)
             val c = if (isMember) (c2 * count[1] + c1) * count[0] + c0 else cells

@@ -12,6 +12,7 @@ import kotlin.math.sqrt
  * @param deviation see [HorizonTuning]
  * @param filter by which searches dismiss lines
  * @param threads that share the work
+ * @param roamers entries of roamers looked at per sphere and step
  * @param entanglement how many times as much work [joining] is as it says
  */
 internal class EpochCost(
@@ -24,9 +25,10 @@ internal class EpochCost(
     private val deviation: Double,
     private val filter: LineFilter,
     private val threads: Int,
+    private val roamers: Double,
     private val entanglement: Double,
 ) {
-    private val radius = frame.largestRadius
+    private val radius = frame.memberRadius
     private val dt = frame.duration
 
     /** Extents along row axis, middle axis and slow axis; a layer without extent is as thick as its spheres. */
@@ -64,7 +66,7 @@ internal class EpochCost(
         val all = filter.perRun * rows + filter.perLine * tests
         val ahead = SEARCH + all / 2
         val around = SEARCH + ROAMERS + FAR * all
-        val impacts = collisions * (COLLISION + LINES) + (2 * collisions + strays) * around
+        val impacts = collisions * (COLLISION + LINES) + (2 * collisions + strays) * around + ROAMER * roamers
         val byGroups = impacts * GROUPS / threads + entanglement * joining(this.collisions)
         sharesCollisions = threads > 1 && byGroups < impacts
         return (PASS + (EPOCH + ahead) / steps) / threads + SORT / steps + if (sharesCollisions) byGroups else impacts
@@ -76,7 +78,8 @@ internal class EpochCost(
      */
     fun joining(collisions: Double): Double {
         val borders = threads * 2 * radius / maxOf(length[1], length[2])
-        return JOINING * borders * collisions * collisions * collisions
+        val clustering = maxOf(collisions, FEW_COLLISIONS)
+        return JOINING * borders * collisions * clustering * clustering
     }
 
     /** In steps that are not part of an epoch. */
@@ -109,6 +112,7 @@ internal class EpochCost(
 
         /** Fitted to gases at filling factors of 0.1 and 0.3, 0.05 to 0.5 collisions per sphere, on two threads. */
         private const val JOINING = 2.3e5
+        private const val FEW_COLLISIONS = 0.05
         private const val AXES = 3
         private const val MOST_FILLING = 0.6
 
@@ -123,6 +127,7 @@ internal class EpochCost(
         /** For searches all over memory, in units of searches one after the other. */
         private const val FAR = 1.6
         private const val ROAMERS = 50.0
+        private const val ROAMER = 6.0
         private const val COLLISION = 250.0
 
         /** What an epoch does more at a collision: two lines are drawn, and pairs filed. */

@@ -24,6 +24,13 @@ internal class EpochFrame {
     val low = DoubleArray(AXES)
     val length = DoubleArray(AXES)
 
+    /** Whether there is any wall; then whether at the faces across x, y, z, and where these are. */
+    var hasWalls = false
+        private set
+    val isWalled = BooleanArray(AXES)
+    val lowerFace = DoubleArray(AXES)
+    val upperFace = DoubleArray(AXES)
+
     /** Images as they are at the start of the epoch. */
     val images = Images()
 
@@ -46,6 +53,13 @@ internal class EpochFrame {
     val stepStart: Double get() = step * duration
     var largestRadius = 0.0
         private set
+
+    /** Spheres that are larger have no cell; see [MemberSizes]. */
+    var memberRadius = 0.0
+
+    /** With a smaller [memberRadius] floats would be too coarse for lines. */
+    val leastMemberRadius: Double
+        get() = ROOM_FOR_WAYS * ROOM * FLOAT / MOST_ROUNDING * (0 until AXES).maxOf { farthestIn(it) }
 
     /** How far the path of a sphere may be from its line. */
     var deviation = 0.0
@@ -78,6 +92,7 @@ internal class EpochFrame {
         boundary = step.boundary
         duration = step.duration
         largestRadius = reach.largestRadius
+        memberRadius = largestRadius
         layOutAxes(step, loop)
         reach.measured.fastest.copyInto(speed)
     }
@@ -85,18 +100,17 @@ internal class EpochFrame {
     /**
      * Begins an epoch that is laid out by [tuning].
      *
-     * @return false when lines cannot be used: there are walls, images are too near or too far, or numbers are too far
+     * @return false when lines cannot be used: images are too near or too far, or numbers are too far
      *   apart for floats
      */
     fun begin(tuning: HorizonTuning): Boolean {
-        if ((0 until AXES).any { boundary!!.contactFaces(it) == ContactFaces.WALL }) return false
         steps = tuning.steps
         end = steps * duration
         middle = end / 2
         var span = 0.0
         for (k in 0 until AXES) {
             val way = speed[axes[k]] * end
-            span = maxOf(span, maxOf(abs(low[k]), abs(low[k] + length[k])) + way)
+            span = maxOf(span, farthestIn(k) + way)
             if (isPeriodic[k] && (length[k] < LEAST_BOX * largestRadius || way > MOST_BOXES * length[k])) return false
         }
         if (slides && abs(images.shearVelocity) * end > MOST_BOXES * length[0]) return false
@@ -105,15 +119,23 @@ internal class EpochFrame {
             fastest[axes[k]] = minOf(farthest, if (isPeriodic[k]) 2 * MOST_BOXES * length[k] else farthest) / end
         }
         rounding = farthest * FLOAT
-        deviation = maxOf(tuning.deviation * largestRadius, 2 * rounding)
-        inflation = 2 * deviation + 8 * rounding + LEAST_INFLATION * largestRadius
-        return rounding < MOST_ROUNDING * largestRadius && isComputable()
+        deviation = maxOf(tuning.deviation * memberRadius, 2 * rounding)
+        inflation = 2 * deviation + 8 * rounding + LEAST_INFLATION * memberRadius
+        return rounding < MOST_ROUNDING * memberRadius && isComputable()
     }
+
+    private fun farthestIn(k: Int): Double = maxOf(abs(low[k]), abs(low[k] + length[k]))
 
     private fun layOutAxes(step: CollisionStep, loop: RangeLoop) {
         val boundary = step.boundary
         val flow = boundary.meanFlow
         images.prepare(boundary, step.start)
+        for (axis in 0 until AXES) {
+            isWalled[axis] = boundary.contactFaces(axis) == ContactFaces.WALL
+            lowerFace[axis] = boundary.box.lower(axis)
+            upperFace[axis] = boundary.box.upper(axis)
+        }
+        hasWalls = isWalled.any { it }
         axes[0] = boundary.shear?.slideAxis ?: flow?.flowAxis ?: 0
         axes[2] = boundary.shear?.normalAxis ?: flow?.normalAxis ?: 1
         axes[1] = AXES - axes[0] - axes[2]
@@ -132,12 +154,11 @@ internal class EpochFrame {
     }
 
     /** Whether squares of lengths times speeds are within the range of floats, with room on either side. */
-    private fun isComputable(): Boolean {
-        val rate = largestRadius / end * largestRadius
-        return largestRadius in 1 / MOST_RADIUS..MOST_RADIUS &&
-            rate in LEAST_RATE..MOST_RATE &&
-            farthest <= MOST_RADII * largestRadius
-    }
+    private fun isComputable(): Boolean = memberRadius >= 1 / MOST_RADIUS &&
+        largestRadius <= MOST_RADIUS &&
+        memberRadius / end * memberRadius >= LEAST_RATE &&
+        largestRadius / end * largestRadius <= MOST_RATE &&
+        farthest <= MOST_RADII * memberRadius
 
     /**
      * Whether [next], whose images are [now], can be the present step of this epoch.
@@ -182,5 +203,8 @@ internal class EpochFrame {
         const val MOST_RATE = 1e6
         const val MOST_RADII = 1e6
         const val TIME_SLACK = 1e-6
+
+        /** Of [leastMemberRadius], for how far spheres go in an epoch. */
+        const val ROOM_FOR_WAYS = 1.5
     }
 }

@@ -8,7 +8,7 @@ internal class EpochImpact(prepared: PreparedStep, private val bodies: EpochBodi
     Impact(prepared, bodies.rows, bodies.queue) {
     /** The rest of the epoch. */
     interface Course {
-        /** The spheres at the places [first] and [second] have met. */
+        /** The spheres at the places [first] and [second] have met; they are the same where one has met a wall. */
         fun met(first: Int, second: Int)
 
         /** The sphere at [place], in [slot], has another path from its local time on. */
@@ -25,9 +25,9 @@ internal class EpochImpact(prepared: PreparedStep, private val bodies: EpochBodi
     override fun slotOf(place: Int): Int = bodies.slotOf(place)
 
     override fun changed(first: Int, second: Int, time: Double) {
-        course.met(first, second)
+        course.met(first, if (second < 0) first else second)
         course.bend(bodies.slotOf(first), first)
-        course.bend(bodies.slotOf(second), second)
+        if (second >= 0) course.bend(bodies.slotOf(second), second)
     }
 
     override fun outrun(first: Int, second: Int): Boolean {

@@ -26,6 +26,9 @@ internal class EpochPlan(private val threads: Int) {
     private var mostSteps = LONGEST
     private var calm = 0
 
+    /** Entries of roamers that searches of the last epoch looked at, per sphere and step. */
+    private var roamers = 0.0
+
     /** How many times as much work it is to join what groups have done as [EpochCost.joining] has it. */
     private var entanglement = 1.0
 
@@ -54,7 +57,19 @@ internal class EpochPlan(private val threads: Int) {
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter): HorizonTuning? {
         val deviation = DEVIATIONS[level]
         val cost =
-            EpochCost(spheres, frame, cells, crowding, collisions, strays, deviation, filter, threads, entanglement)
+            EpochCost(
+                spheres,
+                frame,
+                cells,
+                crowding,
+                collisions,
+                strays,
+                deviation,
+                filter,
+                threads,
+                roamers,
+                entanglement,
+            )
         this.cost = cost
         var least = WORTH * cost.otherwise()
         // Only groups that share collisions can tell whether they are less entangled now.
@@ -80,6 +95,7 @@ internal class EpochPlan(private val threads: Int) {
         }
         if (bestSteps > 0) return HorizonTuning(bestSteps, CLASS_BOUND, deviation, bestAlong, bestAcross)
         rest = REST
+        roamers *= CALMING
         return null
     }
 
@@ -106,11 +122,13 @@ internal class EpochPlan(private val threads: Int) {
     }
 
     /**
-     * Told that an epoch has ended after [steps] steps with so many [collisions] and [strays] per sphere and step.
+     * Told that an epoch has ended after [steps] steps with so many [collisions], [strays] and entries of [roamers]
+     * looked at, all per sphere and step.
      *
      * @param isBroken whether it ended early, since too many spheres had left their lines
      */
-    fun ended(steps: Int, collisions: Double, strays: Double, isBroken: Boolean) {
+    fun ended(steps: Int, collisions: Double, strays: Double, roamers: Double, isBroken: Boolean) {
+        this.roamers = roamers
         this.collisions = collisions
         this.strays = if (isBroken) 0.0 else strays
         if (isBroken || strays > MOST_STRAYS) {
@@ -148,9 +166,9 @@ internal class EpochPlan(private val threads: Int) {
         const val LEAST_CROWDING = 0.2
         const val MOST_CROWDING = 100.0
         const val LEAST_ENTANGLEMENT = 0.2
-        const val MOST_ENTANGLEMENT = 100.0
+        const val MOST_ENTANGLEMENT = 1e6
 
-        /** The part of its value to which the entanglement may fall in a step, or while groups are not asked. */
+        /** The part to which what was bad for an epoch, or for groups, may fall in a step, or while it is not tried. */
         const val CALMING = 0.95
     }
 }

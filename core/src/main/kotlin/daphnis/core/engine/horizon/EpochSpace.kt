@@ -11,6 +11,9 @@ internal class EpochSpace(private val loop: RangeLoop) {
     val before = Lines(frame)
     val cells = EpochCells(frame, lines, loop)
     val roamers = Roamers(frame, lines)
+
+    /** Roamers that are larger than any member. */
+    val giants = Roamers(frame, lines)
     val shares = Shares()
 
     /** Number of spheres. */
@@ -19,6 +22,12 @@ internal class EpochSpace(private val loop: RangeLoop) {
 
     /** Whether several groups process collisions. */
     val isShared: Boolean get() = loop.workers > 1
+
+    /** The sphere in [slot], whose line is new, has no cell. See [Roamers.add] about [isFinal]. */
+    fun addRoamer(slot: Int, isFinal: Boolean) {
+        val isGiant = lines.radius(slot) > frame.memberRadius
+        (if (isGiant) giants else roamers).add(slot, isFinal)
+    }
 
     /** The step begins with the lines that there are. */
     fun settle(spheres: Int) {

@@ -24,12 +24,17 @@ internal class GroupPaths {
     private var noted = 0L
     private var notedGuards = 0L
 
+    /** The reflections at walls: place of the sphere. */
+    private var bounces = IntArray(INITIAL)
+    private var bounceCount = 0
+
     /** Forgets all. */
     fun begin() {
         size = 0
         hitCount = 0
         noted = 0
         notedGuards = 0
+        bounceCount = 0
     }
 
     private fun reach(place: Int) {
@@ -50,7 +55,10 @@ internal class GroupPaths {
         this.piece[place] = piece
     }
 
-    /** The spheres at [first] and [second] have met, after which [counted] is what the group has counted. */
+    /**
+     * The spheres at [first] and [second] have met, after which [counted] is what the group has counted. The two are
+     * the same where a sphere has met a wall.
+     */
     fun met(first: Int, second: Int, counted: CollisionCounters) {
         reach(maxOf(first, second))
         val a = root(first)
@@ -61,12 +69,18 @@ internal class GroupPaths {
             ring[a] = ring[b]
             ring[b] = next
         }
+        if (first == second) bounced(first)
         if (counted.collisions == noted) return
         noted = counted.collisions
         if (hitCount == hits.size) growHits()
         hits[hitCount] = first
         guarded[hitCount++] = counted.guardActivations > notedGuards
         notedGuards = counted.guardActivations
+    }
+
+    private fun bounced(place: Int) {
+        if (bounceCount == bounces.size) bounces = bounces.copyOf(bounceCount * 2)
+        bounces[bounceCount++] = place
     }
 
     private fun root(place: Int): Int {
@@ -112,6 +126,7 @@ internal class GroupPaths {
             if (guarded[k]) counters.guardActivations++
             record?.addAll(from, k, k + 1)
         }
+        for (k in 0 until bounceCount) if (!isDropped[root(bounces[k])]) counters.wallCollisions++
     }
 
     private fun grow() {

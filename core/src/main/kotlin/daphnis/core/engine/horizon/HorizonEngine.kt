@@ -63,6 +63,9 @@ public class HorizonEngine internal constructor(
     /** Spheres that were found off their lines, at the starts of steps, since the start. */
     internal val strays: Long get() = epoch.strays
 
+    /** Spheres that were too large for cells, at the starts of epochs, since the start. */
+    internal val giants: Long get() = epoch.giants
+
     /** How threads have shared collisions. */
     internal val shared: SharedCollisions get() = epoch.shared
 

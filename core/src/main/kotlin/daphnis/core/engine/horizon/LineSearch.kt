@@ -6,6 +6,7 @@ import daphnis.core.search.SlotRuns
  * Finds the pairs of lines that come so near, from some time to the end of the epoch, that their spheres may touch.
  * Most candidates are dismissed by a [LineFilter], in floats.
  *
+ * @param giants roamers that are larger than any member
  * @param newRoamers spheres which a group has made roamers in the present step, of which nobody else knows yet
  * @param found is told of the pairs that are left, some of which are not near after all
  */
@@ -13,6 +14,7 @@ internal class LineSearch(
     private val frame: EpochFrame,
     private val cells: EpochCells,
     private val roamers: Roamers,
+    private val giants: Roamers,
     private val newRoamers: Roamers,
     private val sight: Sight,
     private val found: Found,
@@ -23,10 +25,12 @@ internal class LineSearch(
         fun pair(slot: Int, other: Int, code: Int, from: Double)
     }
 
-    /** Lines that were tested, and searches, since [begin]. */
+    /** Lines that were tested since [begin]. */
     var tested = 0L
         private set
-    var searches = 0L
+
+    /** Entries of roamers looked at since [begin]. */
+    var listed = 0L
         private set
 
     // Where the line is now and at the end along row axis, middle axis and slow axis, and how far beside it to look.
@@ -37,6 +41,7 @@ internal class LineSearch(
     private var there1 = 0.0
     private var there2 = 0.0
     private val margin = DoubleArray(AXES)
+    private var radius = 0.0
     private var filter: LineFilter = ScalarFilter
     private var spannedLayer = -1
     private var spannedBoxes = 0
@@ -45,6 +50,7 @@ internal class LineSearch(
     private var time = 0.0
     private val lines = sight.now
     private val look = RoamerLook(frame, roamers)
+    private val lookAtGiants = RoamerLook(frame, giants)
     private val lookAtNew = RoamerLook(frame, newRoamers)
     private val query = LineQuery(frame)
     private var hits = IntArray(INITIAL_HITS)
@@ -53,8 +59,8 @@ internal class LineSearch(
     fun begin(filter: LineFilter) {
         this.filter = filter
         tested = 0
-        searches = 0
-        for (k in 0 until AXES) margin[k] = 2 * frame.largestRadius + frame.inflation + cells.reach[k]
+        listed = 0
+        for (k in 0 until AXES) margin[k] = frame.memberRadius + frame.inflation + cells.reach[k]
     }
 
     /** Rows of cells, for [aheadOfRows]. */
@@ -97,7 +103,13 @@ internal class LineSearch(
     fun aheadOfRoamer(slot: Int) {
         aroundMembers(slot, 0.0, NOBODY)
         look.forEachNear(lines, slot, 0.0) { e, image ->
+            countListed()
             val other = roamers.slotOf(e)
+            if (other < slot) found.pair(slot, other, image, 0.0)
+        }
+        lookAtGiants.forEachNear(lines, slot, 0.0) { e, image ->
+            countListed()
+            val other = giants.slotOf(e)
             if (other < slot) found.pair(slot, other, image, 0.0)
         }
     }
@@ -114,12 +126,21 @@ internal class LineSearch(
     fun around(slot: Int, from: Double, except: Int) {
         aroundMembers(slot, from, except)
         look.forEachNear(lines, slot, from) { e, image ->
+            countListed()
             val other = roamers.slotOf(e)
             if (other != slot && other != except && roamers.isPresent(e, sight.of(other))) {
                 found.pair(slot, other, image, from)
             }
         }
+        lookAtGiants.forEachNear(lines, slot, from) { e, image ->
+            countListed()
+            val other = giants.slotOf(e)
+            if (other != slot && other != except && giants.isPresent(e, sight.of(other))) {
+                found.pair(slot, other, image, from)
+            }
+        }
         lookAtNew.forEachNear(lines, slot, from) { e, image ->
+            countListed()
             val other = newRoamers.slotOf(e)
             if (other != slot && other != except && newRoamers.isPresent(e, lines)) {
                 found.pair(slot, other, image, from)
@@ -127,11 +148,15 @@ internal class LineSearch(
         }
     }
 
+    private fun countListed() {
+        listed++
+    }
+
     private fun cover(slot: Int, from: Double) {
         count = 0
         spannedLayer = -1
-        searches++
         time = from
+        radius = lines.radius(slot)
         val axes = frame.axes
         val end = frame.end
         here0 = lines.at(slot, axes[0], from)
@@ -145,8 +170,8 @@ internal class LineSearch(
     }
 
     private fun span(k: Int, here: Double, there: Double) {
-        least[k] = cells.cellToward(Math.min(here, there) - margin[k], k)
-        most[k] = cells.cellToward(Math.max(here, there) + margin[k], k)
+        least[k] = cells.cellToward(Math.min(here, there) - margin[k] - radius, k)
+        most[k] = cells.cellToward(Math.max(here, there) + margin[k] + radius, k)
     }
 
     /** The cells to be searched in the rows of [layer], as many [boxes] away as the layer that is looked for. */

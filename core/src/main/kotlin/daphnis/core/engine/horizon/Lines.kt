@@ -122,6 +122,9 @@ internal class Lines(private val frame: EpochFrame) {
         return state[p] + state[p + U] * t
     }
 
+    /** Radius of the line in slot [i]. */
+    fun radius(i: Int): Double = state[place(i) + RADIUS].toDouble()
+
     /** Velocity along [axis] of the line in slot [i]. */
     fun velocity(i: Int, axis: Int): Double = state[place(i) + U + axis * LANES].toDouble()
 
@@ -165,6 +168,27 @@ internal class Lines(private val frame: EpochFrame) {
         if (b >= 0) return NEVER
         val discriminant = b * b - (ux * ux + uy * uy + uz * uz) * c
         return if (discriminant < 0) NEVER else t + c / (sqrt(discriminant) - b)
+    }
+
+    /**
+     * A moment before which the sphere in slot [i] cannot touch a wall from time [t] on as long as it keeps its line;
+     * [NEVER] when it cannot at all.
+     */
+    fun touchWall(i: Int, t: Double): Double {
+        val r = state[place(i) + RADIUS] + frame.inflation
+        var first = NEVER
+        for (axis in 0..2) {
+            if (!frame.isWalled[axis]) continue
+            val x = at(i, axis, t)
+            val v = velocity(i, axis)
+            val below = (x - r) - frame.lowerFace[axis]
+            val above = frame.upperFace[axis] - (x + r)
+            // As far as the line tells the sphere may move either way there.
+            if (below <= 0 || above <= 0) return t
+            if (v < 0) first = minOf(first, t - below / v)
+            if (v > 0) first = minOf(first, t + above / v)
+        }
+        return first
     }
 
     companion object {

@@ -8,6 +8,7 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
     private val least = IntArray(AXES)
     private val most = IntArray(AXES)
     private var found = 0
+    private var radius = 0.0
     private var foundHeads = IntArray(INITIAL)
     private var foundImages = IntArray(INITIAL)
 
@@ -38,6 +39,7 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
     /** Notes the lists, not empty, of all cells that the line in [slot] can reach from time [from] on. */
     fun lists(lines: Lines, slot: Int, from: Double): Int {
         found = 0
+        radius = lines.radius(slot)
         val count = roamers.count
         for (k in 1 until AXES) {
             val axis = frame.axes[k]
@@ -88,8 +90,8 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
     }
 
     private fun span(k: Int, here: Double, there: Double) {
-        least[k] = cellToward(minOf(here, there) - roamers.reach[k], k)
-        most[k] = cellToward(maxOf(here, there) + roamers.reach[k], k)
+        least[k] = cellToward(minOf(here, there) - roamers.reach[k] - radius, k)
+        most[k] = cellToward(maxOf(here, there) + roamers.reach[k] + radius, k)
     }
 
     private fun cellToward(position: Double, k: Int): Int {

@@ -3,8 +3,8 @@ package daphnis.core.engine.horizon
 import kotlin.math.abs
 
 /**
- * The roamers of an epoch: spheres that no cell holds, because they are too fast or because a collision threw them far
- * from their cell. They are few, so they have a coarse grid of lists of their own, by where their lines are at the
+ * The roamers of an epoch: spheres that no cell holds, because they are too fast or too large, or because a collision
+ * threw them far from their cell. They are few, so they have a coarse grid of lists of their own, by where their lines are at the
  * middle of the epoch. A search looks as far as the fastest of them may go.
  *
  * A roamer whose line changes is added anew; the old entry shows by its version.
@@ -16,11 +16,14 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
     var size = 0
         private set
 
-    /** Numbers of cells, and how far a roamer may be from where it is at the middle of the epoch. */
+    /**
+     * Numbers of cells, and how far the surface of a roamer may be from where its centre is at the middle of the epoch.
+     */
     val count = IntArray(AXES)
     val reach = DoubleArray(AXES)
     val perLength = DoubleArray(AXES)
     private val fastest = DoubleArray(AXES)
+    private var largest = 0.0
 
     /** Velocity of the mean flow by layer. */
     var flow = DoubleArray(0)
@@ -30,12 +33,13 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
     private var versions = IntArray(INITIAL)
     private var next = IntArray(INITIAL)
 
-    /** Forgets all, for an epoch of [spheres] spheres that are about as fast as [speeds]. */
-    fun begin(spheres: Int, speeds: DoubleArray) {
+    /** Forgets all, for an epoch of [spheres] spheres that are about as fast as [speeds] and as large as [radius]. */
+    fun begin(spheres: Int, speeds: DoubleArray, radius: Double) {
         size = 0
+        largest = 0.0
         fastest.fill(0.0)
         for (k in 0 until AXES) {
-            val range = 2 * (2 * frame.largestRadius + frame.inflation + speeds[k] * frame.middle)
+            val range = 2 * (2 * radius + frame.inflation + speeds[k] * frame.middle)
             count[k] = (frame.length[k] / range).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
         }
         while (count[0] * count[1] * count[2] > spheres / SPHERES_A_CELL + 1) {
@@ -53,27 +57,37 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
 
     private fun measure() {
         for (k in 0 until AXES) {
-            reach[k] = 2 * frame.largestRadius + frame.inflation + fastest[k] * frame.middle
+            reach[k] = largest + frame.inflation + fastest[k] * frame.middle
         }
     }
 
-    /** Adds [slot] with its present line, which is in the box at the middle of the epoch. */
-    fun add(slot: Int) {
+    /**
+     * Adds [slot] with its present line, which is in the box at the middle of the epoch.
+     *
+     * @param isFinal whether it will never get back the line that it had before; then the old entry may go
+     */
+    fun add(slot: Int, isFinal: Boolean = false) {
         val middle = frame.middle
         val c2 = cellAt(lines.at(slot, frame.axes[2], middle), 2)
         val c1 = cellAt(lines.at(slot, frame.axes[1], middle), 1)
         val c0 = cellAt(lines.at(slot, frame.axes[0], middle), 0)
-        var isFaster = false
+        var isMore = lines.radius(slot) > largest
+        if (isMore) largest = lines.radius(slot)
         for (k in 0 until AXES) {
             val speed = abs(lines.velocity(slot, frame.axes[k]) - if (k == 0) flow[c2] else 0.0)
             if (speed > fastest[k]) {
                 fastest[k] = speed * ROOM
-                isFaster = true
+                isMore = true
             }
         }
-        if (isFaster) measure()
-        if (size == slots.size) grow()
+        if (isMore) measure()
         val cell = (c2 * count[1] + c1) * count[0] + c0
+        // Giants collide often, and would fill the list.
+        if (isFinal && heads[cell] != NONE && slots[heads[cell]] == slot) {
+            versions[heads[cell]] = lines.version[slot]
+            return
+        }
+        if (size == slots.size) grow()
         slots[size] = slot
         versions[size] = lines.version[slot]
         next[size] = heads[cell]

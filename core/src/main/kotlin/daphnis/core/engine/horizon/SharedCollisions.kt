@@ -86,7 +86,7 @@ internal class SharedCollisions(
             return false
         }
         count(step)
-        hasFailed = counted.collisions > StepLimits.mostCollisions(population.size)
+        hasFailed = counted.collisions + counted.wallCollisions > StepLimits.mostCollisions(population.size)
         return !hasFailed && !lines.isLost
     }
 
@@ -155,7 +155,7 @@ internal class SharedCollisions(
             groups[g].bodies.store(columns, frame.duration)
             groups[g].paths.forEachLive { place -> settle(groups[g].bodies.slotOf(place)) }
         }
-        for (group in groups) group.newRoamers.forEachPresent(lines) { space.roamers.add(it) }
+        for (group in groups) group.newRoamers.forEachPresent(lines) { space.addRoamer(it, isFinal = true) }
         last.store(columns)
         for (group in groups) group.rest()
         steps++

@@ -54,6 +54,19 @@ class EpochPlanTest {
     }
 
     @Test
+    fun `epochs that looked through many roamers rest, and are tried again some time`() {
+        val plan = EpochPlan(1)
+        plan.observe(FEW)
+        assertNotNull(choose(plan))
+        plan.ended(4, FEW, strays = 0.0, roamers = 1.0, isBroken = false)
+        assertNotNull(choose(plan))
+        plan.ended(4, FEW, strays = 0.0, roamers = 200.0, isBroken = false)
+        var asked = 0
+        while (choose(plan) == null) asked++
+        assertTrue(asked in 10..200) { "$asked times" }
+    }
+
+    @Test
     fun `one thread has no groups, and rests where epochs do not pay`() {
         val plan = EpochPlan(1)
         plan.observe(FEW)

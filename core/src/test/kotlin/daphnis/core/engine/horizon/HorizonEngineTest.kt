@@ -33,6 +33,9 @@ class HorizonEngineTest {
         var shared = 0L
         var reopened = 0L
         var rounds = 0L
+        var bounces = 0L
+        var inWalls = 0L
+        var giants = 0L
         val settings = FixedThreads(1)
         for (seed in 1..DRAWS) {
             val draw = LongDraw(seed)
@@ -49,17 +52,24 @@ class HorizonEngineTest {
                 if (draw.isMeddled) draw.meddle(step, listOf(serial, horizon))
             }
             engine.close()
+            giants += engine.giants
             inEpochs += engine.epochSteps - engine.epochs
             strays += engine.strays
             shared += engine.shared.steps
             reopened += engine.shared.reopened
             rounds += engine.shared.rounds
             collisions += serial.collisions!!.counters.collisions
+            bounces += serial.collisions!!.counters.wallCollisions
+            if (draw.boundary is Walls) inWalls += engine.epochSteps - engine.epochs
         }
         println("$collisions collisions, $inEpochs steps without a search for all, $strays spheres off their lines")
+        println("$giants too large for cells, in all epochs")
+        println("$bounces at walls, $inWalls steps there without a search for all")
         println("$shared steps shared among groups, $reopened collisions anew in $rounds rounds")
         // A margin that is too small by a radius loses one collision in some thousand.
         assertTrue(collisions > 100 * DRAWS) { "$collisions collisions" }
+        assertTrue(bounces > 10 * DRAWS && inWalls > DRAWS / 2) { "$bounces at walls, in $inWalls steps" }
+        assertTrue(giants > DRAWS) { "$giants giants" }
         assertTrue(inEpochs > STEPS * DRAWS / 4) { "$inEpochs steps" }
         assertTrue(strays > DRAWS) { "$strays strays" }
         assertTrue(shared > STEPS * DRAWS / 3) { "$shared steps" }
@@ -110,6 +120,17 @@ class HorizonEngineTest {
     }
 
     @Test
+    fun `groups whose work had mostly to be joined are not asked in the next epochs`() {
+        // A pile of flat layers, of which the groups get a half each: larger borders than is expected.
+        val engine = HorizonEngine(FixedPool(2))
+        val pile = gas(engine, layers = 64)
+        repeat(40) { pile.advance() }
+        assertTrue(engine.shared.reopened > 0)
+        assertTrue(engine.shared.steps in 1..20) { "${engine.shared.steps} steps of groups" }
+        engine.close()
+    }
+
+    @Test
     fun `where spheres fly on curved paths, the layout is found with which they keep to their lines`() {
         val random = SeededRandom(5)
         val n = 400
@@ -144,16 +165,34 @@ class HorizonEngineTest {
     }
 
     @Test
-    fun `walls, few spheres and a closed engine make no epochs`() {
-        val engine = HorizonEngine(FixedPool(1), 0, HorizonTuning(4))
-        val walled = simulationOf(gas(engine).population, Walls(BOX), 0.1, engine = engine)
-        repeat(3) { walled.advance() }
-        assertEquals(0L, engine.epochSteps)
+    fun `between walls, spheres are reflected in epochs of several steps, by groups too`() {
+        for (threads in listOf(1, 3)) {
+            val serial = simulationOf(gas(SerialEngine()).population, Walls(BOX, 0.9), 0.1)
+            val engine = HorizonEngine(FixedPool(threads), 0, HorizonTuning(4))
+            val walled = simulationOf(gas(SerialEngine()).population, Walls(BOX, 0.9), 0.1, engine = engine)
+            for (step in 1..24) {
+                serial.advance()
+                walled.advance()
+                assertSameStep(serial, walled, "step $step on $threads")
+            }
+            assertEquals(24L, engine.epochSteps)
+            assertTrue(engine.epochs <= 8) { "${engine.epochs} epochs" }
+            val counters = walled.collisions!!.counters
+            assertTrue(counters.wallCollisions > 200) { "${counters.wallCollisions} at walls" }
+            assertEquals(serial.collisions!!.counters.wallCollisions, counters.wallCollisions)
+            assertEquals(threads > 1, engine.shared.steps > 0)
+            engine.close()
+        }
+    }
+
+    @Test
+    fun `few spheres make no epochs, and a closed engine no step`() {
         val few = HorizonEngine(FixedPool(1), fewest = 1000)
         repeat(3) { gas(few).advance() }
         assertEquals(0L, few.epochSteps)
-        engine.close()
-        assertTrue("closed" in failure(walled)!!)
+        val simulation = gas(few)
+        few.close()
+        assertTrue("closed" in failure(simulation)!!)
     }
 
     @Test
@@ -205,7 +244,7 @@ class HorizonEngineTest {
     }
 
     private companion object {
-        val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 120L
+        val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 300L
         const val STEPS = 20
         val THREADS = intArrayOf(1, 2, 3, 2, 5, 9)
         val BOX = Box.centred(24.0, 24.0, 24.0)

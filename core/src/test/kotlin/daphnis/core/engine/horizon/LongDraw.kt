@@ -8,6 +8,7 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
@@ -31,15 +32,18 @@ class LongDraw(private val seed: Long) {
     private val edge = 4 + random.nextInt(3)
     private val apart = random.nextDouble(2.2, 4.5)
     private val isMixed = random.nextInt(3) == 0
+    private val hasGiants = random.nextInt(3) == 0
     private val omega = random.nextDouble(0.02, 0.1)
     private val low = if (random.nextInt(3) == 0) random.nextDouble(-300.0, 300.0) else -apart * edge / 2
     private val box = Box(low, low, low, low + apart * edge, low + apart * edge, low + apart * edge)
-    val boundary: BoundaryConditions = when (random.nextInt(8)) {
+    val boundary: BoundaryConditions = when (random.nextInt(10)) {
         0 -> Open
         1 -> Periodic(box, periodicX = false)
         2, 3 -> LeesEdwards(box, random.nextDouble(-0.2, 0.2))
         4 -> ShearedPeriodic(box, random.nextDouble(-2.0, 2.0))
         5, 6 -> HillSheet(box, omega)
+        7 -> Walls(box, random.nextDouble(0.3, 1.0))
+        8 -> Walls(box, 1.0, booleanArrayOf(false, true, random.nextInt(2) == 0))
         else -> Periodic(box)
     }
     private val dt = random.nextDouble(0.05, 0.4)
@@ -60,6 +64,7 @@ class LongDraw(private val seed: Long) {
         // Some are much faster than the rest.
         val vx = DoubleArray(count) { speed * random.nextGaussian() * if (random.nextInt(20) == 0) 6.0 else 1.0 }
         val radii = DoubleArray(count) { if (isMixed) random.nextDouble(0.3, 1.0) else 1.0 }
+        if (hasGiants) for (k in 0 until count) if (random.nextInt(20) > 0) radii[k] *= 0.1
         val masses = DoubleArray(count) { radii[it] * radii[it] * radii[it] }
         return Population(x, y, z, vx, gauss(), gauss(), radii, masses, IntArray(count) { firstId + it })
     }
@@ -82,7 +87,8 @@ class LongDraw(private val seed: Long) {
             val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), omega, softening = 0.5)
             return listOf(moon, HillFrame(omega, verticalFactor = 1.5))
         }
-        return if (hasForce) listOf(pull) else emptyList()
+        val fall = Kick { p, _, duration -> for (k in 0 until p.size) p.vy[k] -= 4 * spring * duration }
+        return if (!hasForce) emptyList() else listOf(if (boundary is Walls) fall else pull)
     }
 
     /** Does the same to the spheres of each of [simulations] after step [step], by their ids. */

@@ -1,0 +1,24 @@
+package daphnis.analysis.report
+
+import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+
+class FreeCoolingTest {
+    private fun isOf(name: String, vararg settings: String) =
+        FreeCooling.isOf(BuiltIn.scenario(name, settings.asList()))
+
+    @Test
+    fun `inelastic spheres cool for ever unless something heats them, or slow impacts are elastic`() {
+        assertEquals(true, isOf("cooling-gas"))
+        assertEquals(true, isOf("cooling-gas", "boundary={\"type\":\"walls\"}"))
+        assertEquals(true, isOf("cooling-gas", "boundary={\"type\":\"lees-edwards\",\"shearRate\":0}"))
+        assertEquals(false, isOf("cooling-gas", "restitution.coefficient=1"))
+        assertEquals(false, isOf("cooling-gas", "restitution={\"type\":\"bridges\"}"))
+        assertEquals(false, isOf("elastic-gas"))
+        assertEquals(false, isOf("shear-cell"))
+        for (driven in listOf("paper-figure-1", "ring-patch", "self-gravity-wakes")) {
+            assertEquals(false, isOf(driven, "restitution={\"type\":\"constant\",\"coefficient\":0.5}")) { driven }
+        }
+    }
+}
