@@ -54,6 +54,9 @@ if [ -f "$zip" ]; then
     unpacked --debug run cooling-gas --steps 2 --quiet --out "of zip" >/dev/null || die "the distribution does not run"
     daphnis run cooling-gas --steps 2 --quiet --out "of checkout" >/dev/null
     daphnis compare "of zip" "of checkout" >/dev/null || die "the distribution computes something else"
+    # The first start laid classes out, and later ones use that.
+    JAVA_OPTS=-Xlog:class+load:file=loaded unpacked --version >/dev/null
+    grep -q 'shared objects file (top)' loaded || die "the distribution does not use its layout of classes"
     for shell in bash zsh fish; do
         unpacked completion $shell | cmp -s - "$home/completions/daphnis.$shell" || die "completion for $shell"
     done

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,9 @@ import pytest
 import daphnis
 
 
-def test_a_universe_has_the_states_in_the_units_of_the_run(ring: daphnis.Run, tmp_path: Path) -> None:
+def test_a_universe_has_the_states_in_the_units_of_the_run(
+    ring: daphnis.Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     pytest.importorskip("h5py")
     pytest.importorskip("MDAnalysis")
     file = tmp_path / "new" / "ring.h5md"
@@ -32,6 +35,12 @@ def test_a_universe_has_the_states_in_the_units_of_the_run(ring: daphnis.Run, tm
     # Again, while the first is open, and by its path.
     again = daphnis.universe(str(ring.path), file)
     assert len(again.trajectory) == len(universe.trajectory)
+    with pytest.raises(daphnis.InputError, match="no such file or directory"):
+        daphnis.universe(tmp_path / "none")
+    with monkeypatch.context() as other:
+        other.setattr(os, "replace", lambda *_: 1 / 0)
+        with pytest.raises(ZeroDivisionError):
+            daphnis.universe(ring, file)
     assert [entry.name for entry in file.parent.iterdir()] == ["ring.h5md"]
 
 

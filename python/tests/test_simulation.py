@@ -137,6 +137,11 @@ def test_chosen_steps_end_at_the_time_that_is_asked_for(free: dict[str, Any], sp
         assert simulation.java.getTime() == 0.5
     with daphnis.Simulation({**free, "until": 0.01}, **spheres) as simulation:
         assert simulation.advance(2).time == 0.01, "a scenario's own end"
+    with daphnis.Simulation({**free, "until": 2.05}, **spheres) as simulation:
+        simulation.advance_to(0.5)
+        while simulation.time < 2.05:
+            simulation.advance()
+        assert simulation.time == 2.05, "its own end holds afterwards"
 
 
 def test_a_placed_state_may_be_late(gas: dict[str, Any], tmp_path: Path) -> None:

@@ -43,5 +43,6 @@ class CtrlC:
     def _note(self, *_: object) -> None:
         if self.pressed:
             again = KeyboardInterrupt()
-            pass
+            self._failure.keep(again)
+            raise again
         self.pressed = True

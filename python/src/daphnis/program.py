@@ -66,9 +66,7 @@ def simulation_of(
     outputs = java("java.util.ArrayList")()
     if time_step is None:
         time_step = setup.getTimeStep()
-    return java("daphnis.core.Simulation")(
-        population, setup.getBoundary(), collisions, time_step, every, outputs, time
-    )
+    return java("daphnis.core.Simulation")(population, setup.getBoundary(), collisions, time_step, every, outputs, time)
 
 
 class Program:

@@ -111,13 +111,15 @@ launch() {
     # no run.
     archive=$(dirname -- "$jar")/daphnis-$major-$(cat "$release" 2>/dev/null | cksum | tr -cd '0-9').jsa
     if [ -w "$(dirname -- "$jar")" ] && ! archived; then train "$unit" || true; fi
+    shared=
+    if archived && [ -s "$archive" ]; then shared=yes; fi
 
     set -- -jar "$jar" "$@"
-    # Words of options, but no names of files.
+    # Words of options, but no names of files: nothing that looks for files may follow.
     set -f
     # shellcheck disable=SC2086
     set -- $collector $vector ${JAVA_OPTS:-} "$@"
-    if archived && [ -s "$archive" ]; then
+    if [ "$shared" ]; then
         set -- -XX:+VerifySharedSpaces "-XX:SharedArchiveFile=$archive" '-Xlog:cds*=off' '-Xlog:class+path=off' "$@"
     fi
     # Pekko uses sun.misc.Unsafe, of which JDK 24 and newer would warn in four lines; older ones do not know the

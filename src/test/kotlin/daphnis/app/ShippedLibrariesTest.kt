@@ -53,7 +53,9 @@ class ShippedLibrariesTest {
     fun `the text of every other licence is in its jar or in the table's page`() {
         val page = read("docs/third-party.md")
         val others = page.lines()
-            .mapNotNull { Regex("""\| [\w.-]+:([\w.-]+) \| ([\w.-]+) \| (?!Apache-2\.0 \|)(?!MIT-0)\S.* \|""").matchEntire(it) }
+            .mapNotNull {
+                Regex("""\| [\w.-]+:([\w.-]+) \| ([\w.-]+) \| (?!Apache-2\.0 \|)(?!MIT-0)\S.* \|""").matchEntire(it)
+            }
             .map { it.groupValues[1] }
         assertTrue("jcodec" in others && "slf4j-api" in others && "reactive-streams" !in others) { "$others" }
         val jars = System.getProperty("java.class.path").split(File.pathSeparator).filter { it.endsWith(".jar") }

@@ -57,7 +57,7 @@ class AutomaticStepTest {
         assertTrue(wanted > 0.01) { "a step of $wanted" }
         assertEquals(wanted * 1e9, chosen.longest, 1e-6 * chosen.longest)
         val resting = ScenarioSetup.of(scenario("until=500", "velocities.sigma=0"), "test").endlessTimeStep()
-        assertEquals(1.0, resting.next(setup.population.also { it.vx.fill(0.0); it.vy.fill(0.0); it.vz.fill(0.0) }))
+        assertEquals(1.0, resting.next(ScenarioSetup.of(scenario("velocities.sigma=0"), "test").population))
         val shear = ScenarioSetup.of(scenario("until=500", *sheared), "test").endlessTimeStep() as FreePathTimeStep
         assertEquals(0.5 / 0.8, shear.longest, 1e-12) { "images slide by half a box at most" }
         val given = ScenarioSetup.of(scenario("timeStep={\"type\":\"fixed\",\"dt\":0.01}"), "test")
