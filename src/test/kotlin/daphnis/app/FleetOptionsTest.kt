@@ -9,6 +9,7 @@ import daphnis.core.run.Summary
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -18,6 +19,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
 
+@Tag("jdk-neutral")
 @Timeout(300)
 class FleetOptionsTest {
     @TempDir

@@ -3,12 +3,14 @@ package daphnis.app
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 
 /** `run --from`. */
+@Tag("jdk-neutral")
 class RunFromTest {
     @TempDir
     lateinit var home: Path

@@ -12,12 +12,14 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.sqrt
 
 /** Whether streamline columns are right, and their errors honest, for few particles in a group. */
+@Tag("jdk-neutral")
 class StreamlineErrorTest {
     private val omega = 0.7
     private val box = Box.centred(20.0, 60.0, 2.0)

@@ -6,12 +6,14 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 
 /** What a checkpoint vouches for: resume goes on to the same files, or says what is not as it was. */
+@Tag("jdk-neutral")
 class ResumeTest {
     @TempDir
     lateinit var home: Path

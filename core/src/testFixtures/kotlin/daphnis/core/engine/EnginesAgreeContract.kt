@@ -17,12 +17,12 @@ import org.junit.jupiter.api.parallel.ExecutionMode
  * The contract: every engine gives the bits of the serial one, after every step, for every number of threads and every
  * division into regions. Each module runs it for its own engines, so that each engine runs once.
  *
- * @param draws how many cases are drawn; the property `daphnis.draws` says otherwise, `daphnis.firstDraw` with which
- *   the draws begin
+ * @param draws how many cases are drawn; null for as many as there is time for, which the property `daphnis.draws` says.
+ *   The property `daphnis.firstDraw` says with which they begin.
  */
 @Execution(ExecutionMode.SAME_THREAD)
-abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Long = if (LONG) 5000 else 150) {
-    private val draws = java.lang.Long.getLong("daphnis.draws", draws)
+abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Long? = null) {
+    private val draws: Long = draws ?: java.lang.Long.getLong("daphnis.draws", if (LONG) 5000 else 150)
 
     /** Asked for the same, before the others; null where another module has done that. */
     protected open val oracle: BruteForceEngine? get() = null

@@ -7,12 +7,14 @@ import daphnis.core.format.Snapshot
 import daphnis.core.hill.HillSheet
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.function.IntFunction
 
+@Tag("jdk-neutral")
 class StatesReadOnceTest {
     @TempDir
     lateinit var directory: Path
