@@ -6,27 +6,19 @@ import kotlin.math.sqrt
 /**
  * What a step is expected to cost per sphere, in nanoseconds of the machine on which it was fitted; only ratios count.
  *
- * @param crowding how many more lines a search tests than in an even distribution
- * @param collisions per sphere and step; that of a gas when negative
- * @param strays spheres found off their lines per sphere and step
  * @param deviation see [HorizonTuning]
  * @param filter by which searches dismiss lines
  * @param threads that share the work
- * @param roamers entries of roamers looked at per sphere and step
- * @param entanglement how many times as much work [joining] is as it says
+ * @param seen by which the model is corrected
  */
 internal class EpochCost(
     private val spheres: Int,
     private val frame: EpochFrame,
     private val cells: EpochCells,
-    private val crowding: Double,
-    collisions: Double,
-    private val strays: Double,
     private val deviation: Double,
     private val filter: LineFilter,
     private val threads: Int,
-    private val roamers: Double,
-    private val entanglement: Double,
+    private val seen: SeenWork,
 ) {
     private val radius = frame.memberRadius
     private val dt = frame.duration
@@ -34,7 +26,7 @@ internal class EpochCost(
     /** Extents along row axis, middle axis and slow axis; a layer without extent is as thick as its spheres. */
     private val length = DoubleArray(AXES) { maxOf(frame.length[it], 2 * radius) }
     private val density = spheres / (length[0] * length[1] * length[2])
-    private val collisions = if (collisions >= 0) collisions else crowding * ofGas()
+    private val collisions = if (seen.collisions >= 0) seen.collisions else seen.crowding * ofGas()
 
     /** Lines that the search for all tests per sphere, with the numbers that were asked for last. */
     var testsAhead = 0.0
@@ -66,8 +58,8 @@ internal class EpochCost(
         val all = filter.perRun * rows + filter.perLine * tests
         val ahead = SEARCH + all / 2
         val around = SEARCH + ROAMERS + FAR * all
-        val impacts = collisions * (COLLISION + LINES) + (2 * collisions + strays) * around + ROAMER * roamers
-        val byGroups = impacts * GROUPS / threads + entanglement * joining(this.collisions)
+        val impacts = collisions * (COLLISION + LINES) + (2 * collisions + seen.strays) * around + ROAMER * seen.roamers
+        val byGroups = impacts * GROUPS / threads + seen.entanglement * joining(collisions)
         sharesCollisions = threads > 1 && byGroups < impacts
         return (PASS + (EPOCH + ahead) / steps) / threads + SORT / steps + if (sharesCollisions) byGroups else impacts
     }
@@ -93,7 +85,7 @@ internal class EpochCost(
 
     private inline fun look(time: Double, along: Double, across: Double, margin: (k: Int) -> Double) {
         rows = 1.0
-        tests = spheres * crowding
+        tests = spheres * seen.crowding
         for (k in 0 until AXES) {
             val range = 2 * margin(k)
             val count = maxOf(1.0, Math.floor(length[k] / range * if (k == 0) along else across))

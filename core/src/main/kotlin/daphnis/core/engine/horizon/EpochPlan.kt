@@ -9,14 +9,7 @@ package daphnis.core.engine.horizon
  * and spheres on curved paths leave their lines.
  */
 internal class EpochPlan(private val threads: Int) {
-    /** Collisions per sphere and step in the last epoch, or in a step since; unknown below 0. */
-    private var collisions = -1.0
-
-    /** Spheres found off their lines per sphere and step in the last epoch. */
-    private var strays = 0.0
-
-    /** How many more lines the last epoch tested than an even distribution in space would have had it test. */
-    private var crowding = 1.0
+    private val seen = SeenWork()
     private var expectedTests = 0.0
 
     /** Which of [DEVIATIONS] spheres are allowed. */
@@ -25,12 +18,6 @@ internal class EpochPlan(private val threads: Int) {
     /** The most steps of an epoch without too many spheres off their lines, and epochs since this was found. */
     private var mostSteps = LONGEST
     private var calm = 0
-
-    /** Entries of roamers that searches of the last epoch looked at, per sphere and step. */
-    private var roamers = 0.0
-
-    /** How many times as much work it is to join what groups have done as [EpochCost.joining] has it. */
-    private var entanglement = 1.0
 
     /** Of the present epoch, or of the last that was thought of. */
     private var cost: EpochCost? = null
@@ -56,24 +43,12 @@ internal class EpochPlan(private val threads: Int) {
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter): HorizonTuning? {
         val deviation = DEVIATIONS[level]
-        val cost =
-            EpochCost(
-                spheres,
-                frame,
-                cells,
-                crowding,
-                collisions,
-                strays,
-                deviation,
-                filter,
-                threads,
-                roamers,
-                entanglement,
-            )
+        val cost = EpochCost(spheres, frame, cells, deviation, filter, threads, seen)
         this.cost = cost
         var least = WORTH * cost.otherwise()
         // Only groups that share collisions can tell whether they are less entangled now.
-        if (!sharesCollisions) entanglement = maxOf(CALMING * entanglement, LEAST_ENTANGLEMENT)
+        if (!sharesCollisions) seen.entanglement = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
+        sharesCollisions = false
         var bestSteps = 0
         var bestAcross = 0.0
         var bestAlong = 0.0
@@ -95,18 +70,19 @@ internal class EpochPlan(private val threads: Int) {
         }
         if (bestSteps > 0) return HorizonTuning(bestSteps, CLASS_BOUND, deviation, bestAlong, bestAcross)
         rest = REST
-        roamers *= CALMING
+        seen.roamers *= CALMING
         return null
     }
 
     /** Told that a step of the serial engine had so many [collisions] per sphere. */
     fun observe(collisions: Double) {
-        this.collisions = collisions
+        seen.collisions = collisions
     }
 
     /** Told that all have been searched for, with [tests] lines tested per sphere. */
     fun searched(tests: Double) {
-        if (expectedTests > 0) crowding = (crowding * tests / expectedTests).coerceIn(LEAST_CROWDING, MOST_CROWDING)
+        if (expectedTests <= 0) return
+        seen.crowding = (seen.crowding * tests / expectedTests).coerceIn(LEAST_CROWDING, MOST_CROWDING)
     }
 
     /**
@@ -117,8 +93,8 @@ internal class EpochPlan(private val threads: Int) {
         val expected = cost?.joining(collisions) ?: return
         if (expected <= 0) return
         val measured = EpochCost.COLLISION_ANEW * anew + EpochCost.COMPARISON * compared
-        val least = maxOf(CALMING * entanglement, LEAST_ENTANGLEMENT)
-        entanglement = (measured / expected).coerceIn(least, MOST_ENTANGLEMENT)
+        val least = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
+        seen.entanglement = (measured / expected).coerceIn(least, MOST_ENTANGLEMENT)
     }
 
     /**
@@ -128,9 +104,9 @@ internal class EpochPlan(private val threads: Int) {
      * @param isBroken whether it ended early, since too many spheres had left their lines
      */
     fun ended(steps: Int, collisions: Double, strays: Double, roamers: Double, isBroken: Boolean) {
-        this.roamers = roamers
-        this.collisions = collisions
-        this.strays = if (isBroken) 0.0 else strays
+        seen.roamers = roamers
+        seen.collisions = collisions
+        seen.strays = if (isBroken) 0.0 else strays
         if (isBroken || strays > MOST_STRAYS) {
             calm = 0
             if (level < DEVIATIONS.size - 1) {
@@ -153,7 +129,7 @@ internal class EpochPlan(private val threads: Int) {
         const val LONGEST = 16
         const val CLASS_BOUND = 3.0
 
-        /** In units of the largest radius: for free flight, for weak forces, for curved paths. */
+        /** In units of the largest radius of a member: for free flight, for weak forces, for curved paths. */
         val DEVIATIONS = doubleArrayOf(0.0, 0.06, 0.15)
 
         /** Strays per sphere and step with which an epoch is as it should be. */

@@ -52,7 +52,10 @@ internal class SharedCollisions(
     val reopened: Long get() = last.reopenings
     val rounds: Long get() = last.rounds
 
-    /** What the last attempt took: collisions of the groups, those processed anew, and pieces compared for these. */
+    /**
+     * What the last attempt took: collisions of the groups, those processed anew, and pieces compared for these. The
+     * first is 0, and the others mean nothing, where it did not come so far.
+     */
     var collisions = 0L
         private set
     val processedAnew: Long get() = last.processed
@@ -77,9 +80,10 @@ internal class SharedCollisions(
         hasFailed = false
         each { prepareGroup(it, population, order, tracks) }
         each { processGroup(it, step) }
-        collisions = groups.sumOf { it.impact.counted.collisions }
+        collisions = 0
         hasFailed = groups.any { it.hasFailed }
         if (hasFailed || lines.isLost || !isDone.all { it }) return false
+        collisions = groups.sumOf { it.impact.counted.collisions }
         each { compare(it) }
         if (!last.process(collisions, step, order, tracks, due, meetings)) {
             hasFailed = last.hasFailed

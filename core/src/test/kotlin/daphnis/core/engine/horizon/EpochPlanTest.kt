@@ -54,6 +54,19 @@ class EpochPlanTest {
     }
 
     @Test
+    fun `groups are asked again also where nothing but groups would make epochs pay`() {
+        val plan = plan()
+        plan.observe(SOME)
+        assertNotNull(choose(plan))
+        assertTrue(plan.sharesCollisions)
+        plan.joined(SOME, anew = 3 * SOME, compared = 300 * SOME)
+        assertNull(choose(plan))
+        var asked = 0
+        while (asked < 300 && choose(plan) == null) asked++
+        assertTrue(asked in 3..200 && plan.sharesCollisions) { "$asked times" }
+    }
+
+    @Test
     fun `epochs that looked through many roamers rest, and are tried again some time`() {
         val plan = EpochPlan(1)
         plan.observe(FEW)
@@ -113,6 +126,7 @@ class EpochPlanTest {
 
         /** Collisions per sphere and step. */
         const val FEW = 0.03
+        const val SOME = 0.08
         const val MANY = 0.4
     }
 }

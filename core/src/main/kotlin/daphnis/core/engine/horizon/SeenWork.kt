@@ -1,0 +1,19 @@
+package daphnis.core.engine.horizon
+
+/** What epochs have turned out to be like, by which [EpochCost] expects the next one. */
+internal class SeenWork {
+    /** Collisions per sphere and step in the last epoch, or in a step since; unknown below 0. */
+    var collisions = -1.0
+
+    /** Spheres found off their lines per sphere and step in the last epoch. */
+    var strays = 0.0
+
+    /** How many more lines the last epoch tested than an even distribution in space would have had it test. */
+    var crowding = 1.0
+
+    /** Entries of roamers that searches of the last epoch looked at, per sphere and step. */
+    var roamers = 0.0
+
+    /** How many times as much work it is to join what groups have done as [EpochCost.joining] has it. */
+    var entanglement = 1.0
+}
