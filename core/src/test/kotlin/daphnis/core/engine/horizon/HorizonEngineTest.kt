@@ -104,6 +104,29 @@ class HorizonEngineTest {
     }
 
     @Test
+    fun `where nearly all collide, groups whose clusters are dropped over and over give the serial engine's bits`() {
+        var reopened = 0L
+        for (seed in 1..DENSE_DRAWS) {
+            val random = SeededRandom(seed)
+            val apart = random.nextDouble(1.9, 2.4)
+            val layers = 4 + random.nextInt(8)
+            val tuning = HorizonTuning(1 + random.nextInt(3))
+            val engine = HorizonEngine(FixedPool(2 + random.nextInt(4)), 0, tuning)
+            val serial = gas(SerialEngine(), apart, layers, seed)
+            val dense = gas(engine, apart, layers, seed)
+            for (step in 1..4) {
+                serial.advance()
+                dense.advance()
+                assertSameStep(serial, dense, "seed $seed, step $step")
+            }
+            reopened += engine.shared.reopened
+            engine.close()
+        }
+        println("$reopened spheres of dropped clusters")
+        assertTrue(reopened > 100 * DENSE_DRAWS) { "$reopened spheres" }
+    }
+
+    @Test
     fun `a step in which groups undo more than they have done is another engine's`() {
         val serial = gas(SerialEngine(), apart = 1.85, layers = 64)
         val engine = HorizonEngine(FixedPool(2), tuning = HorizonTuning(2))
@@ -225,8 +248,8 @@ class HorizonEngineTest {
         assertTrue(engine.epochSteps > 12)
     }
 
-    private fun gas(engine: CollisionEngine, apart: Double = 3.0, layers: Int = 8): Simulation {
-        val random = SeededRandom(3)
+    private fun gas(engine: CollisionEngine, apart: Double = 3.0, layers: Int = 8, seed: Long = 3): Simulation {
+        val random = SeededRandom(seed)
         val n = 64 * layers
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
         val start = Population(
@@ -245,6 +268,7 @@ class HorizonEngineTest {
 
     private companion object {
         val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 300L
+        val DENSE_DRAWS = if (System.getProperty("daphnis.long") == "true") 500L else 60L
         const val STEPS = 20
         val THREADS = intArrayOf(1, 2, 3, 2, 5, 9)
         val BOX = Box.centred(24.0, 24.0, 24.0)
