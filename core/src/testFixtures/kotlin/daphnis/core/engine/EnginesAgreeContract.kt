@@ -17,7 +17,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode
  * The contract: every engine gives the bits of the serial one, after every step, for every number of threads and every
  * division into regions. Each module runs it for its own engines, so that each engine runs once.
  *
- * @param draws how many cases are drawn; null for as many as there is time for, which the property `daphnis.draws` says.
+ * @param draws how many cases are drawn; null for as many as there is time for: the property `daphnis.draws`
  *   The property `daphnis.firstDraw` says with which they begin.
  */
 @Execution(ExecutionMode.SAME_THREAD)

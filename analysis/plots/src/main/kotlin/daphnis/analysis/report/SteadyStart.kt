@@ -13,8 +13,8 @@ internal class SteadyStart private constructor(val from: Double, val isFound: Bo
     companion object {
         /**
          * The [usual] time, unless the run drifts from there on and is steady from a later time, that at which by
-         * MSER-5 the last of its main quantities becomes so. One that cools for ever is not. A run that is steady anyway is left at the usual time: to
-         * choose for each the time that looks best would make errors too small.
+         * MSER-5 the last of its main quantities becomes so. One that cools for ever is not. A run that is steady
+         * anyway is left at the usual time: to choose for each the time that looks best would make errors too small.
          */
         fun of(input: AnalysisInput, usual: Double): SteadyStart {
             if (FreeCooling.isSeen(input)) return SteadyStart(usual, false)

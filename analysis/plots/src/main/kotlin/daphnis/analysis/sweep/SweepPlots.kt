@@ -78,7 +78,7 @@ public class SweepPlots(private val sweep: Sweep) {
         return if (named == null) plot else plot + named.scale()
     }
 
-    /** [curves] beside each other by less than a point is wide, so that the bars of one do not hide those of another. */
+    /** [curves] less than the width of a point apart, so that bars of one do not hide those of another. */
     private fun aside(curves: List<Curve>, isWide: Boolean): List<Curve> {
         if (curves.size == 1) return curves
         val x = curves.flatMap { it.x.asList() }

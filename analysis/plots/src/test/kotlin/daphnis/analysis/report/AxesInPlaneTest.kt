@@ -8,7 +8,7 @@ import kotlin.math.sqrt
 class AxesInPlaneTest {
     private val random = SeededRandom(11)
 
-    /** How many of 2000 states of [n] particles, whose second axis is [ratio] as long as the first, have a direction. */
+    /** Of 2000 states of [n] particles, how many have a direction, if their second axis is [ratio] as long as the first. */
     private fun seen(n: Int, ratio: Double): Int = (1..2000).count {
         var xx = 0.0
         var yy = 0.0

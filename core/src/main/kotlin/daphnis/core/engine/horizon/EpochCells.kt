@@ -15,8 +15,8 @@ import kotlin.math.sqrt
  * spheres are at the start would need twice as much. Along rows, velocities are relative to the mean flow of the layer.
  *
  * Spheres in cells are **members**: at each moment from its last change on, the line of a member is within [reach] of
- * its cell ([holds]), which moves with the flow of its layer. A sphere that is too fast, too large, or was thrown out of
- * its place by a collision, is a roamer instead.
+ * its cell ([holds]), which moves with the flow of its layer. A sphere that is too fast, too large, or was thrown out
+ * of its place by a collision, is a roamer instead.
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */

@@ -5,7 +5,7 @@ package daphnis.core.engine.horizon
  *
  * @param steps steps of an epoch, at least 1
  * @param classBound a sphere faster than this, in units of the root mean square velocity along an axis, is a roamer
- * @param deviation how far a sphere may stray from its line, in units of the largest radius
+ * @param deviation how far a sphere may stray from its line, in units of the largest radius of a sphere with a cell
  * @param cellsAlong cells in the length that a pair can bridge, along a row
  * @param cellsAcross the same along the other two axes
  * @throws IllegalArgumentException when a number is out of range

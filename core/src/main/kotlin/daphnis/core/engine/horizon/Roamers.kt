@@ -4,8 +4,8 @@ import kotlin.math.abs
 
 /**
  * The roamers of an epoch: spheres that no cell holds, because they are too fast or too large, or because a collision
- * threw them far from their cell. They are few, so they have a coarse grid of lists of their own, by where their lines are at the
- * middle of the epoch. A search looks as far as the fastest of them may go.
+ * threw them far from their cell. They are few, so they have a coarse grid of lists of their own, by where their lines
+ * are at the middle of the epoch. A search looks as far as the fastest of them may go.
  *
  * A roamer whose line changes is added anew; the old entry shows by its version.
  *
