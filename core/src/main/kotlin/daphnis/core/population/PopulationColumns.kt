@@ -5,17 +5,17 @@ package daphnis.core.population
  * written to one and leaves the other as it was, so that the step can be taken back by changing a reference.
  */
 internal class PopulationColumns(
-    val x: DoubleArray,
-    val y: DoubleArray,
-    val z: DoubleArray,
-    val vx: DoubleArray,
-    val vy: DoubleArray,
-    val vz: DoubleArray,
-    val radius: DoubleArray,
-    val mass: DoubleArray,
-    val id: IntArray,
+    override val x: DoubleArray,
+    override val y: DoubleArray,
+    override val z: DoubleArray,
+    override val vx: DoubleArray,
+    override val vy: DoubleArray,
+    override val vz: DoubleArray,
+    override val radius: DoubleArray,
+    override val mass: DoubleArray,
+    override val id: IntArray,
     lastCollision: DoubleArray,
-) {
+) : SphereColumns {
     /** An empty set for [size] spheres, with the [lastCollision] of another set. */
     constructor(size: Int, lastCollision: DoubleArray) : this(
         DoubleArray(size), DoubleArray(size), DoubleArray(size),
@@ -25,11 +25,10 @@ internal class PopulationColumns(
     )
 
     /** One array for both sets as long as no step writes it. */
-    var lastCollision: DoubleArray = lastCollision
+    override var lastCollision: DoubleArray = lastCollision
         private set
 
-    /** Number of spheres. */
-    val size: Int get() = x.size
+    override val size: Int get() = x.size
 
     /** Takes over the array of [other], for a step that does not write it. */
     fun shareLastCollision(other: PopulationColumns) {

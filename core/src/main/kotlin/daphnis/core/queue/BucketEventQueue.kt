@@ -34,10 +34,18 @@ public class BucketEventQueue : EventQueue {
 
     private var heads = IntArray(1)
     private var buckets = 1
+    private var start = 0.0
     private var bucketsPerTime = 0.0
     private var current = 0
 
     override fun reset(duration: Double, ids: IntArray, count: Int) {
+        reset(0.0, duration, ids, count)
+    }
+
+    /** The same for events from [start] to [end] only. */
+    internal fun reset(start: Double, end: Double, ids: IntArray, count: Int) {
+        this.start = start
+        val duration = end - start
         busiest = maxOf(squeezed + store.size, busiest - busiest / 8)
         squeezed = 0
         heap.reset(duration, ids, count)
@@ -70,7 +78,7 @@ public class BucketEventQueue : EventQueue {
     }
 
     private fun bucketOf(time: Double): Int {
-        val b = (time * bucketsPerTime).toInt()
+        val b = ((time - start) * bucketsPerTime).toInt()
         return if (b >= buckets) buckets - 1 else b
     }
 

@@ -167,12 +167,12 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         stage = Stage.MEASURED
     }
 
-    /** Queues the potential collisions of the sphere at [place] of [rows] with walls. */
-    internal fun queueWalls(rows: StepRows, place: Int, sink: EventSink) {
+    /** Queues the potential collisions of the sphere at [place] of [rows] with walls, until the time [until]. */
+    internal fun queueWalls(rows: StepRows, place: Int, sink: EventSink, until: Double = duration) {
         if (!walls.present) return
         for (face in 0 until WallContact.FACES) {
             val t = walls.time(rows, place, face)
-            if (t <= duration) sink.add(t, place, WallContact.partner(face), 0)
+            if (t <= until) sink.add(t, place, WallContact.partner(face), 0)
         }
     }
 

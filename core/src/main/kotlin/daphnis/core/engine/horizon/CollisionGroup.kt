@@ -90,7 +90,7 @@ internal class CollisionGroup(
         this.keepsPaths = keepsPaths
         hasFailed = false
         compared = 0
-        bodies.begin(population, order, frame.duration, tracks)
+        bodies.begin(population, order, frame.duration, frame.stepLimit, tracks)
         crossings.clear()
         if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         if (!keepsPaths) return
@@ -102,6 +102,12 @@ internal class CollisionGroup(
     fun open(record: CollisionRecord?) {
         isUnderWay = true
         impact.begin(record)
+    }
+
+    /** Collisions go on in another window of the step. See [EpochBodies.goOn] about [indexAt] and [slotAt]. */
+    fun goOn(indexAt: IntArray, slotAt: IntArray) {
+        isUnderWay = true
+        bodies.goOn(frame.start, frame.end, indexAt, slotAt)
     }
 
     /** Processes all that is queued. @return false when the step cannot be ended in this way */
@@ -144,18 +150,18 @@ internal class CollisionGroup(
     }
 
     /**
-     * Queues the collision of two spheres if they touch in the present step; if not, files them under a later one. A
-     * sphere with itself stands for the sphere and the walls.
+     * Queues the collision of two spheres if they touch in the present step, in this window of it; if they touch in no
+     * window, files them under a later step. A sphere with itself stands for the sphere and the walls.
      */
     fun ask(i: Int, j: Int, code: Int) {
         if (i == j) return askWalls(i)
         val time = contact(i, j, code, lines)
-        if (time > frame.duration) return
+        if (time > frame.stepLimit) return
         bodies.queue.add(time, bodies.placeOf(i), bodies.placeOf(j), lines.spheresImage(code, i, lines, j))
     }
 
     private fun askWalls(slot: Int) {
-        prepared.queueWalls(bodies.rows, bodies.placeOf(slot), bodies.queue)
+        prepared.queueWalls(bodies.rows, bodies.placeOf(slot), bodies.queue, frame.stepLimit)
         val next = frame.step + 1
         if (next == frame.steps) return
         val due = maxOf(frame.stepAt(lines.touchWall(slot, next * frame.duration)), next)

@@ -72,12 +72,17 @@ internal class Epoch(
     private val plan = EpochPlan(loop.workers)
     private val sizes = MemberSizes()
     private var filter: LineFilter = ScalarFilter
+    private lateinit var tuning: HorizonTuning
+
+    /** Index in the population by slot of the first window. */
+    private var firstOrder = IntArray(0)
 
     private var spheres = 0
 
     /** Collisions, and spheres found off their lines, in this epoch. */
     private var collisions = 0L
     private var strayed = 0L
+    private var listed = 0L
 
     /** Whether the step after the present one may belong to this epoch. */
     private var isOpen = false
@@ -89,6 +94,10 @@ internal class Epoch(
 
     /** Epochs begun since the start. */
     var begun = 0L
+        private set
+
+    /** Windows begun within a step since the start, apart from the first of each. */
+    var windows = 0L
         private set
 
     /** Spheres that were found off their lines since the start. */
@@ -141,10 +150,14 @@ internal class Epoch(
         }
         if (!goesOn) begin(population, columns)
         val order = if (goesOn) null else cells.order
-        if (goesOn) searchChanged(population) else searchAll()
-        if (!collide(step, order, tracks) || lines.isLost) return false
         if (tracks) age(population, columns, order)
-        store(columns)
+        val isDone = if (frame.windows > 1) {
+            takeWindows(step, columns, tracks)
+        } else {
+            if (goesOn) searchChanged(population) else searchAll()
+            takeStep(step, columns, order, tracks)
+        }
+        if (!isDone) return false
         population.take(columns)
         step.record?.sort()
         val before = step.counters.collisions
@@ -162,7 +175,8 @@ internal class Epoch(
         filter = filters.choose(step.population.size)
         val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter) ?: return false
         if (!frame.begin(tuning)) return false
-        cells.sort(step.population, tuning)
+        this.tuning = tuning
+        cells.sort(step.population, tuning, 0.0)
         return true
     }
 
@@ -171,14 +185,20 @@ internal class Epoch(
         begun++
         collisions = 0
         strayed = 0
+        listed = 0
         spheres = population.size
-        for (calendar in calendars) calendar.begin(frame.steps)
+        wholePlaces.reserve(spheres)
         passage.first(population, cells, columns)
+        beginWindow()
+        if (groups.isNotEmpty()) shared.divide(spheres)
+    }
+
+    /** All lines have been drawn anew. */
+    private fun beginWindow() {
+        for (calendar in calendars) calendar.begin(frame.steps)
         space.settle(spheres)
         space.roamers.begin(spheres, cells.fastest, frame.memberRadius)
         space.giants.begin(spheres, cells.fastest, frame.largestRadius)
-        wholePlaces.reserve(spheres)
-        if (groups.isNotEmpty()) shared.divide(spheres)
         whole.beginEpoch(filter)
         for (group in groups) group.beginEpoch(filter)
     }
@@ -186,8 +206,13 @@ internal class Epoch(
     /** The epoch ends before the present step. */
     private fun ended(isBroken: Boolean) {
         val sphereSteps = spheres.toDouble() * frame.step
-        val listed = searches.sumOf { it.listed }
+        countListed()
         plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, listed / sphereSteps, isBroken)
+    }
+
+    /** Entries of roamers that searches have looked at are counted by window. */
+    private fun countListed() {
+        listed += searches.sumOf { it.listed }
     }
 
     private fun searchAll() {
@@ -199,7 +224,9 @@ internal class Epoch(
             for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
         }
         if (!frame.hasWalls) return
-        loop.run(spheres) { worker, from, to -> for (slot in from until to) workers[worker].lookAtWalls(slot, 0.0) }
+        loop.run(spheres) { worker, from, to ->
+            for (slot in from until to) workers[worker].lookAtWalls(slot, frame.start)
+        }
     }
 
     private fun searchChanged(population: Population) {
@@ -220,6 +247,41 @@ internal class Epoch(
                 if (frame.hasWalls) workers[worker].lookAtWalls(passage.slots[k], t)
             }
         }
+    }
+
+    /** @return false when the step cannot be ended in this way */
+    private fun takeStep(step: CollisionStep, columns: PopulationColumns, order: IntArray?, tracks: Boolean): Boolean {
+        if (!collide(step, order, tracks) || lines.isLost) return false
+        store(columns)
+        return true
+    }
+
+    /** The same for a step that is taken in several windows, whose collisions are processed on one thread. */
+    private fun takeWindows(step: CollisionStep, columns: PopulationColumns, tracks: Boolean): Boolean {
+        if (firstOrder.size < spheres) firstOrder = IntArray(cells.order.size)
+        cells.order.copyInto(firstOrder, 0, 0, spheres)
+        isShared = false
+        whole.begin(step.population, firstOrder, tracks, keepsPaths = false)
+        for (window in 0 until frame.windows) {
+            if (window > 0) {
+                countListed()
+                frame.openWindow(window)
+                cells.sort(columns, tuning, frame.duration)
+                cells.invert(spheres)
+                passage.again(columns, cells)
+                beginWindow()
+                windows++
+            }
+            searchAll()
+            if (lines.isLost) return false
+            if (window == 0) whole.open(step.record) else whole.goOn(cells.order, cells.slots)
+            for (calendar in calendars) calendar.forEachDue(0) { i, j, code -> whole.ask(i, j, code) }
+            val isDone = whole.process()
+            whole.rest()
+            if (!isDone || lines.isLost) return false
+            whole.bodies.store(columns, frame.duration)
+        }
+        return true
     }
 
     /** @return false when the step cannot be ended in this way */

@@ -6,7 +6,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.queue.BucketEventQueue
 
-/** The place of the row of a sphere, by slot. Groups whose slots differ can share one. */
+/** The place of the row of a sphere, by index in the columns of the step. Groups of different spheres can share one. */
 internal class SlotPlaces {
     private var places = IntArray(0)
 
@@ -15,16 +15,16 @@ internal class SlotPlaces {
         if (places.size < spheres) places = IntArray(spheres) { NONE }
     }
 
-    /** The place of [slot]; [NONE] when it has no row. */
-    fun of(slot: Int): Int = places[slot]
+    /** The place of [index]; [NONE] when it has no row. */
+    fun of(index: Int): Int = places[index]
 
-    fun put(slot: Int, place: Int) {
-        places[slot] = place
+    fun put(index: Int, place: Int) {
+        places[index] = place
     }
 
-    /** [slot], which may be one of a larger population before, has no row any more. */
-    fun forget(slot: Int) {
-        if (slot < places.size) places[slot] = NONE
+    /** [index], which may be one of a larger population before, has no row any more. */
+    fun forget(index: Int) {
+        if (index < places.size) places[index] = NONE
     }
 
     companion object {
@@ -34,58 +34,84 @@ internal class SlotPlaces {
 
 /**
  * The rows of the few spheres that may collide in the present step. The **place** of a sphere is that of its row here;
- * its slot is that in the epoch. Collisions see rows, and so the same numbers as in every other engine.
+ * its slot is that in the cells. Collisions see rows, and so the same numbers as in every other engine.
+ *
+ * A later window sorts spheres into cells anew, so that slots change. What does not change within a step is the
+ * **index** of a sphere in the columns to which the step is written, which is its slot in the first window.
  */
 internal class EpochBodies(private val places: SlotPlaces) {
     val rows = StepRows()
 
     /** Potential collisions of the step, by place. */
     val queue = BucketEventQueue()
-    private var slotOfPlace = IntArray(INITIAL)
+    private var indexOfPlace = IntArray(INITIAL)
     private lateinit var population: Population
 
-    /** Index in the population by slot; null when the two are the same. */
+    /** Index in the population by index; null when the two are the same. */
     private var order: IntArray? = null
 
-    /** Begins a step of [duration], without rows. */
-    fun begin(population: Population, order: IntArray?, duration: Double, tracksLastCollision: Boolean) {
+    /** Index by slot and slot by index; null when the two are the same. */
+    private var indexAt: IntArray? = null
+    private var slotAt: IntArray? = null
+
+    /** Begins a step of [duration], without rows; there will be collisions until the time [end] of it. */
+    fun begin(population: Population, order: IntArray?, duration: Double, end: Double, tracksLastCollision: Boolean) {
         this.population = population
         this.order = order
-        for (place in 0 until rows.size) places.forget(slotOfPlace[place])
+        indexAt = null
+        slotAt = null
+        for (place in 0 until rows.size) places.forget(indexOfPlace[place])
         rows.begin(duration, tracksLastCollision)
-        queue.reset(duration, rows.id, 0)
+        queue.reset(0.0, end, rows.id, 0)
+    }
+
+    /**
+     * Goes on in a window from [start] to [end] of the step, before whose collisions the queue is empty. Rows stay.
+     *
+     * @param indexAt the index by slot from now on, and [slotAt] the reverse
+     */
+    fun goOn(start: Double, end: Double, indexAt: IntArray, slotAt: IntArray) {
+        this.indexAt = indexAt
+        this.slotAt = slotAt
+        queue.reset(start, end, rows.id, rows.size)
     }
 
     /** The slot of the sphere at [place]. */
-    fun slotOf(place: Int): Int = slotOfPlace[place]
+    fun slotOf(place: Int): Int {
+        val index = indexOfPlace[place]
+        return slotAt?.get(index) ?: index
+    }
+
+    private fun indexOf(slot: Int): Int = indexAt?.get(slot) ?: slot
 
     /** The place of the sphere in [slot]; its row is made if there is none. */
     fun placeOf(slot: Int): Int {
-        val place = places.of(slot)
-        return if (place != SlotPlaces.NONE) place else include(slot)
+        val index = indexOf(slot)
+        val place = places.of(index)
+        return if (place != SlotPlaces.NONE) place else include(index)
     }
 
     /** Whether the sphere in [slot] has a row, here or where places are shared. */
-    fun has(slot: Int): Boolean = places.of(slot) != SlotPlaces.NONE
+    fun has(slot: Int): Boolean = places.of(indexOf(slot)) != SlotPlaces.NONE
 
     /** Calls [use] with each slot that has a row. */
     inline fun forEachSlot(use: (Int) -> Unit) {
         for (place in 0 until rows.size) use(slotOf(place))
     }
 
-    private fun include(slot: Int): Int {
-        // Before the row, so that there is none without a slot when the memory ends.
-        if (rows.size == slotOfPlace.size) slotOfPlace = slotOfPlace.copyOf(rows.size * 2)
-        val place = rows.include(population, order?.get(slot) ?: slot)
-        slotOfPlace[place] = slot
-        places.put(slot, place)
+    private fun include(index: Int): Int {
+        // Before the row, so that there is none without an index when the memory ends.
+        if (rows.size == indexOfPlace.size) indexOfPlace = indexOfPlace.copyOf(rows.size * 2)
+        val place = rows.include(population, order?.get(index) ?: index)
+        indexOfPlace[place] = index
+        places.put(index, place)
         queue.include(place, rows.id)
         return place
     }
 
     /** Writes the spheres with rows, as they are at the end of a step of [duration], to [columns]. */
     fun store(columns: PopulationColumns, duration: Double) {
-        rows.storeAt(columns, duration, slotOfPlace)
+        rows.storeAt(columns, duration, indexOfPlace)
     }
 
     private companion object {

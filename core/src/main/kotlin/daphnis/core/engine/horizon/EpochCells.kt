@@ -48,8 +48,12 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     var cellOf = IntArray(0)
         private set
 
-    /** Index in the population, at the start of the epoch, by slot. */
+    /** Index in the spheres that were sorted, by slot: those of the population, or of the columns of the step. */
     var order = IntArray(0)
+        private set
+
+    /** Slot by that index, when [invert] has been called. */
+    var slots = IntArray(0)
         private set
 
     /** Slots below this are those of spheres that were members at the start. */
@@ -65,11 +69,11 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
 
     private val cells: Int get() = count[0] * count[1] * count[2]
 
-    /** Sorts [spheres], which have been measured, into cells. */
-    fun sort(spheres: SphereColumns, tuning: HorizonTuning) {
+    /** Sorts [spheres], which are where they say at [time] and whose velocities have been measured, into cells. */
+    fun sort(spheres: SphereColumns, tuning: HorizonTuning, time: Double) {
         layOut(spheres.size, tuning)
         reserve(spheres.size)
-        loop.run(spheres.size) { _, from, to -> place(spheres, from, to) }
+        loop.run(spheres.size) { _, from, to -> place(spheres, frame.middle - time, from, to) }
         fill(spheres.size)
     }
 
@@ -119,7 +123,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private fun layOut(spheres: Int, tuning: HorizonTuning) {
         for (k in 0 until AXES) bound[k] = tuning.classBound * rmsAtLeast(k)
         for (k in 0 until AXES) {
-            val range = 2 * (2 * frame.memberRadius + frame.inflation + bound[k] * frame.middle)
+            val range = 2 * (2 * frame.memberRadius + frame.inflation + bound[k] * frame.halfLength)
             val perRange = if (k == 0) tuning.cellsAlong else tuning.cellsAcross
             count[k] = (frame.length[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
         }
@@ -133,7 +137,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         for (c in 0 until count[2]) flow[c] = frame.flowRate * (frame.low[2] + (c + 0.5) / perLength[2])
         // Within a layer the flow differs from that of its middle.
         bound[0] += abs(frame.flowRate) / (2 * perLength[2])
-        for (k in 0 until AXES) reach[k] = bound[k] * frame.middle
+        for (k in 0 until AXES) reach[k] = bound[k] * frame.halfLength
     }
 
     private fun reserve(spheres: Int) {
@@ -148,23 +152,23 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         start.fill(0, 0, cells + 2)
     }
 
-    /** Finds the cells of the spheres [from] until [to]. */
-    private fun place(spheres: SphereColumns, from: Int, to: Int) {
+    /** Finds the cells of the spheres [from] until [to], which are where they say [wait] before the middle. */
+    private fun place(spheres: SphereColumns, wait: Double, from: Int, to: Int) {
         val p0 = spheres.position(frame.axes[0])
         val p1 = spheres.position(frame.axes[1])
         val p2 = spheres.position(frame.axes[2])
         val v0 = spheres.velocity(frame.axes[0])
         val v1 = spheres.velocity(frame.axes[1])
         val v2 = spheres.velocity(frame.axes[2])
-        val t = frame.middle
+        val offset = frame.offset(frame.middle)
         val slide = frame.images.shearVelocity
         for (i in from until to) {
-            val m2 = p2[i] + v2[i] * t
-            val m1 = p1[i] + v1[i] * t
+            val m2 = p2[i] + v2[i] * wait
+            val m1 = p1[i] + v1[i] * wait
             val slow = boxes(m2, 2)
             val middle = boxes(m1, 1)
             val along = v0[i] - slow * slide
-            val m0 = p0[i] + v0[i] * t - if (frame.slides) slow * frame.offset(t) else 0.0
+            val m0 = p0[i] + v0[i] * wait - if (frame.slides) slow * offset else 0.0
             val row = boxes(m0, 0)
             val c2 = cellAt(m2 - slow * frame.length[2], 2)
             val isMember = abs(along - flow[c2]) <= bound[0] &&
@@ -198,6 +202,12 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
             cellOf[slot] = cellOfIndex[i]
         }
         members = start[cells]
+    }
+
+    /** Makes [slots], the reverse of [order]. */
+    fun invert(spheres: Int) {
+        if (slots.size < spheres) slots = IntArray(order.size)
+        loop.run(spheres) { _, from, to -> for (slot in from until to) slots[order[slot]] = slot }
     }
 
     /** The boxes by which the line in [slot] has to be moved back at the start of the epoch. */

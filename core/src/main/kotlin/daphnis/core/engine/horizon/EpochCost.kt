@@ -50,8 +50,8 @@ internal class EpochCost(
     }
 
     /** In epochs with these numbers of a [HorizonTuning]. */
-    fun of(steps: Int, classBound: Double, along: Double, across: Double): Double {
-        val time = steps * dt
+    fun of(steps: Int, windows: Int, classBound: Double, along: Double, across: Double): Double {
+        val time = steps * dt / windows
         val own = 2 * radius * (1 + deviation)
         look(time, along, across) { own + classBound * cells.rmsAtLeast(it) * time / 2 }
         testsAhead = tests / 2
@@ -60,8 +60,9 @@ internal class EpochCost(
         val around = SEARCH + ROAMERS + FAR * all
         val impacts = collisions * (COLLISION + LINES) + (2 * collisions + seen.strays) * around + ROAMER * seen.roamers
         val byGroups = impacts * GROUPS / threads + seen.entanglement * joining(collisions)
-        sharesCollisions = threads > 1 && byGroups < impacts
-        return (PASS + (EPOCH + ahead) / steps) / threads + SORT / steps + if (sharesCollisions) byGroups else impacts
+        sharesCollisions = threads > 1 && windows == 1 && byGroups < impacts
+        val begun = ((EPOCH + ahead) / threads + SORT) * windows / steps
+        return PASS / threads + begun + if (sharesCollisions) byGroups else impacts
     }
 
     /**

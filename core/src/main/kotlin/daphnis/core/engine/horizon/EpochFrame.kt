@@ -14,6 +14,8 @@ import kotlin.math.abs
  * rounded up. Arrays are indexed by row axis (0), middle axis (1) and slow axis (2), as in the grid of a step.
  *
  * The time of an epoch is counted from its start. Step k lasts from `k · duration` to `(k + 1) · duration`.
+ *
+ * An epoch of one step may be taken in several **windows** one after the other, each with lines and cells of its own.
  */
 internal class EpochFrame {
     /** Which of x, y, z the row axis, the middle axis and the slow axis are. Images slide along rows. */
@@ -38,15 +40,27 @@ internal class EpochFrame {
     var flowRate = 0.0
         private set
 
-    /** Length of a step, and of the epoch; its middle. */
+    /** Length of a step. */
     var duration = 0.0
         private set
     var steps = 0
+        private set
+    var windows = 1
+        private set
+
+    /** When the present window of the epoch begins and ends, and its middle; an epoch of several steps has only one. */
+    var start = 0.0
         private set
     var end = 0.0
         private set
     var middle = 0.0
         private set
+
+    /** Half the length of a window. */
+    val halfLength: Double get() = (end - start) / 2
+
+    /** Collisions of the present step that are later, by its time, are those of another window, or of another step. */
+    val stepLimit: Double get() = if (windows == 1) duration else end
 
     /** Number of the present step, from 0, and when it begins. */
     var step = 0
@@ -105,23 +119,32 @@ internal class EpochFrame {
      */
     fun begin(tuning: HorizonTuning): Boolean {
         steps = tuning.steps
-        end = steps * duration
-        middle = end / 2
+        windows = tuning.windows
+        val whole = steps * duration
+        openWindow(0)
         var span = 0.0
         for (k in 0 until AXES) {
-            val way = speed[axes[k]] * end
+            val way = speed[axes[k]] * whole
             span = maxOf(span, farthestIn(k) + way)
             if (isPeriodic[k] && (length[k] < LEAST_BOX * largestRadius || way > MOST_BOXES * length[k])) return false
         }
-        if (slides && abs(images.shearVelocity) * end > MOST_BOXES * length[0]) return false
+        if (slides && abs(images.shearVelocity) * whole > MOST_BOXES * length[0]) return false
         farthest = ROOM * span
         for (k in 0 until AXES) {
-            fastest[axes[k]] = minOf(farthest, if (isPeriodic[k]) 2 * MOST_BOXES * length[k] else farthest) / end
+            fastest[axes[k]] = minOf(farthest, if (isPeriodic[k]) 2 * MOST_BOXES * length[k] else farthest) / whole
         }
         rounding = farthest * FLOAT
         deviation = maxOf(tuning.deviation * memberRadius, 2 * rounding)
         inflation = 2 * deviation + 8 * rounding + LEAST_INFLATION * memberRadius
-        return rounding < MOST_ROUNDING * memberRadius && isComputable()
+        return rounding < MOST_ROUNDING * memberRadius && isComputable(whole)
+    }
+
+    /** Begins window [k] of [windows]. */
+    fun openWindow(k: Int) {
+        val whole = steps * duration
+        start = whole * k / windows
+        end = if (k + 1 == windows) whole else whole * (k + 1) / windows
+        middle = start + (end - start) / 2
     }
 
     private fun farthestIn(k: Int): Double = maxOf(abs(low[k]), abs(low[k] + length[k]))
@@ -154,10 +177,10 @@ internal class EpochFrame {
     }
 
     /** Whether squares of lengths times speeds are within the range of floats, with room on either side. */
-    private fun isComputable(): Boolean = memberRadius >= 1 / MOST_RADIUS &&
+    private fun isComputable(whole: Double): Boolean = memberRadius >= 1 / MOST_RADIUS &&
         largestRadius <= MOST_RADIUS &&
-        memberRadius / end * memberRadius >= LEAST_RATE &&
-        largestRadius / end * largestRadius <= MOST_RATE &&
+        memberRadius / whole * memberRadius >= LEAST_RATE &&
+        largestRadius / whole * largestRadius <= MOST_RATE &&
         farthest <= MOST_RADII * memberRadius
 
     /**

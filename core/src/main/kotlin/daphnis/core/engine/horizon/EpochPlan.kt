@@ -26,6 +26,10 @@ internal class EpochPlan(private val threads: Int) {
     var sharesCollisions = true
         private set
 
+    /** The best layout that has been considered, and what it is expected to cost. */
+    private var best: HorizonTuning? = null
+    private var least = 0.0
+
     /** Steps to come that are left to the other engine without asking. */
     private var rest = 0
 
@@ -45,33 +49,46 @@ internal class EpochPlan(private val threads: Int) {
         val deviation = DEVIATIONS[level]
         val cost = EpochCost(spheres, frame, cells, deviation, filter, threads, seen)
         this.cost = cost
-        var least = WORTH * cost.otherwise()
+        least = WORTH * cost.otherwise()
+        best = null
         // Only groups that share collisions can tell whether they are less entangled now.
         if (!sharesCollisions) seen.entanglement = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
         sharesCollisions = false
-        var bestSteps = 0
-        var bestAcross = 0.0
-        var bestAlong = 0.0
-        for (steps in STEPS) {
-            if (steps > mostSteps) break
-            for (across in CELLS_ACROSS) {
-                for (along in CELLS_ALONG) {
-                    val expected = cost.of(steps, CLASS_BOUND, along, across)
-                    if (expected < least) {
-                        least = expected
-                        bestSteps = steps
-                        bestAcross = across
-                        bestAlong = along
-                        expectedTests = cost.testsAhead
-                        sharesCollisions = cost.sharesCollisions
-                    }
+        for (steps in STEPS) if (steps <= mostSteps) consider(cost, steps, 1, deviation)
+        if ((best?.steps ?: 1) == 1) considerWindows(cost, deviation)
+        if (best == null) {
+            rest = REST
+            seen.roamers *= CALMING
+        }
+        return best
+    }
+
+    /** A step is cut more finely as long as that is expected to be quicker. */
+    private fun considerWindows(cost: EpochCost, deviation: Double) {
+        var before = Double.POSITIVE_INFINITY
+        for (windows in WINDOWS) {
+            val expected = consider(cost, 1, windows, deviation)
+            if (expected > before) return
+            before = expected
+        }
+    }
+
+    /** Takes epochs with these numbers if they are better than the [best]. @return their expected cost */
+    private fun consider(cost: EpochCost, steps: Int, windows: Int, deviation: Double): Double {
+        var leastHere = Double.POSITIVE_INFINITY
+        for (across in CELLS_ACROSS) {
+            for (along in CELLS_ALONG) {
+                val expected = cost.of(steps, windows, CLASS_BOUND, along, across)
+                leastHere = minOf(leastHere, expected)
+                if (expected < least) {
+                    least = expected
+                    best = HorizonTuning(steps, CLASS_BOUND, deviation, along, across, windows)
+                    expectedTests = cost.testsAhead
+                    sharesCollisions = cost.sharesCollisions
                 }
             }
         }
-        if (bestSteps > 0) return HorizonTuning(bestSteps, CLASS_BOUND, deviation, bestAlong, bestAcross)
-        rest = REST
-        seen.roamers *= CALMING
-        return null
+        return leastHere
     }
 
     /** Told that a step of the serial engine had so many [collisions] per sphere. */
@@ -124,6 +141,7 @@ internal class EpochPlan(private val threads: Int) {
 
     private companion object {
         val STEPS = intArrayOf(1, 2, 3, 4, 5, 6, 8, 10, 12, 16)
+        val WINDOWS = intArrayOf(2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128)
         val CELLS_ACROSS = doubleArrayOf(0.5, 0.7, 1.0, 1.4, 2.0, 2.8)
         val CELLS_ALONG = doubleArrayOf(1.0, 2.0, 4.0)
         const val LONGEST = 16

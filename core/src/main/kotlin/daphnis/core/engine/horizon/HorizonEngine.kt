@@ -60,6 +60,9 @@ public class HorizonEngine internal constructor(
     public var epochSteps: Long = 0
         private set
 
+    /** Windows begun within a step, apart from the first of each, since the start. */
+    internal val windows: Long get() = epoch.windows
+
     /** Spheres that were found off their lines, at the starts of steps, since the start. */
     internal val strays: Long get() = epoch.strays
 

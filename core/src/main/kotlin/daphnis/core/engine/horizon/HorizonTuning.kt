@@ -10,19 +10,35 @@ package daphnis.core.engine.horizon
  * @param cellsAcross the same along the other two axes
  * @throws IllegalArgumentException when a number is out of range
  */
-public class HorizonTuning @JvmOverloads constructor(
+public class HorizonTuning internal constructor(
     internal val steps: Int,
-    internal val classBound: Double = 3.0,
-    internal val deviation: Double = 0.06,
-    internal val cellsAlong: Double = 2.0,
-    internal val cellsAcross: Double = 1.0,
+    internal val classBound: Double,
+    internal val deviation: Double,
+    internal val cellsAlong: Double,
+    internal val cellsAcross: Double,
+    /** Into how many windows an epoch of one step is cut. */
+    internal val windows: Int,
 ) {
+    @JvmOverloads
+    public constructor(
+        steps: Int,
+        classBound: Double = 3.0,
+        deviation: Double = 0.06,
+        cellsAlong: Double = 2.0,
+        cellsAcross: Double = 1.0,
+    ) : this(steps, classBound, deviation, cellsAlong, cellsAcross, 1)
+
     init {
         require(steps in 1..MOST_STEPS) { "$steps steps of an epoch; it must be 1 to $MOST_STEPS" }
+        require(windows >= 1 && (windows == 1 || steps == 1)) { "$windows windows in $steps steps" }
         require(classBound > 0 && deviation >= 0 && cellsAlong > 0 && cellsAcross > 0) {
             "class bound $classBound, deviation $deviation, cells $cellsAlong and $cellsAcross; they must be positive"
         }
     }
+
+    /** The same in an epoch of one step, cut into so many [windows]. */
+    internal fun inWindows(windows: Int): HorizonTuning =
+        HorizonTuning(1, classBound, deviation, cellsAlong, cellsAcross, windows)
 
     internal companion object {
         const val MOST_STEPS = 64

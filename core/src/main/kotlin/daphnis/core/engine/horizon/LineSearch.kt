@@ -86,7 +86,7 @@ internal class LineSearch(
     }
 
     private fun ahead(slot: Int, rowStart: Int, c: Int, row: Int, layer: Int) {
-        cover(slot, 0.0)
+        cover(slot, frame.start)
         spanRow(layer, 0)
         val last = maxOf(most[0], c)
         val cellsAlong = cells.count[0]
@@ -101,16 +101,16 @@ internal class LineSearch(
 
     /** Finds, at the start of the epoch, the pairs of the roamer in [slot] with all members, and roamers before it. */
     fun aheadOfRoamer(slot: Int) {
-        aroundMembers(slot, 0.0, NOBODY)
-        look.forEachNear(lines, slot, 0.0) { e, image ->
+        aroundMembers(slot, frame.start, NOBODY)
+        look.forEachNear(lines, slot, frame.start) { e, image ->
             countListed()
             val other = roamers.slotOf(e)
-            if (other < slot) found.pair(slot, other, image, 0.0)
+            if (other < slot) found.pair(slot, other, image, frame.start)
         }
-        lookAtGiants.forEachNear(lines, slot, 0.0) { e, image ->
+        lookAtGiants.forEachNear(lines, slot, frame.start) { e, image ->
             countListed()
             val other = giants.slotOf(e)
-            if (other < slot) found.pair(slot, other, image, 0.0)
+            if (other < slot) found.pair(slot, other, image, frame.start)
         }
     }
 

@@ -70,6 +70,23 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
         }
     }
 
+    /** A later window of a step: gives each sphere its line anew. [columns] say where it is at the end of the step. */
+    fun again(columns: PopulationColumns, cells: EpochCells) {
+        lines.begin(columns.size)
+        if (space.isShared) space.before.begin(columns.size)
+        loop.run(columns.size) { _, from, to -> again(columns, cells, from, to) }
+    }
+
+    private fun again(p: PopulationColumns, cells: EpochCells, from: Int, to: Int) {
+        val order = cells.order
+        for (slot in from until to) {
+            val k = order[slot]
+            lines.putRadius(slot, p.radius[k])
+            lines.put(slot, p.x[k], p.y[k], p.z[k], p.vx[k], p.vy[k], p.vz[k], frame.duration)
+            lines.moveBack(slot, cells.imageAtStart(slot))
+        }
+    }
+
     /**
      * A later step; slots are indices of [population].
      *

@@ -39,7 +39,7 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
         largest = 0.0
         fastest.fill(0.0)
         for (k in 0 until AXES) {
-            val range = 2 * (2 * radius + frame.inflation + speeds[k] * frame.middle)
+            val range = 2 * (2 * radius + frame.inflation + speeds[k] * frame.halfLength)
             count[k] = (frame.length[k] / range).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
         }
         while (count[0] * count[1] * count[2] > spheres / SPHERES_A_CELL + 1) {
@@ -57,7 +57,7 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
 
     private fun measure() {
         for (k in 0 until AXES) {
-            reach[k] = largest + frame.inflation + fastest[k] * frame.middle
+            reach[k] = largest + frame.inflation + fastest[k] * frame.halfLength
         }
     }
 

@@ -91,13 +91,24 @@ class EpochPlanTest {
         assertEquals(16, generateSequence { plan.rests() }.takeWhile { it }.count())
     }
 
+    @Test
+    fun `the longer the step, the more windows it is cut into, and a short one into none`() {
+        val windows = listOf(0.01, 0.1, 2.0, 4.0, 8.0).map { dt ->
+            gas(dt)
+            choose(EpochPlan(1))?.windows ?: 0
+        }
+        assertEquals(listOf(1, 1), windows.take(2))
+        assertTrue(windows[2] in 2..4 && windows[3] > windows[2] && windows[4] in 2 * windows[2]..32) { "$windows" }
+        assertFalse(EpochPlan(2).also { choose(it) }.sharesCollisions)
+    }
+
     private fun plan() = EpochPlan(2)
 
     private fun choose(plan: EpochPlan): HorizonTuning? =
         plan.choose(start.size, space.frame, space.cells, ScalarFilter)
 
     /** A gas at a filling factor of 0.03, measured. */
-    private fun gas(): Population {
+    private fun gas(dt: Double = 0.1): Population {
         val n = 16 * 16 * 16
         val random = SeededRandom(1)
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
@@ -113,7 +124,7 @@ class EpochPlanTest {
         )
         val law = CollisionLaw(ConstantRestitution(1.0))
         val step = CollisionStep(p, Periodic(Box.centred(EDGE, EDGE, EDGE)), law, CollisionCounters())
-        step.duration = 0.1
+        step.duration = dt
         val prepared = PreparedStep()
         prepared.measure(step, InlineLoop)
         space.frame.takeOver(step, prepared.reach, InlineLoop)

@@ -77,6 +77,45 @@ class HorizonEngineTest {
     }
 
     @Test
+    fun `long steps in windows give the serial engine's bits after every step, whatever is done between steps`() {
+        var collisions = 0L
+        var bounces = 0L
+        var steps = 0L
+        var windows = 0L
+        var giants = 0L
+        var crossings = 0L
+        val settings = FixedThreads(1)
+        for (seed in 1..DRAWS / 2) {
+            val draw = LongDraw(seed, longer = 1.0 + seed % 6)
+            val made = CoreEngines.make("horizon", settings) as HorizonEngine
+            val tuning = made.tuning!!.inWindows(2 + (seed % 7).toInt())
+            val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
+            val engine = HorizonEngine(FixedPool(THREADS[(seed % THREADS.size).toInt()]), 0, tuning, filter)
+            val serial = draw.simulation(SerialEngine())
+            val horizon = draw.simulation(engine)
+            for (step in 1..STEPS / 2) {
+                val story = "$draw, ${seed % 6} longer, step $step"
+                assertEquals(failure(serial), failure(horizon)) { story }
+                assertSameStep(serial, horizon, story)
+                if (draw.isMeddled) draw.meddle(step, listOf(serial, horizon))
+            }
+            engine.close()
+            collisions += serial.collisions!!.counters.collisions
+            bounces += serial.collisions!!.counters.wallCollisions
+            steps += engine.epochSteps
+            windows += engine.windows
+            giants += engine.giants
+            val p = serial.population
+            if (draw.boundary is HillSheet) crossings += p.id.count { p.boxesCrossed(it, 0) != 0 }
+        }
+        println("$collisions collisions, $bounces at walls, in $steps steps of $windows more windows; $giants giants")
+        assertTrue(collisions > 100 * DRAWS) { "$collisions collisions" }
+        assertTrue(bounces > 10 * DRAWS) { "$bounces at walls" }
+        assertTrue(steps > STEPS * DRAWS / 6 && windows > 3 * steps) { "$steps steps, $windows windows" }
+        assertTrue(giants > DRAWS && crossings > DRAWS) { "$giants giants, $crossings through sliding faces" }
+    }
+
+    @Test
     fun `in free flight all are searched once an epoch, and a sphere that comes back through a face keeps its line`() {
         val engine = HorizonEngine(FixedPool(1), 0, HorizonTuning(4))
         val simulation = gas(engine)
@@ -102,6 +141,26 @@ class HorizonEngineTest {
         assertEquals(0L, dense.epochSteps)
         assertTrue(crowd.collisions!!.counters.collisions > 3000)
     }
+
+    @Test
+    fun `without a fixed layout a long step is taken in windows, in a dense gas too`() {
+        for ((apart, dt, threads) in listOf(Triple(3.0, 1.6, 1), Triple(3.0, 1.2, 2), Triple(2.0, 0.8, 1))) {
+            val serial = simulationOf(gas(SerialEngine(), apart).population, periodic(apart), dt)
+            val engine = HorizonEngine(FixedPool(threads), fewest = 0)
+            val long = simulationOf(gas(SerialEngine(), apart).population, periodic(apart), dt, engine = engine)
+            for (step in 1..4) {
+                serial.advance()
+                long.advance()
+                assertSameStep(serial, long, "step $step of $dt, $apart apart")
+            }
+            assertTrue(engine.windows >= engine.epochSteps && engine.epochSteps > 0) {
+                "${engine.windows} more windows, ${engine.epochSteps} steps"
+            }
+            engine.close()
+        }
+    }
+
+    private fun periodic(apart: Double) = Periodic(Box.centred(8 * apart, 8 * apart, 8 * apart))
 
     @Test
     fun `where nearly all collide, groups whose clusters are dropped over and over give the serial engine's bits`() {

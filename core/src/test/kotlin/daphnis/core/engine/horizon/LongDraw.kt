@@ -26,8 +26,10 @@ import daphnis.core.population.Population
 
 /**
  * A dilute system for many steps, and the meddling of outputs with it between steps. Everything follows from [seed].
+ *
+ * @param longer factor by which steps are longer than usual
  */
-class LongDraw(private val seed: Long) {
+class LongDraw(private val seed: Long, longer: Double = 1.0) {
     private val random = SeededRandom(seed)
     private val edge = 4 + random.nextInt(3)
     private val apart = random.nextDouble(2.2, 4.5)
@@ -46,7 +48,7 @@ class LongDraw(private val seed: Long) {
         8 -> Walls(box, 1.0, booleanArrayOf(false, true, random.nextInt(2) == 0))
         else -> Periodic(box)
     }
-    private val dt = random.nextDouble(0.05, 0.4)
+    private val dt = longer * random.nextDouble(0.05, 0.4)
     private val guard: CollapseGuard = if (random.nextInt(3) == 0) ContactDurationGuard(1e-3 * dt) else NoGuard
     private val restitution = ConstantRestitution(if (guard == NoGuard) 1.0 else 0.7)
     private val spring = random.nextDouble(0.0, 0.05)
