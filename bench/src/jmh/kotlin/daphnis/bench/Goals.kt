@@ -88,9 +88,12 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
     }
 
     /** How far ahead one searches is the engine's choice, so the step should not matter where no force acts. */
-    fun step(): List<Row> = listOf(DILUTE, VERY_DILUTE).flatMap { filling ->
-        val start = StartState(gas(sizes.gasOfSteps, filling, "random"))
-        val runners = STEPS.flatMap { dt ->
+    fun step(): List<Row> = listOf(DILUTE, VERY_DILUTE, DENSE).flatMap { filling ->
+        val isDense = filling == DENSE
+        val gas = gas(sizes.gasOfSteps, filling, if (isDense) "lattice" else "random")
+        val start = StartState(if (isDense) molten(gas) else gas)
+        // The longest would take most engines hours in the dense gas.
+        val runners = STEPS.filter { !isDense || it <= LONGEST_DENSE_STEP }.flatMap { dt ->
             // As many steps as cover the same time, within bounds: of short ones that would take all day.
             val steps = (sizes.secondsOfSteps / dt).toInt().coerceIn(1, MOST_STEPS)
             ENGINES.map { (engine, threads) -> Runner(start, engine, threads, dt, steps) }
@@ -178,6 +181,7 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
         const val DENSE = 0.45
         const val GAS_STEP = 0.1
         const val DENSE_STEP = 0.03
+        const val LONGEST_DENSE_STEP = 0.3
         const val MOST_STEPS = 60
         const val STEPS_OF_MEMORY = 5
         const val COLLECTIONS = 3

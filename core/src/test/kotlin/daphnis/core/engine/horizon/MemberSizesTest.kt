@@ -67,7 +67,7 @@ class MemberSizesTest {
         space.frame.memberRadius = limit
         val tuning = HorizonTuning(2)
         assertTrue(space.frame.begin(tuning))
-        space.cells.sort(p, tuning)
+        space.cells.sort(p, tuning, 0.0)
         val members = (0 until space.cells.members).map { radii[space.cells.order[it]] }
         assertTrue(members.size > n / 2 && members.all { it <= limit })
         return limit
