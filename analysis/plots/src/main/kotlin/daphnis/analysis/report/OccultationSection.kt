@@ -49,6 +49,10 @@ internal class OccultationSection(private val study: Study) : Section {
 
     private fun scan(page: ReportPage, rays: String) {
         val n = light.width - 1
+        if (n < FEWEST_PLACES) {
+            page.paragraph("No scan along x: the patch is so long for its width that too few rays pass side by side.")
+            return
+        }
         val box = study.last.boundary.box
         val x = DoubleArray(n) { box.lowerX + (it + 0.5) * box.length(0) / n }
         val last = DoubleArray(n) { light.series(1 + it).last() }
@@ -68,5 +72,10 @@ internal class OccultationSection(private val study: Study) : Section {
                 Column("transmission_mean", "", mean),
             ),
         ).write(study.tables)
+    }
+
+    private companion object {
+        /** Places along x below which a scan shows nothing. */
+        const val FEWEST_PLACES = 8
     }
 }

@@ -190,6 +190,14 @@ class AnalysisTest {
     }
 
     @Test
+    fun `a patch of a thousand times its width has no scan across it`() {
+        val path = run("ring-patch", "box.lengths=[20,20000,20]", "particles.opticalDepth=0.02", "untilOrbits=0.02")
+        Analysis(AnalysisInput.ofRun(path)).write(path)
+        assertTrue("No scan along x" in Files.readString(path.resolve("report.html")))
+        assertFalse(Files.exists(path.resolve("plots/occultation.svg")))
+    }
+
+    @Test
     fun `a patch that is not steady has no error anywhere, neither in tables nor on the page`() {
         val particles = "{\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[1,2]},\"density\":900}"
         val settings =
