@@ -57,6 +57,11 @@ if [ -f "$zip" ]; then
     # The first start laid classes out, and later ones use that.
     JAVA_OPTS=-Xlog:class+load:file=loaded unpacked --version >/dev/null
     grep -q 'shared objects file (top)' loaded || die "the distribution does not use its layout of classes"
+    # So it is in a copy, whose files have other times and lie elsewhere.
+    cp -r "$home" copied
+    copied/bin/daphnis --version >/dev/null
+    JAVA_OPTS=-Xlog:class+load:file=loaded copied/bin/daphnis --version >/dev/null
+    grep -q 'shared objects file (top)' loaded || die "a copy of the distribution does not use a layout of classes"
     for shell in bash zsh fish; do
         unpacked completion $shell | cmp -s - "$home/completions/daphnis.$shell" || die "completion for $shell"
     done

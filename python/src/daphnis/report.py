@@ -85,7 +85,8 @@ class Report:
         """
         table = read_table(self.path / "tables" / "numbers.csv").set_index("quantity")
         for name in ("unit", "remark"):
-            table[name] = table[name].fillna("").astype(str)
+            # As objects, since a column that is empty throughout is read as numbers.
+            table[name] = table[name].astype(object).fillna("").astype(str)
         return table.astype({name: float for name in ("value", "standard_error", "reference") if name in table})
 
     @property

@@ -52,14 +52,26 @@ command_of() {
 
 # What an archive belongs to: its own length, since a JVM dies of one cut short, and the jars of daphnis. The JVM compares
 # only times and lengths of jars, and those of two builds of one version may be the same.
-stamp() {
+content() {
     wc -c <"$archive"
     cat "$jar" "$(dirname -- "$jar")"/lib/daphnis*.jar 2>/dev/null | cksum
 }
 
-# An empty archive says that this Java makes none; one more try would fail like the first.
+# When the jar was written, and where it lies: no JVM takes an archive after a copy that sets new times, and that of JDK
+# 17 none that was moved.
+place() {
+    stat -c %Y -- "$jar" 2>/dev/null || stat -f %m -- "$jar" 2>/dev/null || echo
+    printf '%s\n' "$jar"
+}
+
+# Whether the archive is of these jars. An empty one says that this Java makes none.
 archived() {
-    [ -f "$archive" ] && [ "$(cat "$archive.stamp" 2>/dev/null)" = "$(stamp)" ]
+    [ -f "$archive" ] && [ "$(head -n 2 "$archive.stamp" 2>/dev/null)" = "$(content)" ]
+}
+
+# Whether one more try would make no better one.
+settled() {
+    archived && [ "$(tail -n +3 "$archive.stamp")" = "$(place)" ]
 }
 
 # Makes the archive in a run of a few steps, out of sight. $1 is the flag of the vector unit, which runs have, or empty.
@@ -72,7 +84,7 @@ train() (
     "$java" -XX:+VerifySharedSpaces "-XX:SharedArchiveFile=$archive.$$" '-Xlog:cds*=off' '-Xlog:class+path=off' \
         -jar "$jar" --version >"$work/shared"
     cmp -s "$work/plain" "$work/shared" && [ -s "$work/plain" ] || : >"$archive.$$"
-    mv -f "$archive.$$" "$archive" && stamp >"$archive.stamp"
+    mv -f "$archive.$$" "$archive" && { content && place; } >"$archive.stamp"
 ) >/dev/null 2>&1 </dev/null
 
 # Becomes the JVM that runs the jar $1, which knows its libraries, with the command line that follows. JAVA_OPTS reaches
@@ -110,7 +122,7 @@ launch() {
     # saves half of a start. The JVM goes without when the archive does not fit or is damaged. Whatever fails here stops
     # no run.
     archive=$(dirname -- "$jar")/daphnis-$major-$(cat "$release" 2>/dev/null | cksum | tr -cd '0-9').jsa
-    if [ -w "$(dirname -- "$jar")" ] && ! archived; then train "$unit" || true; fi
+    if [ -w "$(dirname -- "$jar")" ] && ! settled; then train "$unit" || true; fi
     shared=
     if archived && [ -s "$archive" ]; then shared=yes; fi
 

@@ -46,7 +46,8 @@ class RunCommand : CliktCommand(name = "run") {
     private val settings by option(
         "--set",
         metavar = "path=value",
-        help = "replace any key of the scenario, such as timeStep.dt=0.05 or 'forces[0].x=-167'",
+        help = "replace any key of the scenario, such as timeStep.dt=0.05 or 'forces[0].x=-167'; " +
+            "'forces[+]={…}' adds an entry",
     ).multiple()
     private val out by option(
         "--out",

@@ -4,13 +4,15 @@ import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
  * Replaces keys of a scenario's tree by `path=value` settings, as given on the command line. A path is what messages
  * call a key: names with dots between, and `[k]` after the name of a list, from 0: `timeStep.dt`,
- * `forces[0].massRatio`, `box.lengths[2]`. A value is JSON, or otherwise a string.
+ * `forces[0].massRatio`, `box.lengths[2]`. `[+]` is a new entry at the end of a list, which may not be there yet. A
+ * value is JSON, or otherwise a string.
  */
 internal object Settings {
     fun apply(tree: JsonElement, settings: List<String>): JsonElement {
@@ -90,10 +92,18 @@ internal object Settings {
         val step = steps[at]
         val here = steps.take(at).joinToString(".").replace(".[", "[")
         if (step.startsWith('[')) {
+            val isNew = step == NEW
             val noList = "$here is not a list in this scenario, so it has no $step"
-            val list = tree as? JsonArray ?: throw wrongArgument(SETTINGS, setting, noList)
+            val list = tree as? JsonArray
+                ?: JsonArray(emptyList()).takeIf { isNew && (tree == null || tree is JsonNull) }
+                ?: throw wrongArgument(SETTINGS, setting, noList)
+            if (isNew) return JsonArray(list + put(null, steps, at + 1, value, setting))
             val k = step.trim('[', ']').toIntOrNull()?.takeIf { it in list.indices }
-                ?: throw wrongArgument(SETTINGS, setting, "$here has ${entries(list.size)}, so it has no $step")
+                ?: throw wrongArgument(
+                    SETTINGS,
+                    setting,
+                    "$here has ${entries(list.size)}, so it has no $step; $here$NEW adds one",
+                )
             return JsonArray(
                 list.mapIndexed { i, entry ->
                     if (i == k) put(entry, steps, at + 1, value, setting) else entry
@@ -101,7 +111,11 @@ internal object Settings {
             )
         }
         if (tree is JsonArray) {
-            throw wrongArgument(SETTINGS, setting, "$here is a list; write $here[0] for its first entry")
+            throw wrongArgument(
+                SETTINGS,
+                setting,
+                "$here is a list; write $here[0] for its first entry, $here$NEW for one more",
+            )
         }
         if (tree != null && tree !is JsonObject) {
             throw wrongArgument(SETTINGS, setting, "'$step' is looked up inside something that is not an object")
@@ -120,6 +134,7 @@ internal object Settings {
     private const val OUTPUT = "output."
     private const val UNTIL = "until"
     private const val ORBITS = "untilOrbits"
-    private val PART = Regex("""([^\[\]]+)((?:\[\d+])*)""")
-    private val INDEX = Regex("""\[\d+]""")
+    private const val NEW = "[+]"
+    private val PART = Regex("""([^\[\]]+)((?:\[(?:\d+|\+)])*)""")
+    private val INDEX = Regex("""\[(?:\d+|\+)]""")
 }

@@ -53,12 +53,29 @@ class SettingsTest {
     }
 
     @Test
+    fun `an entry is added at the end of a list, whether the list is there or not`() {
+        fun constants(forces: List<ForceSpec>) = forces.filterIsInstance<ForceSpec.SelfGravity>().map { it.constant }
+        val more = """{"type":"self-gravity","constant":2}"""
+        assertEquals(listOf(1.0, 2.0), constants(with("forces[+]=$more").forces))
+        assertEquals(listOf(1.0, 3.0), constants(with("forces[+]=$more", "forces[2].constant=3").forces))
+        assertEquals(listOf(1.0, 2.0, 2.0), constants(with("forces[+]=$more", "forces[+]=$more").forces))
+        for (none in listOf("", "\"forces\": null,", "\"forces\": [],")) {
+            val without = text.replace(Regex("(?s)\"forces\": \\[.*?\\}\\s*],"), none)
+            assertEquals(listOf(2.0), constants(ScenarioJson.parse(without, "s", listOf("forces[+]=$more")).forces))
+        }
+        assertRefused("forces[+].constant=1", "forces[2].type", "is missing")
+        assertRefused("restitution[+]=1", "restitution is not a list", "[+]")
+        assertRefused("forcs[+]=$more", "forcs", "did you mean 'forces'?")
+    }
+
+    @Test
     fun `an index that is not there is refused with those that are`() {
         assertRefused(
             "forces[2].constant=1",
             "settings: ",
             "forces[2].constant=1",
             "forces has 2 entries, [0] to [1]",
+            "forces[+] adds one",
             "[2]",
         )
         assertRefused("forces[0].acceleration[3]=1", "forces[0].acceleration has 3 entries")

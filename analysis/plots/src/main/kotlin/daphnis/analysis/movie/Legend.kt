@@ -39,9 +39,11 @@ internal class Legend(private val scene: Scene) {
         g.color = Color(GROUND)
         g.fillRect(0, view.height, view.width, height)
         g.color = Color.WHITE
-        val half = if (isNarrow) view.width / 2 else view.width / 4
-        clock(g, clock, margin, view.height)
-        scaleBar(g, half, view.height)
+        val end = if (isNarrow) view.width - margin else view.width / 2
+        val words = words(g, end)
+        clock(g, clock, words, view.height)
+        val behind = 2 * margin + g.fontMetrics.stringWidth(words)
+        scaleBar(g, maxOf(if (isNarrow) view.width / 2 else view.width / 4, behind), end, view.height)
         if (isNarrow) {
             colourBar(g, map, margin, view.width - margin, view.height + row)
         } else {
@@ -50,16 +52,24 @@ internal class Legend(private val scene: Scene) {
         g.dispose()
     }
 
-    private fun clock(g: Graphics2D, clock: String, x: Int, top: Int) {
-        g.drawString(clock, x.toFloat(), top + LINE_1 * size)
+    /** From where the view is, and the [remark]; that alone where both leave no room for a bar before [end]. */
+    private fun words(g: Graphics2D, end: Int): String {
+        val from = if (scene.options.view == MovieView.TOP) "from above" else "from the side"
+        val words = listOfNotNull(from, remark).joinToString(", ")
+        val fits = 2 * margin + g.fontMetrics.stringWidth(words) + LEAST_BAR * size <= end
+        return if (fits) words else remark ?: from
+    }
+
+    private fun clock(g: Graphics2D, clock: String, words: String, top: Int) {
+        g.drawString(clock, margin.toFloat(), top + LINE_1 * size)
         g.color = Color(QUIET)
-        val view = if (scene.options.view == MovieView.TOP) "from above" else "from the side"
-        g.drawString(listOfNotNull(view, remark).joinToString(", "), x.toFloat(), top + LINE_2 * size)
+        g.drawString(words, margin.toFloat(), top + LINE_2 * size)
         g.color = Color.WHITE
     }
 
-    private fun scaleBar(g: Graphics2D, x: Int, top: Int) {
-        val room = view.width / 5.0 / view.scaleX
+    /** A bar from [x] on, which ends before [end]. */
+    private fun scaleBar(g: Graphics2D, x: Int, end: Int, top: Int) {
+        val room = minOf(view.width / 5, end - x) / view.scaleX
         val length = ScaleBar.length(minOf(view.window.across, room * 5))
         val y = top + (LINE_2 * size).roundToInt()
         g.drawString(ScaleBar.text(length, scene.scale.units.length), x.toFloat(), top + LINE_1 * size)
@@ -123,6 +133,9 @@ internal class Legend(private val scene: Scene) {
         private const val LINE_1 = 1.45f
         private const val LINE_2 = 2.95f
         private const val BAR = 0.8f
+
+        /** Room for the bar that tells lengths and for what stands above it, in sizes of the font. */
+        private const val LEAST_BAR = 5
         private const val TICKS = 6
     }
 }

@@ -137,12 +137,12 @@ internal object Chart {
         val up = if (logY) Ticks.logarithmic(y.min(), y.max()) else Ticks.linear(y.min(), y.max())
         val xScale = if (logX) {
             // Without limits the bars' width, counted in units of x, makes it begin far below the first point.
-            scaleXLog10(breaks = across.places, labels = across.labels, limits = room(x))
+            scaleXLog10(breaks = across.places, labels = across.labels, limits = room(x), expand = NO_MORE)
         } else {
             scaleXContinuous(breaks = across.places, labels = across.labels)
         }
         val yScale = if (logY) {
-            scaleYLog10(breaks = up.places, labels = up.labels, limits = room(y))
+            scaleYLog10(breaks = up.places, labels = up.labels, limits = room(y), expand = NO_MORE)
         } else {
             scaleYContinuous(breaks = up.places, labels = up.labels)
         }
@@ -227,19 +227,22 @@ internal object Chart {
         }
         // Zero in the middle of the scale: as much colour above as below.
         val most = v.maxOfOrNull { Math.abs(it) }?.takeIf { it > 0 } ?: 1.0
-        return letsPlot(mapOf("x" to x, "y" to y, "v" to v)) + geomTile(tooltips = tooltipsNone) {
+        val shades = Ticks.linear(-most, most, wanted = FEW)
+        val plot = letsPlot(mapOf("x" to x, "y" to y, "v" to v)) + geomTile(tooltips = tooltipsNone) {
             this.x = "x"
             this.y = "y"
             fill = "v"
-        } +
+        }
+        return marked(plot, x, y) +
             scaleFillGradient2(
                 low = Figures.INK,
                 mid = "#ffffff",
                 high = Figures.ACCENT,
                 midpoint = 0.0,
                 name = name,
-                limits =
-                -most to most,
+                limits = -most to most,
+                breaks = shades.places,
+                labels = shades.labels,
             ) +
             coordFixed() +
             labs(x = xLabel, y = yLabel) + themeMinimal() + theme(panelGrid = elementBlank()) + ggsize(WIDTH, 560)
@@ -266,6 +269,9 @@ internal object Chart {
     private const val LONGEST_LABEL = 34
     private const val ROOM = 0.05
 
+    /** lets-plot would widen limits by a part of their difference, not of their ratio: by decades at the low end. */
+    private val NO_MORE = listOf(0.0, 0.0)
+
     /** Points of a curve up to which each is marked. */
     private const val MOST_MARKED = 40
     private const val POINT = 2.0
@@ -273,4 +279,7 @@ internal object Chart {
     private const val BAR = 0.9
     private const val THIN_BAR = 0.5
     private const val LEGEND_TEXT = 14
+
+    /** Marks at a bar of colours. */
+    private const val FEW = 5
 }

@@ -35,14 +35,15 @@ internal class Ticks private constructor(val places: List<Double>, val labels: L
          * Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other.
          */
         fun logarithmic(low: Double, high: Double): Ticks {
-            val first = floor(log10(low)).toInt()
-            val last = ceil(log10(high)).toInt()
+            // A lag of one orbit may be 1.0000000000000002 of them.
+            val from = low * (1 - NEARLY)
+            val to = high * (1 + NEARLY)
+            val first = floor(log10(from)).toInt()
+            val last = ceil(log10(to)).toInt()
             val stride = ceil((last - first) / WANTED.toDouble()).toInt().coerceAtLeast(1)
             val tries = LOG_STEPS.map { steps ->
-                (first..last step stride).flatMap { k -> steps.map { it to k } }.filter { (m, k) ->
-                    m * 10.0.pow(k) in
-                        low..high
-                }
+                (first..last step stride).flatMap { k -> steps.map { it to k } }
+                    .filter { (m, k) -> m * 10.0.pow(k) in from..to }
             }
             val marks = tries.firstOrNull { it.size >= FEWEST } ?: tries.last()
             return Ticks(marks.map { (m, k) -> m * 10.0.pow(k) }, marks.map { (m, k) -> logLabel(m, k) })

@@ -26,11 +26,11 @@ internal class AveragedCurve(
     fun write(study: Study, page: ReportPage, x: DoubleArray, averages: Averages, caption: String) {
         val all = x.indices.map { averages.average(it) }
         val y = DoubleArray(x.size) { all[it].mean }
-        val error = DoubleArray(x.size) { all[it].error }
+        val error = DoubleArray(x.size) { study.judgement.error(all[it]) }
         val label = "$words $symbol"
         val axis = UnitNames.axis(argument, unit)
         val figure = Chart.lines(listOf(Curve(label, x, y, error)), axis, label, horizontal = 1.0)
-        study.draw(page, figure, name, words, "$caption ${Study.BARS}")
+        study.draw(page, figure, name, words, "$caption ${study.judgement.bars()}")
         val columns = listOf(Column(short, unit, x), Column(symbol, "", y), Column("${symbol}_error", "", error))
         Table(name, columns).write(study.tables)
     }

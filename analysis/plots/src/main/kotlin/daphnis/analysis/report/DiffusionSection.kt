@@ -90,10 +90,13 @@ internal class DiffusionSection(private val study: Study) : Section {
         val orbit = if (omega != null) 2 * PI / omega else 1.0
         val time = study.scale.timeName
         val lag = DoubleArray(d.lag.size) { d.lag[it] / orbit }
-        val curves = coordinates.mapIndexed { c, coordinate -> Curve(coordinate.name, lag, d.mean(c), d.error(c)) }
+        val curves = coordinates.mapIndexed { c, coordinate ->
+            Curve(coordinate.name, lag, d.mean(c), study.judgement.errors(d.error(c)))
+        }
         val label = UnitNames.axis("mean square displacement", units.area)
         val figure = Chart.lines(curves, UnitNames.axis("lag", time), label, logX = true, logY = true)
-        val caption = "Mean square displacements. ${caption(d)} Bars are one standard error."
+        val bars = study.judgement.bars("Bars are one standard error.")
+        val caption = "Mean square displacements. ${caption(d)} $bars"
         study.draw(page, figure, "mean-square-displacement", "mean square displacements", caption)
         val unit = units.area
         val columns = curves.flatMap {

@@ -38,11 +38,9 @@ internal class EllipsoidSection(private val study: Study) : Section {
             return "in the plane its axes are equal within their errors, so they have no direction"
         }
         val degrees = study.motion.orientation * Math.toDegrees(1.0)
-        val turned = if (degrees.isLevelled) {
-            ReportText.withError(degrees.mean, degrees.error)
-        } else {
-            ReportText.short(degrees.mean)
-        }
+        val error = study.judgement.error(degrees)
+        val turned =
+            if (error.isNaN()) ReportText.short(degrees.mean) else ReportText.withError(degrees.mean, error)
         return "in the plane its long axis is turned by $turned degrees from x toward y"
     }
 

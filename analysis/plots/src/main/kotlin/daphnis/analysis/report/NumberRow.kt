@@ -52,14 +52,14 @@ internal enum class Unknown(val remark: String, val mark: String, val sentence: 
 internal class NumberRows(private val references: Map<String, Reference> = emptyMap()) {
     private val rows = ArrayList<NumberRow>()
 
-    /** The average [a] in [unit]. */
-    fun average(key: String, name: String, a: BlockAverage, unit: String, note: String = "") {
+    /** The average [a] in [unit]; without a [key] it stands on the page only. */
+    fun average(key: String?, name: String, a: BlockAverage, unit: String, note: String = "") {
         val unknown = if (!a.isLevelled && !a.mean.isNaN()) Unknown.TOO_FEW else null
         rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key)
     }
 
     /** A [value] without error, which follows from the particles themselves. */
-    fun exact(key: String, name: String, value: Double, unit: String, note: String = "") {
+    fun exact(key: String?, name: String, value: Double, unit: String, note: String = "") {
         rows += NumberRow(name, value, Double.NaN, unit, references[key], note, key = key)
     }
 

@@ -1,6 +1,5 @@
 package daphnis.analysis.report
 
-import daphnis.analysis.statistics.Steadiness.Verdict
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -12,27 +11,8 @@ internal class NumbersSection(private val study: Study, private val others: List
     override fun numbers(): List<NumberRow> =
         study.input.omega?.let { RingNumbers(study, it).rows() } ?: BoxNumbers(study).rows()
 
-    /** What tells whether the run is steady; asked for when all states have been seen. */
-    private val histories by lazy {
-        val (from, motion) = study.from to study.motion
-        RunHistory.of(study.input, from).ifEmpty {
-            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
-        }
-    }
-
-    private val verdicts by lazy { histories.map { it.steadiness(study.from).verdict } }
-
-    /** Whether one of the main quantities drifts over the time averaged; asked for like [rows]. */
-    val isDrifting by lazy { Verdict.DRIFTING in verdicts }
-
-    /** Whether none is seen to drift, but one has too few rows to tell. */
-    val isUnjudged by lazy { !isDrifting && Verdict.TOO_SHORT in verdicts }
-
     /** All rows of the table; without errors where the run is not steady. */
-    fun rows(): List<NumberRow> {
-        val all = numbers() + others.flatMap { it.numbers() }
-        return if (isDrifting) all.map { it.unsteady() } else all
-    }
+    fun rows(): List<NumberRow> = study.judgement.shown(numbers() + others.flatMap { it.numbers() })
 
     override fun write(page: ReportPage) {
         val rows = rows()
@@ -61,6 +41,6 @@ internal class NumbersSection(private val study: Study, private val others: List
         val orbit = study.input.omega?.let { 2 * PI / it }
         val unit = if (orbit != null) "orbit" else "unit of time"
         val text = SteadinessText(study.from, unit, orbit ?: 1.0, FreeCooling.isSeen(study.input))
-        return listOfNotNull(if (study.isStartFound) text.found() else null) + text.of(histories)
+        return listOfNotNull(if (study.isStartFound) text.found() else null) + text.of(study.judgement.histories)
     }
 }

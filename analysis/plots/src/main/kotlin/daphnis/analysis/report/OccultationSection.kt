@@ -30,27 +30,29 @@ internal class OccultationSection(private val study: Study) : Section {
     override fun write(page: ReportPage) {
         val transmission = light.average(0)
         val rays = "${ReportText.short(options.elevation)}° elevation and ${ReportText.short(options.azimuth)}° azimuth"
-        page.numbers(
-            listOf(
-                NumberRow("rays that come through at $rays", transmission.mean, transmission.error, ""),
-                depth(transmission),
-                NumberRow("geometric optical depth", study.bulk.opticalDepth, Double.NaN, ""),
-            ),
-        )
+        val rows = NumberRows()
+        rows.average(null, "rays that come through at $rays", transmission, "")
+        depth(rows, transmission)
+        rows.exact(null, "geometric optical depth", study.bulk.opticalDepth, "")
+        page.numbers(study.judgement.shown(rows.list()))
         scan(page, rays)
     }
 
-    private fun depth(transmission: BlockAverage): NumberRow {
+    private fun depth(rows: NumberRows, transmission: BlockAverage) {
         val name = "normal optical depth −sin B · ln T"
-        if (transmission.mean <= 0) {
-            return NumberRow(name, Double.NaN, Double.NaN, "", note = "opaque: no ray comes through")
+        if (transmission.mean > 0) {
+            rows.average(null, name, casting.depth(transmission), "", "T averaged over the states first")
+        } else {
+            rows.exact(null, name, Double.NaN, "", "opaque: no ray comes through")
         }
-        val depth = casting.depth(transmission)
-        return NumberRow(name, depth.mean, depth.error, "", note = "T averaged over the states first")
     }
 
     private fun scan(page: ReportPage, rays: String) {
         val n = light.width - 1
+        if (n < FEWEST_PLACES) {
+            page.paragraph("No scan along x: the patch is so long for its width that too few rays pass side by side.")
+            return
+        }
         val box = study.last.boundary.box
         val x = DoubleArray(n) { box.lowerX + (it + 0.5) * box.length(0) / n }
         val last = DoubleArray(n) { light.series(1 + it).last() }
@@ -70,5 +72,10 @@ internal class OccultationSection(private val study: Study) : Section {
                 Column("transmission_mean", "", mean),
             ),
         ).write(study.tables)
+    }
+
+    private companion object {
+        /** Places along x below which a scan shows nothing. */
+        const val FEWEST_PLACES = 8
     }
 }

@@ -25,7 +25,7 @@ internal class ProfilesSection(private val study: Study) : Section {
     private val acrossAxis = study.lengthAxis(if (isAcrossY) "y" else radialName)
 
     override val heading = "Profiles"
-    override val over = "Averages in equal bins over ${study.averagedStates}. ${Study.BARS}"
+    override val over get() = "Averages in equal bins over ${study.averagedStates}. ${study.judgement.bars()}"
     override val leftOut = study.tooFew()
 
     /** A profile with its averages. */
@@ -73,7 +73,7 @@ internal class ProfilesSection(private val study: Study) : Section {
             val all = of.column(c)
             val unit = unitOf(column, of.profile.axis)
             columns += Column(column, unit, DoubleArray(all.size) { all[it].mean })
-            columns += Column("${column}_error", unit, DoubleArray(all.size) { all[it].error })
+            columns += Column("${column}_error", unit, DoubleArray(all.size) { study.judgement.error(all[it]) })
         }
         return Table("profile-$name", columns).also { it.write(study.tables) }
     }
@@ -101,7 +101,7 @@ internal class ProfilesSection(private val study: Study) : Section {
                 name,
                 across.centres(),
                 DoubleArray(all.size) { sqrt(all[it].mean) / scale.speed },
-                DoubleArray(all.size) { all[it].error / (2 * sqrt(all[it].mean)) / scale.speed },
+                DoubleArray(all.size) { study.judgement.error(all[it]) / (2 * sqrt(all[it].mean)) / scale.speed },
             )
         }
         val label = UnitNames.axis("velocity dispersion", scale.speedName)
@@ -120,7 +120,7 @@ internal class ProfilesSection(private val study: Study) : Section {
         val driven = DoubleArray(rest.size) { rate * y[it] }
         val measured = DoubleArray(rest.size) { driven[it] + rest[it].mean }
         val curves = listOf(
-            Curve("measured", y, measured, DoubleArray(rest.size) { rest[it].error }),
+            Curve("measured", y, measured, DoubleArray(rest.size) { study.judgement.error(rest[it]) }),
             Curve("straight", y, driven),
         )
         val figure = Chart.lines(curves, acrossAxis, UnitNames.axis("mean velocity u_x", units.speed))

@@ -26,10 +26,10 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     }
 
     /** Whether averages are over a time in which the run drifts. */
-    val isDrifting: Boolean get() = numbers.isDrifting
+    val isDrifting: Boolean get() = study.judgement.isDrifting
 
     /** Whether there are too few rows in that time to tell. */
-    val isUnjudged: Boolean get() = numbers.isUnjudged
+    val isUnjudged: Boolean get() = study.judgement.isUnjudged
 
     /** The rows of the table of numbers. */
     fun numbers(): List<NumberRow> = numbers.rows()

@@ -21,9 +21,9 @@ internal class SizeClassSection(private val study: Study) : Section {
     private val filled by lazy { (0 until classes).filter { !radius[it].isNaN() && !average(it, "c2").mean.isNaN() } }
 
     override val heading = "Sizes"
-    override val over =
+    override val over get() =
         "Particles by size, around the mean flow and the centre of mass of all. ${study.overAverages} " +
-            "By number. ${Study.BARS}"
+            "By number. ${study.judgement.bars()}"
     override val leftOut get() = when {
         averages == null -> "all particles have one radius"
         filled.isEmpty() -> "too few particles"
@@ -43,15 +43,17 @@ internal class SizeClassSection(private val study: Study) : Section {
         for ((square, name) in names) columns += roots(square, name, units.speed, filled)
         if (study.isRing) columns += roots("h2", "H", units.length, filled)
         Table("size-classes", columns).write(study.tables)
-        fun curve(label: String, name: String) = Curve(
+        fun curve(label: String, name: String, one: Double) = Curve(
             label,
             DoubleArray(filled.size) { radius[filled[it]] },
-            columns.first { it.name == name }.values,
-            columns.first { it.name == "${name}_error" }.values,
+            columns.first { it.name == name }.values.map { it / one }.toDoubleArray(),
+            columns.first { it.name == "${name}_error" }.values.map { it / one }.toDoubleArray(),
         )
-        val dispersions = listOf(curve("σ_x", "sigma_x"), curve("σ_y", "sigma_y"), curve("σ_z", "sigma_z"))
-        draw(page, "size-dispersion", dispersions, "velocity dispersion", units.speed)
-        if (study.isRing) draw(page, "size-height", listOf(curve("H", "H")), "scale height H", units.length)
+        val scale = study.scale
+        val dispersions = listOf("σ_x" to "sigma_x", "σ_y" to "sigma_y", "σ_z" to "sigma_z")
+            .map { (label, name) -> curve(label, name, scale.speed) }
+        draw(page, "size-dispersion", dispersions, "velocity dispersion", scale.speedName)
+        if (study.isRing) draw(page, "size-height", listOf(curve("H", "H", 1.0)), "scale height H", units.length)
     }
 
     private fun draw(page: ReportPage, name: String, curves: List<Curve>, quantity: String, unit: String) {
@@ -74,6 +76,11 @@ internal class SizeClassSection(private val study: Study) : Section {
 
     private fun roots(square: String, name: String, unit: String, filled: List<Int>): List<Column> = listOf(
         column(name, unit, filled) { sqrt(average(it, square).mean) },
-        column("${name}_error", unit, filled) { c -> average(c, square).let { it.error / (2 * sqrt(it.mean)) } },
+        column("${name}_error", unit, filled) { c ->
+            average(c, square).let {
+                study.judgement.error(it) /
+                    (2 * sqrt(it.mean))
+            }
+        },
     )
 }

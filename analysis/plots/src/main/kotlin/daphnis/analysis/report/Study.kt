@@ -5,7 +5,6 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Figures
 import daphnis.analysis.plot.PlotScale
-import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.UnitNames
 import daphnis.core.format.Snapshot
 import org.jetbrains.letsPlot.Figure
@@ -31,6 +30,7 @@ internal class Study(
     val last: State = input.state(input.size - 1, lastSnapshot)
     val bulk: Bulk = Bulk(last, input)
     val motion: Motion = Motion(input, from, last)
+    val judgement: Judgement = Judgement(this)
     val plots: Path = directory.resolve("plots")
     val tables: Path = directory.resolve("tables")
     val units: UnitNames = input.units
@@ -92,11 +92,6 @@ internal class Study(
     }
 
     companion object {
-        /** What bars on averages by bin are, see [BlockAverage]. */
-        const val BARS =
-            "Bars are one standard error; there is none where fewer than ${BlockAverage.FEWEST_NUMBERS} states tell " +
-                "something, or where they are worth fewer than eight independent ones."
-
         /** Particles below which averages over them mean nothing. */
         private const val FEWEST = 10
 

@@ -4,7 +4,6 @@ import daphnis.analysis.correlation.SurfaceMap
 import daphnis.analysis.correlation.WavePattern
 import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
-import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
@@ -77,18 +76,22 @@ internal class SurfacePart(private val study: Study) : Part {
             )
             return
         }
-        fun row(name: String, a: BlockAverage, factor: Double, unit: String, note: String = "") =
-            NumberRow(name, a.mean * factor, a.error * factor, unit, note = note)
-        val rows = arrayListOf(
-            row("pitch angle of the wakes", pattern.pitch, 180 / PI, "degrees", "from the orbit, trailing positive"),
-            row("radial spacing of the wakes", pattern.spacing, 1.0, units.length),
+        val rows = NumberRows()
+        val (pitch, spacing) = pattern.pitch to pattern.spacing
+        rows.average(
+            null,
+            "pitch angle of the wakes",
+            pitch * (180 / PI),
+            "degrees",
+            "from the orbit, trailing positive",
         )
+        rows.average(null, "radial spacing of the wakes", spacing, units.length)
         val critical = study.bulk.criticalWavelength
         if (!critical.isNaN()) {
             val name = "radial spacing over Toomre's critical wavelength"
-            rows += row(name, pattern.spacing, 1 / critical, "", "4π² G Σ/Ω²")
+            rows.average(null, name, spacing * (1 / critical), "", "4π² G Σ/Ω²")
         }
-        page.numbers(rows)
+        page.numbers(study.judgement.shown(rows.list()))
     }
 
     private fun table(pattern: WavePattern?) {
@@ -97,9 +100,9 @@ internal class SurfacePart(private val study: Study) : Part {
             "wakes",
             listOf(
                 Column("pitch", "degrees", one(pattern?.let { Math.toDegrees(it.pitch.mean) })),
-                Column("pitch_error", "degrees", one(pattern?.let { Math.toDegrees(it.pitch.error) })),
+                Column("pitch_error", "degrees", one(pattern?.let { Math.toDegrees(study.judgement.error(it.pitch)) })),
                 Column("spacing", units.length, one(pattern?.spacing?.mean)),
-                Column("spacing_error", units.length, one(pattern?.spacing?.error)),
+                Column("spacing_error", units.length, one(pattern?.let { study.judgement.error(it.spacing) })),
                 Column("critical_wavelength", units.length, one(study.bulk.criticalWavelength)),
             ),
         ).write(study.tables)

@@ -109,6 +109,34 @@ class FramePainterTest {
     }
 
     @Test
+    fun `the words of the legend end before the bar that tells lengths, which ends before the colours`() {
+        // So flat that its vertical is enlarged two hundred times, which the legend says.
+        val flat = Periodic(Box.centred(100.0, 10_000.0, 10.0))
+        val state = state(flat, Sphere(0.0, 0.0, 1.0, r = 1.0), Sphere(3.0, 10.0, -1.0, r = 2.0))
+        for (width in listOf(240, 320, 400, 439, 440, 600, 800, 1200, 2400)) {
+            val survey = Survey(MovieOptions(MovieView.SIDE, MovieColour.SIZE, width = width))
+            survey.look(state)
+            survey.weigh(state)
+            val scene = survey.scene(UnitNames(null), null)
+            val legend = Legend(scene)
+            assertTrue(legend.remark!!.startsWith("vertical × ")) { "${legend.remark}" }
+            val image = FramePainter(scene, legend).paint(state, "0")
+            // White pixels beside each other that no letter has.
+            val least = maxOf(8, width / 60)
+            val strip = image.height - legend.height until image.height
+            val grey = (0 until width).filter { x -> strip.any { image.getRGB(x, it) and 0xffffff == 0xb8bcc4 } }
+            fun isBar(x: Int) = strip.any { y ->
+                x + least < width && (x..x + least).all { image.getRGB(it, y) and 0xffffff == 0xffffff }
+            }
+            val bar = (0 until width).filter { isBar(it) }
+            assertTrue(grey.isNotEmpty() && bar.isNotEmpty() && grey.max() < bar.min()) {
+                "$width: ${grey.maxOrNull()}, $bar"
+            }
+            assertTrue(bar.max() + least < if (width < 440) width else width / 2) { "$width: $bar" }
+        }
+    }
+
+    @Test
     fun `the grid keeps mass, also at the border and smoothed`() {
         val view = Viewport(Window(0.0, 10.0, 0.0, 5.0), 400)
         for (cell in listOf(1, 3)) {

@@ -32,6 +32,33 @@ class ChartTest {
         assertTrue(low in 0.4..0.499 && high in 8.01..10.0) { "$low to $high" }
     }
 
+    /** Centres of the points of one curve, as places from left and from above. */
+    private fun points(svg: String): List<Pair<Double, Double>> = Regex("<circle[^>]*>").findAll(svg)
+        .map { it.value }
+        .map { c -> listOf("cx", "cy").map { Regex("$it=\"([^\"]*)\"").find(c)!!.groupValues[1].toDouble() } }
+        .map { (x, y) -> x to y }
+        .toList()
+
+    @Test
+    fun `points over logarithmic axes fill the chart`() {
+        val x = DoubleArray(13) { it + 1.0 }
+        val curve = Curve("a", x, DoubleArray(13) { 100 * x[it] }, DoubleArray(13) { 1.0 })
+        val drawn = points(Figures.svg(Chart.lines(listOf(curve), "x", "y", logX = true, logY = true)))
+        assertEquals(13, drawn.size)
+        val across = drawn.maxOf { it.first } - drawn.minOf { it.first }
+        val up = drawn.maxOf { it.second } - drawn.minOf { it.second }
+        assertTrue(across > 0.8 * Chart.WIDTH && up > 0.7 * Chart.HEIGHT) { "$across, $up" }
+    }
+
+    @Test
+    fun `numbers at a map have a minus, not a hyphen`() {
+        val places = DoubleArray(5) { 50.0 * (it - 2) }
+        val values = DoubleArray(25) { 0.01 * (it - 12) }
+        val svg = Figures.svg(Chart.map(places, places, values, "x", "y", "A"))
+        val words = Regex("<text[^>]*>([^<]*)<").findAll(svg).map { it.groupValues[1].trim() }.toList()
+        assertTrue("−100" in words && "−0.10" in words && words.none { "-" in it }) { "$words" }
+    }
+
     @Test
     fun `the colours of a map have zero in their middle`() {
         assertEquals(listOf(-0.8, 0.8), limits(doubleArrayOf(0.8, 0.1, -0.2, 0.0)))

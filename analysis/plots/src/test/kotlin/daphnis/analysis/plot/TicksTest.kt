@@ -37,6 +37,10 @@ class TicksTest {
         assertEquals(listOf("0.3", "1", "3", "10"), Ticks.logarithmic(0.28, 24.0).labels)
         assertEquals(listOf("2 · 10⁶", "5 · 10⁶", "10⁷"), Ticks.logarithmic(1.9e6, 1.6e7).labels)
         assertPlaces(Ticks.logarithmic(0.28, 24.0), 0.3, 1.0, 3.0, 10.0)
+        // Round-off takes no mark away.
+        val first = listOf("1", "3", "10")
+        assertEquals(first, Ticks.logarithmic(1.0000000000000002, 12.999999999999998).labels)
+        assertEquals(first, Ticks.logarithmic(1.0, 9.999999999999998).labels)
         val wide = Ticks.logarithmic(1e-20, 1e20)
         assertTrue(wide.places.size in 4..10) { "${wide.labels}" }
     }

@@ -190,6 +190,39 @@ class AnalysisTest {
     }
 
     @Test
+    fun `a patch of a thousand times its width has no scan across it`() {
+        val path = run("ring-patch", "box.lengths=[20,20000,20]", "particles.opticalDepth=0.02", "untilOrbits=0.02")
+        Analysis(AnalysisInput.ofRun(path)).write(path)
+        assertTrue("No scan along x" in Files.readString(path.resolve("report.html")))
+        assertFalse(Files.exists(path.resolve("plots/occultation.svg")))
+    }
+
+    @Test
+    fun `a patch that is not steady has no error anywhere, neither in tables nor on the page`() {
+        val particles = "{\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[1,2]},\"density\":900}"
+        val settings =
+            arrayOf("particles=$particles", "box.lengths=[40,40,40]", "velocities.sigma=2e-3", "untilOrbits=3")
+        val path = run("ring-patch", *settings, "output.snapshotEvery=20", "output.transportEvery=10")
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 0.0)).write(path)
+        val html = Files.readString(path.resolve("report.html"))
+        assertTrue("Not steady: " in html && "There are no bars, since the run is not steady" in html)
+        val errors = Regex(".{0,60}(±|Bars are).{0,60}").findAll(html.replace("no ± is given", "")).map { it.value }
+        assertEquals(emptyList<String>(), errors.toList())
+        val occultation = html.substringAfter(">Occultation</h2>").substringBefore("<h2")
+        assertEquals(2, Regex("</sup></td>").findAll(occultation).count()) { "marks of two averages" }
+        val tables = listOf("profile-radial", "pair-correlation", "size-classes", "mean-square-displacement", "wakes")
+        for (name in tables) {
+            val rows = Files.readAllLines(path.resolve("tables/$name.csv")).map { it.split(',') }
+            for ((k, head) in rows[0].withIndex()) {
+                if ("_error" in head) assertTrue(rows.drop(1).all { it[k].isEmpty() }) { "$name: $head" }
+            }
+        }
+        // In the unit of all other dispersions of a ring.
+        val sizes = Files.readString(path.resolve("plots/size-dispersion.svg"))
+        assertTrue("velocity dispersion [r Ω]" in sizes) { sizes.takeLast(3000) }
+    }
+
+    @Test
     fun `a clump that flies apart in open space is analysed, though its box grows`() {
         val clump =
             run(

@@ -1,0 +1,45 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.statistics.BlockAverage
+import daphnis.analysis.statistics.Steadiness.Verdict
+
+/**
+ * Whether averages of a [study] are over a steady time, and so whether they have errors. Asked for when all states have
+ * been seen.
+ */
+internal class Judgement(private val study: Study) {
+    /** The main quantities over time, of which each is judged. */
+    val histories: List<History> by lazy {
+        val (from, motion) = study.from to study.motion
+        RunHistory.of(study.input, from).ifEmpty {
+            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
+        }
+    }
+
+    private val verdicts by lazy { histories.map { it.steadiness(study.from).verdict } }
+
+    /** Whether one of the main quantities drifts over the time averaged. */
+    val isDrifting by lazy { Verdict.DRIFTING in verdicts }
+
+    /** Whether none is seen to drift, but one has too few rows to tell. */
+    val isUnjudged by lazy { !isDrifting && Verdict.TOO_SHORT in verdicts }
+
+    /** The standard error of [average], NaN where the run drifts. */
+    fun error(average: BlockAverage): Double = if (isDrifting) Double.NaN else average.error
+
+    /** [errors] of averages, NaN where the run drifts. */
+    fun errors(errors: DoubleArray): DoubleArray = if (isDrifting) DoubleArray(errors.size) { Double.NaN } else errors
+
+    /** [rows] as they are shown: averages over a time in which the run drifts have no error. */
+    fun shown(rows: List<NumberRow>): List<NumberRow> = if (isDrifting) rows.map { it.unsteady() } else rows
+
+    /** What the bars of a chart are; [steady] where the run does not drift. */
+    fun bars(steady: String = BARS): String = if (isDrifting) NO_BARS else steady
+
+    private companion object {
+        const val BARS =
+            "Bars are one standard error; there is none where fewer than ${BlockAverage.FEWEST_NUMBERS} states tell " +
+                "something, or where they are worth fewer than eight independent ones."
+        const val NO_BARS = "There are no bars, since the run is not steady over the time averaged."
+    }
+}
