@@ -16,7 +16,7 @@ internal class CellOrder {
             order = IntArray(spheres)
             cellOf = IntArray(spheres)
         }
-        // One entry more than needed at either end, see CountingSort.
+        // One entry more than needed at either end, see CellCounting.
         if (start.size < cells + 2) start = IntArray(cells + cells / 4 + 2)
     }
 }

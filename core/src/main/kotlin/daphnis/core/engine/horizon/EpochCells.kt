@@ -2,6 +2,8 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
+import daphnis.core.search.CellCounting
+import daphnis.core.search.CellOrder
 import kotlin.math.abs
 import kotlin.math.floor
 import kotlin.math.sqrt
@@ -59,7 +61,8 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     /** Slots below this are those of spheres that were members at the start. */
     var members = 0
         private set
-    private var cellOfIndex = IntArray(0)
+    private val counting = CellCounting()
+    private val sorted = CellOrder()
     private var imageOfIndex = IntArray(0)
     private val perLength = DoubleArray(AXES)
 
@@ -72,9 +75,19 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     /** Sorts [spheres], which are where they say at [time] and whose velocities have been measured, into cells. */
     fun sort(spheres: SphereColumns, tuning: HorizonTuning, time: Double) {
         layOut(spheres.size, tuning)
-        reserve(spheres.size)
-        loop.run(spheres.size) { _, from, to -> place(spheres, frame.middle - time, from, to) }
-        fill(spheres.size)
+        if (cellOf.size < spheres.size) {
+            imageOfIndex = IntArray(spheres.size)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            cellOf = IntArray(spheres.size)
+        }
+        // One cell more, for all that are no members.
+        counting.sort(spheres.size, cells + 1, sorted, loop) { from, to ->
+            place(spheres, frame.middle - time, from, to)
+        }
+        start = sorted.start
+        order = sorted.order
+        members = start[cells]
+        loop.run(spheres.size) { _, from, to -> for (slot in from until to) cellOf[slot] = sorted.cellOf[order[slot]] }
     }
 
     /** Measures velocities relative to the mean flow: [rms] and [fastest]. */
@@ -140,18 +153,6 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         for (k in 0 until AXES) reach[k] = bound[k] * frame.halfLength
     }
 
-    private fun reserve(spheres: Int) {
-        if (order.size < spheres) {
-            cellOf = IntArray(spheres)
-            cellOfIndex = IntArray(spheres)
-            imageOfIndex = IntArray(spheres)
-            // Last, since its length says how many there is room for: an allocation before it may have failed.
-            order = IntArray(spheres)
-        }
-        if (start.size < cells + 2) start = IntArray(cells + cells / 4 + 2)
-        start.fill(0, 0, cells + 2)
-    }
-
     /** Finds the cells of the spheres [from] until [to], which are where they say [wait] before the middle. */
     private fun place(spheres: SphereColumns, wait: Double, from: Int, to: Int) {
         val p0 = spheres.position(frame.axes[0])
@@ -178,7 +179,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
             val c1 = cellAt(m1 - middle * frame.length[1], 1)
             val c0 = cellAt(m0 - row * frame.length[0], 0)
             val c = if (isMember) (c2 * count[1] + c1) * count[0] + c0 else cells
-            cellOfIndex[i] = c
+            sorted.cellOf[i] = c
             imageOfIndex[i] = frame.code(row, middle, slow)
         }
     }
@@ -186,23 +187,6 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     /** How many boxes away from the box [position] along axis [k] is. */
     private fun boxes(position: Double, k: Int): Int =
         if (frame.isPeriodic[k]) floor((position - frame.low[k]) / frame.length[k]).toInt() else 0
-
-    /** Makes [start] of the cells of the spheres, and puts these in order. */
-    private fun fill(spheres: Int) {
-        for (i in 0 until spheres) start[cellOfIndex[i]]++
-        var sum = 0
-        for (c in 0..cells) {
-            sum += start[c]
-            start[c] = sum
-        }
-        start[cells + 1] = sum
-        for (i in spheres - 1 downTo 0) {
-            val slot = --start[cellOfIndex[i]]
-            order[slot] = i
-            cellOf[slot] = cellOfIndex[i]
-        }
-        members = start[cells]
-    }
 
     /** Makes [slots], the reverse of [order]. */
     fun invert(spheres: Int) {

@@ -49,6 +49,7 @@ class HorizonEngineTest {
                 val story = "$draw, step $step"
                 assertEquals(failure(serial), failure(horizon)) { story }
                 assertSameStep(serial, horizon, story)
+                assertSameLastCollisions(serial, horizon, story)
                 if (draw.isMeddled) draw.meddle(step, listOf(serial, horizon))
             }
             engine.close()
@@ -97,6 +98,7 @@ class HorizonEngineTest {
                 val story = "$draw, ${seed % 6} longer, step $step"
                 assertEquals(failure(serial), failure(horizon)) { story }
                 assertSameStep(serial, horizon, story)
+                assertSameLastCollisions(serial, horizon, story)
                 if (draw.isMeddled) draw.meddle(step, listOf(serial, horizon))
             }
             engine.close()
@@ -158,6 +160,11 @@ class HorizonEngineTest {
             }
             engine.close()
         }
+    }
+
+    private fun assertSameLastCollisions(expected: Simulation, actual: Simulation, story: String) {
+        fun times(s: Simulation) = s.population.run { (0 until size).associate { id[it] to lastCollision[it] } }
+        assertEquals(times(expected), times(actual)) { story }
     }
 
     private fun periodic(apart: Double) = Periodic(Box.centred(8 * apart, 8 * apart, 8 * apart))
