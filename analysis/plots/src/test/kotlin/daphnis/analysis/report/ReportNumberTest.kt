@@ -6,11 +6,13 @@ import daphnis.core.run.Summary
 import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 
+@Tag("jdk-neutral")
 class ReportNumberTest {
     @TempDir
     lateinit var directory: Path
