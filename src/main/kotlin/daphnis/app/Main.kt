@@ -52,7 +52,7 @@ internal fun runDaphnis(args: Array<String>): Int {
     val command = daphnisCommand()
     return try {
         requireReadable(words)
-        command.parse(command.understood(words))
+        command.parse(command.pathsLast(command.understood(words)))
         EXIT_DONE
     } catch (e: ProgramResult) {
         e.statusCode
@@ -68,7 +68,7 @@ internal fun runDaphnis(args: Array<String>): Int {
 }
 
 /** The whole command line; to a mistyped word each command answers with one that may be meant, or with none. */
-private fun daphnisCommand(): Daphnis {
+internal fun daphnisCommand(): Daphnis {
     val others = listOf(
         RunCommand(),
         ResumeCommand(),

@@ -118,6 +118,21 @@ class SweepCommandTest {
     }
 
     @Test
+    fun `a run that was resumed to another end is not taken for the sweep's, and is done again when it is removed`() {
+        val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
+        assertDone(sweep(*words))
+        val before = lines("a/sweep.csv")
+        val run = folder.resolve("a/runs/seed=1")
+        assertDone(daphnis("resume", "$run", "--until", "9", "--quiet"))
+        val result = sweep(*words)
+        assertEquals(1, result.code) { result.err }
+        assertTrue("resumed to until=9.0, and the runs of this sweep end at until=" in result.out) { result.out }
+        run.toFile().deleteRecursively()
+        assertDone(sweep(*words))
+        assertEquals(before, lines("a/sweep.csv"))
+    }
+
+    @Test
     fun `runs whose snapshots were removed have the ends of the series, and that is said once`() {
         val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
         assertDone(sweep(*words))

@@ -55,6 +55,7 @@ internal class SweepWork(
         val place = RunDirectory(directory.run(run.name))
         val seed = run.seed ?: scenarioOf(run).seed
         return try {
+            requireOwnEnd(run, place)
             if (!isFinished(place) && !simulated(run, place)) return null
             teller.at(run.name, 1.0)
             val (numbers, remark) = numbers(place)
@@ -64,6 +65,20 @@ internal class SweepWork(
             SweepRun(run.name, run.values, seed, emptyList(), words(e))
         }
     }
+
+    /** A run that was resumed by hand to another end is not the one that the others are averaged with. */
+    private fun requireOwnEnd(run: PlannedRun, place: RunDirectory) {
+        if (!Files.exists(place.scenario)) return
+        val (has, should) = ScenarioJson.read(place.scenario) to scenarioOf(run)
+        if (end(has) == end(should)) return
+        throw FormatException(
+            "${place.path} was resumed to ${end(has)}, and the runs of this sweep end at ${end(should)}; " +
+                "without the directory it is done again",
+        )
+    }
+
+    private fun end(scenario: Scenario): String =
+        scenario.until?.let { "until=$it" } ?: "untilOrbits=${scenario.untilOrbits}"
 
     private fun isFinished(place: RunDirectory): Boolean {
         if (!Files.exists(place.scenario) || !Files.exists(place.summary)) return false
