@@ -1,24 +1,44 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
+import kotlin.math.ln
+import kotlin.math.sqrt
 
 /** A run that loses energy in collisions at every speed while nothing heats it never becomes steady. */
 internal object FreeCooling {
     /** Whether the scenario says so; a scenario that was given for space, time and units only does not. */
     fun isSeen(input: AnalysisInput): Boolean {
         val directory = input.directory ?: return false
-        return Files.exists(directory.scenario) && input.scenario?.let { isOf(it) } == true
+        if (!Files.exists(directory.scenario)) return false
+        return input.scenario?.let { isOf(it, dispersionAtEnd(input)) } == true
     }
 
-    fun isOf(scenario: Scenario): Boolean {
+    /** @param dispersion of velocities along an axis, at the end of the run */
+    fun isOf(scenario: Scenario, dispersion: Double): Boolean {
         // Laws that are elastic for slow impacts come to an end of cooling.
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return false
-        return law.coefficient < 1 && !isDriven(scenario)
+        return law.coefficient < 1 && !isDriven(scenario) && !isElastic(scenario.guard, dispersion)
+    }
+
+    /**
+     * Whether most impacts are elastic already. In a gas the normal component of the relative velocity at an impact has
+     * the density g exp(−g²/4σ²), so half of the impacts are slower than 2σ √ln 2.
+     */
+    private fun isElastic(guard: GuardSpec?, dispersion: Double): Boolean {
+        val floor = (guard as? GuardSpec.FloorSpeed)?.speed ?: return false
+        return floor > 2 * sqrt(ln(2.0)) * dispersion
+    }
+
+    private fun dispersionAtEnd(input: AnalysisInput): Double {
+        val last = input.state(input.size - 1)
+        return sqrt(granularTemperature(last.population, null))
     }
 
     /** An acceleration that is the same everywhere heats nothing; gravity of spheres can. */

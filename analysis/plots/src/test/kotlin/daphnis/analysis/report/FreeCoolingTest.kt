@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test
 
 class FreeCoolingTest {
     private fun isOf(name: String, vararg settings: String) =
-        FreeCooling.isOf(BuiltIn.scenario(name, settings.asList()))
+        FreeCooling.isOf(BuiltIn.scenario(name, settings.asList()), dispersion = 0.1)
 
     @Test
     fun `inelastic spheres cool for ever unless something heats them, or slow impacts are elastic`() {
@@ -15,6 +15,8 @@ class FreeCoolingTest {
         assertEquals(true, isOf("cooling-gas", "boundary={\"type\":\"lees-edwards\",\"shearRate\":0}"))
         assertEquals(false, isOf("cooling-gas", "restitution.coefficient=1"))
         assertEquals(false, isOf("cooling-gas", "restitution={\"type\":\"bridges\"}"))
+        assertEquals(true, isOf("cooling-gas", "guard={\"type\":\"floor-speed\",\"speed\":0.16}"))
+        assertEquals(false, isOf("cooling-gas", "guard={\"type\":\"floor-speed\",\"speed\":0.17}"))
         assertEquals(false, isOf("elastic-gas"))
         assertEquals(false, isOf("shear-cell"))
         for (driven in listOf("paper-figure-1", "ring-patch", "self-gravity-wakes")) {
