@@ -64,9 +64,7 @@ internal class Epoch(
         if (space.isShared) calendars.mapIndexed { g, calendar -> group(groupPlaces, calendar, g) } else emptyList()
     val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop, isPatient = isEager)
 
-    /** By worker. */
-    private val workers = groups.ifEmpty { listOf(whole) }
-    private val searches = workers.map { it.search }
+    private val searches = EpochSearches(space, groups.ifEmpty { listOf(whole) }, loop)
     private val passage = Passage(space, loop)
 
     private val plan = EpochPlan(loop.workers)
@@ -150,7 +148,7 @@ internal class Epoch(
         }
         if (!goesOn) begin(population, columns)
         val order = if (goesOn) null else cells.order
-        if (tracks) age(population, columns, order)
+        if (tracks) passage.age(population, columns, order)
         val isDone = if (frame.windows > 1) {
             takeWindows(step, columns, tracks)
         } else {
@@ -212,41 +210,19 @@ internal class Epoch(
 
     /** Entries of roamers that searches have looked at are counted by window. */
     private fun countListed() {
-        listed += searches.sumOf { it.listed }
+        listed += searches.listed
     }
 
     private fun searchAll() {
-        loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
-        plan.searched(searches.sumOf { it.tested }.toDouble() / spheres)
-        for (slot in cells.members until spheres) space.addRoamer(slot, isFinal = true)
+        searches.all()
+        plan.searched(searches.tested.toDouble() / spheres)
         giants += space.giants.size
-        loop.run(spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
-            for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
-        }
-        if (!frame.hasWalls) return
-        loop.run(spheres) { worker, from, to ->
-            for (slot in from until to) workers[worker].lookAtWalls(slot, frame.start)
-        }
     }
 
     private fun searchChanged(population: Population) {
-        val t = frame.stepStart
         strays += passage.changed
         strayed += passage.changed
-        for (k in 0 until passage.changed) {
-            val slot = passage.slots[k]
-            val p = population
-            lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
-            whole.settle(slot, t)
-            space.settleLine(slot)
-        }
-        if (lines.isLost) return
-        loop.run(passage.changed, SEARCHES_A_PIECE) { worker, from, to ->
-            for (k in from until to) {
-                searches[worker].around(passage.slots[k], t, NOBODY)
-                if (frame.hasWalls) workers[worker].lookAtWalls(passage.slots[k], t)
-            }
-        }
+        searches.changed(population, passage, whole)
     }
 
     /** @return false when the step cannot be ended in this way */
@@ -313,25 +289,10 @@ internal class Epoch(
         }
     }
 
-    /** Times since the last collisions of spheres that do not collide in this step. */
-    private fun age(population: Population, columns: PopulationColumns, order: IntArray?) {
-        val from = population.lastCollision
-        val to = columns.lastCollision
-        for (k in 0 until population.size) to[k] = from[if (order == null) k else order[k]] - frame.duration
-    }
-
     private fun group(places: SlotPlaces, calendar: PairCalendar, number: Int) =
         CollisionGroup(prepared, space, calendar, places, number, loop.workers + 1)
 
     private companion object {
-        const val NOBODY = -1
-
-        /** Rows of cells that a worker takes at a time. */
-        const val ROWS_A_PIECE = 16
-
-        /** Spheres that a worker searches for at a time. */
-        const val SEARCHES_A_PIECE = 64
-
         /** Entries of the calendar per sphere, and some more, with which an epoch ends: they take memory. */
         const val MOST_ENTRIES = 16L
         const val FEW_ENTRIES = 4096

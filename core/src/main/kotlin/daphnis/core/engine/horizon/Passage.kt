@@ -88,6 +88,16 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /**
+     * Writes the times since the last collisions of spheres that do not collide in this step. [order] is their index in
+     * [population]; null when it is the same.
+     */
+    fun age(population: Population, columns: PopulationColumns, order: IntArray?) {
+        val from = population.lastCollision
+        val to = columns.lastCollision
+        for (k in 0 until population.size) to[k] = from[if (order == null) k else order[k]] - frame.duration
+    }
+
+    /**
      * A later step; slots are indices of [population].
      *
      * @return false when so many have left their lines, or a sphere has grown, that a new epoch is due

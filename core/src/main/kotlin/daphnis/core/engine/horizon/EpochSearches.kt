@@ -1,0 +1,67 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Population
+
+/**
+ * The searches of an epoch that belong to no collision, shared by its threads: for all spheres when a window begins,
+ * and for those that have left their lines.
+ *
+ * @param workers one for each worker of [loop], which files what its searches find
+ */
+internal class EpochSearches(
+    private val space: EpochSpace,
+    private val workers: List<CollisionGroup>,
+    private val loop: RangeLoop,
+) {
+    private val frame = space.frame
+    private val cells = space.cells
+    private val lines = space.lines
+    private val searches = workers.map { it.search }
+
+    /** Lines tested, and entries of roamers looked at, since the window began. */
+    val tested: Long get() = searches.sumOf { it.tested }
+    val listed: Long get() = searches.sumOf { it.listed }
+
+    /** Searches for all, along their lines from the start of the window on. */
+    fun all() {
+        loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
+        for (slot in cells.members until space.spheres) space.addRoamer(slot, isFinal = true)
+        loop.run(space.spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
+            for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
+        }
+        if (!frame.hasWalls) return
+        loop.run(space.spheres) { worker, from, to ->
+            for (slot in from until to) workers[worker].lookAtWalls(slot, frame.start)
+        }
+    }
+
+    /** Gives the spheres that [passage] found off their lines new ones, and searches along these. */
+    fun changed(population: Population, passage: Passage, whole: CollisionGroup) {
+        val t = frame.stepStart
+        for (k in 0 until passage.changed) {
+            val slot = passage.slots[k]
+            val p = population
+            lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
+            whole.settle(slot, t)
+            space.settleLine(slot)
+        }
+        if (lines.isLost) return
+        loop.run(passage.changed, SEARCHES_A_PIECE) { worker, from, to ->
+            for (k in from until to) {
+                searches[worker].around(passage.slots[k], t, NOBODY)
+                if (frame.hasWalls) workers[worker].lookAtWalls(passage.slots[k], t)
+            }
+        }
+    }
+
+    private companion object {
+        const val NOBODY = -1
+
+        /** Rows of cells that a worker takes at a time. */
+        const val ROWS_A_PIECE = 16
+
+        /** Spheres that a worker searches for at a time. */
+        const val SEARCHES_A_PIECE = 64
+    }
+}
