@@ -118,6 +118,43 @@ class HorizonEngineTest {
     }
 
     @Test
+    fun `a margin that is too small by a third of the way is noticed, where all that fly are as fast as members may be`() {
+        for (seed in 1L..6L) {
+            for (tuning in listOf(TIGHT, TIGHT.inWindows(3))) {
+                val dt = 60.0 / tuning.steps
+                val serial = simulationOf(beams(seed), Periodic(LONG_BOX), dt)
+                val engine = HorizonEngine(FixedPool(1), 0, tuning)
+                val horizon = simulationOf(beams(seed), Periodic(LONG_BOX), dt, engine = engine)
+                for (step in 1..tuning.steps) {
+                    serial.advance()
+                    horizon.advance()
+                    assertSameStep(serial, horizon, "seed $seed, step $step of ${tuning.steps}")
+                }
+                assertEquals(1L, engine.epochs)
+                assertTrue(serial.collisions!!.counters.collisions > 500)
+            }
+        }
+    }
+
+    /** Half of the spheres are at rest; the others fly along x, as fast one as the other. */
+    private fun beams(seed: Long): Population {
+        val random = SeededRandom(seed)
+        val n = 16 * 64
+        fun near(place: Double) = place + random.nextDouble(-0.4, 0.4)
+        val still = DoubleArray(n)
+        return Population(
+            DoubleArray(n) { near(5.0 * (it / 16) - 157.5) },
+            DoubleArray(n) { near(5.0 * (it % 4) - 7.5) },
+            DoubleArray(n) { near(5.0 * (it / 4 % 4) - 7.5) },
+            DoubleArray(n) { if (random.nextInt(2) == 0) 0.0 else 1.0 - 2 * random.nextInt(2) },
+            still,
+            still.copyOf(),
+            DoubleArray(n) { 1.0 },
+            DoubleArray(n) { 1.0 },
+        )
+    }
+
+    @Test
     fun `in free flight all are searched once an epoch, and a sphere that comes back through a face keeps its line`() {
         val engine = HorizonEngine(FixedPool(1), 0, HorizonTuning(4))
         val simulation = gas(engine)
@@ -338,5 +375,9 @@ class HorizonEngineTest {
         const val STEPS = 20
         val THREADS = intArrayOf(1, 2, 3, 2, 5, 9)
         val BOX = Box.centred(24.0, 24.0, 24.0)
+        val LONG_BOX = Box.centred(320.0, 20.0, 20.0)
+
+        /** Half the spheres of [beams] fly, so that the bound along x is hardly more than their speed. */
+        val TIGHT = HorizonTuning(6, classBound = 1.55, deviation = 0.0, cellsAlong = 8.0)
     }
 }
