@@ -20,22 +20,22 @@ class ShippedLibrariesTest {
         .associate { it.groupValues[1] to it.groupValues[2] }
 
     /**
-     * Version by artifact, from where the jars on the class path lie: …/artifact/version/file.jar, or with a hash
-     * between in Gradle's cache.
+     * Jars on the class path by artifact and version, from where they lie: …/artifact/version/file.jar, or with a hash
+     * between in Gradle's cache. The name of the file may be another.
      */
-    private val present = System.getProperty("java.class.path").split(File.pathSeparator)
+    private val jars = System.getProperty("java.class.path").split(File.pathSeparator)
         .filter {
             it.endsWith(".jar") &&
                 "/target/" !in it &&
                 "/build/libs/" !in it &&
                 !it.endsWith("/gradle-worker.jar")
         }
-        .map {
-            Path.of(it).parent.map(Path::toString).filterNot { name ->
-                name.matches(Regex("[0-9a-f]{30,40}"))
-            }.takeLast(2)
+        .associateBy {
+            val folders = Path.of(it).parent.map(Path::toString)
+            val (artifact, version) = folders.filterNot { name -> name.matches(Regex("[0-9a-f]{30,40}")) }.takeLast(2)
+            artifact to version
         }
-        .associate { (artifact, version) -> artifact to version }
+    private val present = jars.keys.toMap()
 
     @Test
     fun `every library of the table is on the class path in its version`() {
@@ -58,10 +58,8 @@ class ShippedLibrariesTest {
             }
             .map { it.groupValues[1] }
         assertTrue("jcodec" in others && "slf4j-api" in others && "reactive-streams" !in others) { "$others" }
-        val jars = System.getProperty("java.class.path").split(File.pathSeparator).filter { it.endsWith(".jar") }
         val without = others.filter { artifact ->
-            val jar = jars.single { File(it).name.matches(Regex("$artifact-[0-9].*")) }
-            val isInJar = ZipFile(jar).use { zip ->
+            val isInJar = ZipFile(jars.getValue(artifact to present.getValue(artifact))).use { zip ->
                 zip.entries().asSequence().any { it.name.matches(Regex("(?i)(.*/)?(licen[cs]e|copying)[^/]*")) }
             }
             !isInJar && "\n### $artifact\n" !in page
