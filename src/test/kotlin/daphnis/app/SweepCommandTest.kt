@@ -97,6 +97,13 @@ class SweepCommandTest {
     }
 
     @Test
+    fun `a link without a target is told as such, as by run`() {
+        Files.createSymbolicLink(Path.of(out("link")), Path.of("nowhere"))
+        val result = sweep("cooling-gas", "--seeds", "1..2", "--out", out("link"))
+        assertEquals("daphnis: --out: ${out("link")} is a link without a target", result.err.trim())
+    }
+
+    @Test
     fun `runs that fail are said, and the others go on`() {
         val result = sweep(
             *small.take(1).toTypedArray(),

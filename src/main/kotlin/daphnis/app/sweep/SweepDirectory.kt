@@ -36,7 +36,10 @@ internal class SweepDirectory(val path: Path) {
     }
 
     private fun check(mine: SweepRecord) {
-        if (!Files.exists(path)) return
+        if (!Files.exists(path)) {
+            if (Files.isSymbolicLink(path)) throw InputException("--out", null, "$path is a link without a target")
+            return
+        }
         if (!Files.isDirectory(path)) throw InputException("--out", null, "$path is no directory")
         if (Files.exists(record)) {
             val difference = mine.difference(SweepRecord.read(record)) ?: return

@@ -27,7 +27,9 @@ public object CartAndRad : ReadableFormat, WritableFormat {
 
     /** Writes `CartAndRad.STEP.bin` for each state. */
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
-        for (snapshot in snapshots) write(snapshot.population(), directory.resolve("CartAndRad.${snapshot.step}.bin"))
+        for (snapshot in snapshots) {
+            wholeFile(directory.resolve("CartAndRad.${snapshot.step}.bin")) { write(snapshot.population(), it) }
+        }
         val left = "CartAndRad cannot store masses and ids; they are left out, " +
             "and spheres are in the order of their ids"
         return Exported(directory, remark = left)

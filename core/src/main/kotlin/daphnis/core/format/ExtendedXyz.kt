@@ -19,8 +19,10 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         val file = directory.resolve("trajectory.xyz")
         var scale = options.scale
-        Files.newBufferedWriter(file).use { out ->
-            for (snapshot in snapshots) write(snapshot, out, scale ?: suitableScale(snapshot).also { scale = it })
+        wholeFile(file) { part ->
+            Files.newBufferedWriter(part).use { out ->
+                for (snapshot in snapshots) write(snapshot, out, scale ?: suitableScale(snapshot).also { scale = it })
+            }
         }
         return Exported(file, scale ?: 1.0)
     }

@@ -29,7 +29,8 @@ public object H5md : ReadableFormat, WritableFormat {
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         val si = options.units != null
         val file = directory.resolve(if (si) "trajectory-si.h5" else "trajectory.h5")
-        write(snapshots.toList(), file, options.version, options.units)
+        val states = snapshots.toList()
+        wholeFile(file) { write(states, it, options.version, options.units) }
         val nameless = "units are the scenario's and have no names; MDAnalysis opens the file with convert_units=False"
         return Exported(file, remark = if (si) "units are m, s, m s-1 and kg" else nameless)
     }

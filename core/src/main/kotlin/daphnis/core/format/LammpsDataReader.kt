@@ -71,6 +71,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
             lines.fail("atom style '${TextLines.shown(style)}' is not read; it must be sphere or atomic")
         }
         val n = count ?: lines.fail("the header has no line 'N atoms'")
+        if (rows != null) lines.fail("a second section Atoms")
         val rows = LammpsRows(n).also { this.rows = it }
         for (k in 0 until n) {
             val cells = words.split(row(n, k))
@@ -104,10 +105,14 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
     private fun velocities(): String? {
         val rows = rows ?: lines.fail("Velocities come before Atoms")
         val n = count ?: 0
+        // One that is named twice leaves another without a velocity.
+        val seen = BooleanArray(n)
         for (k in 0 until n) {
             val cells = words.split(row(n, k))
             if (cells.size < VELOCITY_WIDTH) lines.fail("${cells.size} values; a velocity has id vx vy vz")
             val at = places[words.id(cells[0])] ?: lines.fail("there is no atom ${TextLines.shown(cells[0])}")
+            if (seen[at]) lines.fail("atom ${TextLines.shown(cells[0])} has a second velocity")
+            seen[at] = true
             for (axis in 0..2) rows.velocity[axis][at] = words.number(cells[1 + axis])
         }
         return section()

@@ -22,7 +22,9 @@ public object LammpsDump : ReadableFormat, WritableFormat {
     /** Writes `trajectory.lammpstrj`. */
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         val file = directory.resolve("trajectory.lammpstrj")
-        Files.newBufferedWriter(file).use { out -> for (snapshot in snapshots) write(snapshot, out) }
+        wholeFile(file) { part ->
+            Files.newBufferedWriter(part).use { out -> for (snapshot in snapshots) write(snapshot, out) }
+        }
         return Exported(file)
     }
 

@@ -100,7 +100,10 @@ internal class LammpsDumpReader(private val lines: TextLines, private val path: 
 
     /** Places of the columns in [line], −1 for those that it does not name. */
     private inner class Columns(line: String) {
-        private val names = words.split(line).drop(ATOMS_WORDS)
+        private val names = words.split(line).drop(ATOMS_WORDS).also { names ->
+            val twice = names.find { name -> names.count { it == name } > 1 }
+            if (twice != null) lines.fail("$ATOMS names '${TextLines.shown(twice)}' twice")
+        }
         val width = names.size
         val id = names.indexOf("id")
         val radius = names.indexOf("radius")

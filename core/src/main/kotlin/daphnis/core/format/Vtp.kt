@@ -24,10 +24,10 @@ public object Vtp : WritableFormat {
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         val names = snapshots.map { snapshot ->
             val name = "%010d.vtp".format(Locale.ROOT, snapshot.step)
-            write(snapshot, directory.resolve(name))
+            wholeFile(directory.resolve(name)) { write(snapshot, it) }
             name to snapshot.time
         }.toList()
-        return Exported(directory.resolve("trajectory.pvd").also { writeIndex(names, it) })
+        return Exported(directory.resolve("trajectory.pvd").also { file -> wholeFile(file) { writeIndex(names, it) } })
     }
 
     /**

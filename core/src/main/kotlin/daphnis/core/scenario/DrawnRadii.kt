@@ -9,7 +9,7 @@ import daphnis.core.initial.PowerLawSizes
 import daphnis.core.initial.SeededRandom
 import daphnis.core.initial.SizeDistribution
 import daphnis.core.initial.fillingFactor
-import java.util.Locale
+import kotlin.math.ceil
 
 /**
  * The radii of a scenario: as many as it says, or as many as give the filling, optical depth or surface density that it
@@ -157,9 +157,9 @@ internal class DrawnRadii(
 
     private fun checkMemory(key: String, count: Double) {
         val heap = Runtime.getRuntime().maxMemory()
-        val gibibytes = "%.1f".format(Locale.ROOT, needed(count) / (1 shl 30))
+        val mebibytes = ceil(needed(count) / (1 shl 20)).toLong()
         check.that(key, count.toLong(), isRoomFor(count)) {
-            "spheres need about $gibibytes GiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
+            "spheres need about $mebibytes MiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
         }
     }
 

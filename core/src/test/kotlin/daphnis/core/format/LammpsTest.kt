@@ -183,6 +183,14 @@ class LammpsTest {
     }
 
     @Test
+    fun `what a file says twice is refused, for one of the two would be dropped`() {
+        refused("a.data", data.replace("1 0.5 0 0 0 0 0", "2 0.5 0 0 0 0 0"), "a.data:19", "atom 2", "second velocity")
+        val again = data.trimIndent() + "\n\nAtoms # sphere\n\n2 1 2 0.5 5 1 3 0 0 0\n1 1 1 3 1 -1 2 0 0 0\n"
+        refused("b.data", again, "b.data:21", "second section Atoms")
+        refused("a.dump", dump.replace("id type", "type type"), "a.dump:13", "'type' twice")
+    }
+
+    @Test
     fun `a damaged dump is refused with file, line and what was expected`() {
         refused("a.dump", dump.replace("100", "soon"), "a.dump:6", "'soon'", "number of the step")
         refused("a.dump", dump.replace("ATOMS\n        2\n", "ATOMS\n        2000000000\n"), "a.dump:8", "cannot hold")

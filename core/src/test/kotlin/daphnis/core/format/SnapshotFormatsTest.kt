@@ -38,6 +38,23 @@ class SnapshotFormatsTest {
     }
 
     @Test
+    fun `an export that ends before its last state leaves the files as they were`() {
+        for (format in SnapshotFormats.writable) {
+            export(format)
+            val directory = home.resolve(format.word)
+            fun files() = directory.listDirectoryEntries().associate { it.name to Files.readAllBytes(it).asList() }
+            val before = files()
+            // The same state once more, and then a second one that cannot be read.
+            val broken = sequence {
+                yield(states[0])
+                throw FormatException("damaged")
+            }
+            assertThrows(FormatException::class.java) { format.export(broken, directory, ExportOptions("test")) }
+            assertEquals(before, files(), format.word)
+        }
+    }
+
+    @Test
     fun `a format keeps what it says, no more and no less`() {
         val both = SnapshotFormats.writable.filter { it is ReadableFormat }
         assertTrue(both.size >= 3) { "${both.size} formats are written and read" }

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.function.ThrowingSupplier
 import java.time.Duration
+import kotlin.math.ceil
 
 /** Values that a scenario can hold and no simulation can have: one line each, soon, and the same on every machine. */
 class HostileScenarioTest {
@@ -44,6 +45,17 @@ class HostileScenarioTest {
             assertWrong(listOf("particles.sizes.radius=$r"), "particles.sizes", "> 0")
         }
         assertWrong(listOf("bodies=[{\"radius\":1e-200,\"position\":[0,0,0]}]"), "bodies[0].radius", "> 0")
+    }
+
+    @Test
+    fun `the memory that spheres need is said in the unit of what there is`() {
+        val tiny = """{"type":"equal","radius":0.001}"""
+        val needed = ceil(150_000_000 * ScenarioSetup.BYTES_PER_SPHERE / (1 shl 20).toDouble()).toLong()
+        assertWrong(
+            listOf("particles.count=150000000", "particles.sizes=$tiny"),
+            "particles.count",
+            "need about $needed MiB, the JVM has ",
+        )
     }
 
     @Test

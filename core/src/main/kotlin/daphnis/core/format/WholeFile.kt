@@ -1,0 +1,27 @@
+package daphnis.core.format
+
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.ATOMIC_MOVE
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+
+/**
+ * Lets [write] write under another name and renames when it is done. What was at [path] stays if a state cannot be read,
+ * the disk is full or the program ends: a trajectory that ends between two states looks like a complete one.
+ *
+ * @throws IOException when [path] cannot be written
+ */
+internal inline fun <T> wholeFile(path: Path, write: (Path) -> T): T {
+    val part = path.resolveSibling("${path.fileName}.part")
+    // An interrupted program leaves nothing behind.
+    part.toFile().deleteOnExit()
+    try {
+        return write(part).also { Files.move(part, path, ATOMIC_MOVE, REPLACE_EXISTING) }
+    } catch (e: RuntimeException) {
+        // A library wraps the reason, such as a full disk; restore it.
+        throw generateSequence(e as Throwable) { it.cause }.firstOrNull { it is IOException } ?: e
+    } finally {
+        Files.deleteIfExists(part)
+    }
+}

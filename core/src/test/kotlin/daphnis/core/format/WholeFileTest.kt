@@ -1,0 +1,35 @@
+package daphnis.core.format
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.listDirectoryEntries
+
+class WholeFileTest {
+    @TempDir
+    lateinit var home: Path
+
+    @Test
+    fun `a full disk is a full disk, also where a library wraps it`() {
+        val file = Files.writeString(home.resolve("a"), "before")
+        val full = IOException("No space left on device")
+        for (thrown in listOf(full, IllegalStateException("writing at 7", full), IllegalArgumentException("other"))) {
+            val e = assertThrows(Exception::class.java) {
+                wholeFile(file) {
+                    Files.writeString(it, "half")
+                    throw thrown
+                }
+            }
+            assertSame(if (thrown is IllegalArgumentException) thrown else full, e)
+            assertEquals(listOf(file), home.listDirectoryEntries())
+            assertEquals("before", Files.readString(file))
+        }
+        assertEquals(7, wholeFile(file) { Files.writeString(it, "after").let { 7 } })
+        assertEquals("after", Files.readString(file))
+    }
+}
