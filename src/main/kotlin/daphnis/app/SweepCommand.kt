@@ -80,8 +80,8 @@ class SweepCommand : CliktCommand(name = "sweep") {
         from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
         val plan = SweepPlan.of(settings, seeds)
         val base = scenarioNamed(scenario, emptyList())
-        // All that can be wrong with a scenario itself is told before the first run. A file that is changed later
-        // changes no run.
+        // What no run can be read from is told before the first one; a value out of range, by its run. A file that is
+        // changed later changes no run.
         val scenarios = plan.runs.associateWith { scenarioOf(it) }
         requireEngine()
         val place = SweepDirectory(

@@ -8,16 +8,20 @@ import java.nio.file.StandardCopyOption.REPLACE_EXISTING
 
 /**
  * Lets [write] write under another name and renames when it is done. What was at [path] stays if a state cannot be read,
- * the disk is full or the program ends: a trajectory that ends between two states looks like a complete one.
+ * the disk is full or the program ends: a trajectory that ends between two states looks like a complete one. A link stays
+ * one, and what is no file, such as a pipe, is written itself.
  *
  * @throws IOException when [path] cannot be written
  */
 internal inline fun <T> wholeFile(path: Path, write: (Path) -> T): T {
-    val part = path.resolveSibling("${path.fileName}.part")
+    val exists = Files.exists(path)
+    if (exists && !Files.isRegularFile(path)) return write(path)
+    val file = if (exists) path.toRealPath() else path
+    val part = file.resolveSibling("${file.fileName}.part")
     // An interrupted program leaves nothing behind.
     part.toFile().deleteOnExit()
     try {
-        return write(part).also { Files.move(part, path, ATOMIC_MOVE, REPLACE_EXISTING) }
+        return write(part).also { Files.move(part, file, ATOMIC_MOVE, REPLACE_EXISTING) }
     } catch (e: RuntimeException) {
         // A library wraps the reason, such as a full disk; restore it.
         throw generateSequence(e as Throwable) { it.cause }.firstOrNull { it is IOException } ?: e

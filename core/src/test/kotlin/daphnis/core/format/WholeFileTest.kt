@@ -3,6 +3,7 @@ package daphnis.core.format
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.IOException
@@ -31,5 +32,16 @@ class WholeFileTest {
         }
         assertEquals(7, wholeFile(file) { Files.writeString(it, "after").let { 7 } })
         assertEquals("after", Files.readString(file))
+    }
+
+    @Test
+    fun `a link stays one, and what is no file is not replaced`() {
+        val file = Files.writeString(home.resolve("a"), "before")
+        val link = Files.createSymbolicLink(home.resolve("link"), file)
+        wholeFile(link) { Files.writeString(it, "after") }
+        assertTrue(Files.isSymbolicLink(link))
+        assertEquals("after", Files.readString(file))
+        val folder = Files.createDirectory(home.resolve("folder"))
+        assertEquals(folder, wholeFile(folder) { it })
     }
 }
