@@ -118,7 +118,7 @@ class HorizonEngineTest {
     }
 
     @Test
-    fun `a margin that is too small by a third of the way is noticed, where all that fly are as fast as members may be`() {
+    fun `a margin too small by a third of the way is noticed, where all that fly are as fast as members may be`() {
         for (seed in 1L..6L) {
             for (tuning in listOf(TIGHT, TIGHT.inWindows(3))) {
                 val dt = 60.0 / tuning.steps
