@@ -65,10 +65,15 @@ internal object SoakDrill : Drill {
         }
         if (deepest > MOST_OVERLAP) lost += "$name: spheres overlap by $deepest of their diameter"
         if (drift > MOST_DRIFT) lost += "$name: energy has changed by $drift of itself"
-        growth(live)?.let { if (it > MOST_LIVE) lost += "$name: live memory has grown by $it bytes" }
-        growth(resident)?.let { if (it > MOST_RESIDENT) lost += "$name: resident memory has grown by $it bytes" }
+        val liveGrowth = Growth.of(live)
+        val residentGrowth = Growth.of(resident)
+        if (liveGrowth.steady > MOST_LIVE) lost += "$name: live memory grows, by ${liveGrowth.steady} bytes"
+        if (liveGrowth.whole > MOST_STEPS) lost += "$name: live memory has grown by ${liveGrowth.whole} bytes"
+        if (residentGrowth.whole > MOST_RESIDENT) {
+            lost += "$name: resident memory has grown by ${residentGrowth.whole} bytes"
+        }
         val text = "$name: %d collisions, overlap %.1e, energy %.1e, " +
-            "live memory %+d kB, resident %+d kB after a third of the way"
+            "live memory %+d kB, resident %+d kB after a sixth of the way"
         return Tally(
             collisions,
             lost,
@@ -78,8 +83,8 @@ internal object SoakDrill : Drill {
                     forcing.counters.collisions,
                     deepest,
                     drift,
-                    (growth(live) ?: 0) / KB,
-                    (growth(resident) ?: 0) / KB,
+                    liveGrowth.whole / KB,
+                    residentGrowth.whole / KB,
                 ),
             ),
         )
@@ -102,14 +107,6 @@ internal object SoakDrill : Drill {
             },
             DoubleArray(n) { 1.0 },
         )
-    }
-
-    /** By how much the median of the last third lies above that of the middle third. */
-    private fun growth(values: List<Long>): Long? {
-        val third = values.size / 3
-        if (third == 0) return null
-        fun median(part: List<Long>) = part.sorted()[part.size / 2]
-        return median(values.takeLast(third)) - median(values.subList(third, 2 * third))
     }
 
     private fun liveBytes(): Long {
@@ -136,6 +133,11 @@ internal object SoakDrill : Drill {
     /** Of the sum of radii; round-off at contacts. */
     private const val MOST_OVERLAP = 1e-10
     private const val MOST_DRIFT = 1e-9
+
+    /** Of growth that goes on and on. */
     private const val MOST_LIVE = 2_000_000L
+
+    /** Of all growth: also of an array that is made larger once, or of what others in this JVM keep. */
+    private const val MOST_STEPS = 20_000_000L
     private const val MOST_RESIDENT = 60_000_000L
 }
