@@ -1,12 +1,10 @@
 package daphnis.actors
 
-import daphnis.actors.FaultKit.engines
 import daphnis.actors.FaultKit.initial
-import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.pekko.PekkoEngine
 import daphnis.actors.region.Phase
 import daphnis.actors.region.RegionCommand
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.SerialEngine
 import daphnis.core.population.stateDigest
 import daphnis.core.step.CollisionStep
 import kotlinx.coroutines.CompletableDeferred
@@ -30,7 +28,7 @@ import java.util.concurrent.atomic.AtomicInteger
  * so. The time limit is the watchdog.
  */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class CloseTest {
+abstract class CloseContract(shares: Boolean) : BothWays(shares) {
     private fun assertWhole(step: CollisionStep, isDone: Boolean, about: () -> String) {
         assertEquals(
             if (isDone) stateDigest(FaultKit.done.population) else initial,
@@ -63,7 +61,7 @@ class CloseTest {
 
     @Test
     fun `closed from another thread in every phase`() {
-        for (phase in Phase.entries) {
+        for (phase in phases) {
             for (which in 0..1) {
                 val inside = CountDownLatch(1)
                 val closed = CountDownLatch(1)
@@ -103,7 +101,7 @@ class CloseTest {
                 }
                 assertWhole(engine, FaultKit.step(law), "in a law, ${engine.name}")
                 assertRefuses(engine)
-                for (phase in Phase.entries) {
+                for (phase in phases) {
                     engine = engines { if (it.phase == phase) way(engine) }[which]
                     assertWhole(engine, FaultKit.step(), "$phase, ${engine.name}")
                     assertRefuses(engine)
@@ -118,9 +116,12 @@ class CloseTest {
             val calls = AtomicInteger()
             val engine = engines()[which]
             val law = { _: Double ->
-                if (calls.incrementAndGet() == 30) error("on purpose")
-                // The judge has begun when the thread of the step calls the law.
-                if (Thread.currentThread().name == "stepping") engine.close()
+                val isJudge = Throwable().stackTrace.any { it.className == SerialEngine::class.java.name }
+                if (isJudge) {
+                    engine.close()
+                } else if (calls.incrementAndGet() >= 30) {
+                    error("on purpose")
+                }
                 1.0
             }
             val thread = Thread({ assertTrue(assertWhole(engine, FaultKit.step(law), engine.name)) }, "stepping")
@@ -129,17 +130,18 @@ class CloseTest {
             thread.start()
             thread.join()
             failure?.let { throw it }
+            assertRefuses(engine)
         }
     }
 
     /** Whether the coordinator's last answer has come, after which there is only the end of the step. */
-    private class LastCommit {
+    private class LastCommand(private val phase: Phase) {
         private val commits = AtomicInteger()
 
         /** The number of commits that a whole step takes, for all regions and windows. */
         var total = Int.MAX_VALUE
 
-        fun count(command: RegionCommand): Boolean = command.phase == Phase.COMMIT && commits.incrementAndGet() == total
+        fun count(command: RegionCommand): Boolean = command.phase == phase && commits.incrementAndGet() == total
 
         fun reset(): Int = commits.getAndSet(0)
     }
@@ -148,7 +150,7 @@ class CloseTest {
     fun `closed at many moments around the end of a step`() {
         val host = FaultKit.actorSystem()
         for (which in 0..1) {
-            val last = LastCommit()
+            val last = LastCommand(lastPhase)
             // How many commits a step takes belongs to the trajectory and the regions.
             engines { last.count(it) }[which].use { it.advance(FaultKit.step()) }
             last.total = last.reset()
@@ -161,7 +163,7 @@ class CloseTest {
                 val engine = if (which == 0) {
                     engines(probe)[0]
                 } else {
-                    PekkoEngine(2, FaultKit.layout, host).also { it.probe = probe }
+                    pekko(host = host).also { it.probe = probe }
                 }
                 val step = FaultKit.step()
                 val closer = Thread {
@@ -183,8 +185,8 @@ class CloseTest {
 
     @Test
     fun `a coroutine cancelled at many moments around the end of a step`() {
-        val last = LastCommit()
-        val engine = RegionActorEngine(2, FaultKit.layout)
+        val last = LastCommand(lastPhase)
+        val engine = actors()
         var reached = CompletableDeferred<Unit>()
         engine.probe = { if (last.count(it)) reached.complete(Unit) }
         runBlocking { engine.advanceSuspending(FaultKit.step()) }
@@ -216,7 +218,7 @@ class CloseTest {
     @Test
     fun `a coroutine that is cancelled within a step leaves the population as before, and the engine works on`() {
         var slow = true
-        val engine = RegionActorEngine(2, FaultKit.layout).also { it.probe = { if (slow) Thread.sleep(5) } }
+        val engine = actors().also { it.probe = { if (slow) Thread.sleep(5) } }
         val step = FaultKit.step()
         runBlocking {
             val job = launch { engine.advanceSuspending(step) }
@@ -234,7 +236,7 @@ class CloseTest {
 
     @Test
     fun `a coroutine that was cancelled before begins no step`() {
-        RegionActorEngine(2, FaultKit.layout).use { engine ->
+        actors().use { engine ->
             val step = FaultKit.step()
             runBlocking {
                 val job = launch {
@@ -258,3 +260,7 @@ class CloseTest {
         FaultKit.awaitNoEngineThreads()
     }
 }
+
+class CloseTest : CloseContract(shares = false)
+
+class SharedCloseTest : CloseContract(shares = true)

@@ -3,6 +3,7 @@ package daphnis.actors
 import com.typesafe.config.ConfigFactory
 import daphnis.actors.coroutine.RegionActorEngine
 import daphnis.actors.pekko.PekkoEngine
+import daphnis.actors.region.Phase
 import daphnis.actors.region.RegionCommand
 import daphnis.actors.region.RegionLayout
 import daphnis.core.Simulation
@@ -13,9 +14,11 @@ import daphnis.core.collision.Restitution
 import daphnis.core.digests
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
 import daphnis.core.step.CollisionStep
+import kotlinx.coroutines.CoroutineDispatcher
 import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -25,11 +28,6 @@ import org.junit.jupiter.api.Assertions.assertTrue
 internal object FaultKit {
     val layout = RegionLayout.Stretches(5)
     const val DURATION = 0.2
-
-    fun engines(probe: (RegionCommand) -> Unit = {}): List<CollisionEngine> = listOf(
-        RegionActorEngine(2, layout).also { it.probe = probe },
-        PekkoEngine(2, layout).also { it.probe = probe },
-    )
 
     fun simulation(engine: CollisionEngine, restitution: Restitution = ConstantRestitution(1.0)): Simulation {
         val (p, boundary) = gas(400, 4)
@@ -83,6 +81,37 @@ internal object FaultKit {
         while (engineThreads().isNotEmpty() && System.nanoTime() < end) Thread.sleep(20)
         assertTrue(engineThreads().isEmpty()) { "left behind: ${engineThreads().map { it.name }}" }
     }
+}
+
+/**
+ * What tests of faults that are run for both ways of taking a step have in common.
+ *
+ * @param shares whether regions share epochs; else they grow islands
+ */
+abstract class BothWays(private val shares: Boolean) {
+    /** What regions are told in steps of this kind. */
+    protected val phases: List<Phase> = Phase.entries.filter { (it == Phase.SHARE) == shares }
+
+    /** The last thing that they are told. */
+    protected val lastPhase: Phase = if (shares) Phase.SHARE else Phase.COMMIT
+
+    protected fun engines(probe: (RegionCommand) -> Unit = {}): List<CollisionEngine> =
+        listOf(actors().also { it.probe = probe }, pekko().also { it.probe = probe })
+
+    protected fun actors(threads: Int = 2, dispatcher: CoroutineDispatcher? = null): RegionActorEngine =
+        RegionActorEngine(threads, FaultKit.layout, dispatcher).also {
+            it.fewest = if (shares) 0 else Int.MAX_VALUE
+            it.tuning = tuning
+        }
+
+    protected fun pekko(threads: Int = 2, host: ActorSystem<*>? = null): PekkoEngine =
+        PekkoEngine(threads, FaultKit.layout, host).also {
+            it.fewest = if (shares) 0 else Int.MAX_VALUE
+            it.tuning = tuning
+        }
+
+    private val tuning =
+        HorizonTuning(steps = 3, classBound = 3.0, deviation = 0.0, cellsAlong = 2.0, cellsAcross = 1.0)
 }
 
 /** Throws [e] whatever it is, as code may that was not written in Kotlin. */

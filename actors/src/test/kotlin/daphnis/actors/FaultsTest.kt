@@ -1,7 +1,6 @@
 package daphnis.actors
 
 import daphnis.actors.FaultKit.assertWorksOn
-import daphnis.actors.FaultKit.engines
 import daphnis.actors.FaultKit.expected
 import daphnis.actors.FaultKit.initial
 import daphnis.actors.FaultKit.simulation
@@ -26,7 +25,7 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /** Regions that throw or dawdle: no hang, no half-advanced state. The time limit is the watchdog. */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class FaultsTest {
+abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
     private val errors = listOf(
         AssertionError("on purpose"),
         StackOverflowError("on purpose"),
@@ -45,7 +44,7 @@ class FaultsTest {
 
     @Test
     fun `an exception in a region, in any phase, is put before the serial engine, which finds nothing wrong`() {
-        for (phase in Phase.entries) {
+        for (phase in phases) {
             for (exception in exceptions) {
                 val failures = AtomicInteger()
                 val probe = { command: RegionCommand ->
@@ -67,7 +66,7 @@ class FaultsTest {
 
     @Test
     fun `an error in a region, in any phase, is thrown at once, the population is as before, the engine works on`() {
-        for (phase in Phase.entries) {
+        for (phase in phases) {
             for (error in errors) {
                 var armed = false
                 for (engine in engines { if (armed && it.phase == phase && it.region <= 3) throwAny(error) }) {
@@ -134,7 +133,7 @@ class FaultsTest {
         val error = OutOfMemoryError("on purpose")
         for (region in 0..4) {
             val probe = { command: RegionCommand ->
-                if (command.phase == Phase.SEARCH) throwAny(if (command.region == region) error else exceptions[0])
+                if (command.phase == phases[0]) throwAny(if (command.region == region) error else exceptions[0])
             }
             for (engine in engines(probe)) {
                 simulation(engine).use { assertSame(error, runCatching { it.advance() }.exceptionOrNull()) }
@@ -173,7 +172,13 @@ class FaultsTest {
 
     @Test
     fun `a slow region is waited for, longer than the patience with regions that do not begin`() {
-        for (engine in engines { if (it.region == 2 && it.phase == Phase.WORK) Thread.sleep(250) }) {
+        for (engine in engines {
+            if (it.region == 2 &&
+                it.phase in setOf(Phase.SHARE, Phase.WORK)
+            ) {
+                Thread.sleep(250)
+            }
+        }) {
             FaultKit.setPatience(engine, 100_000_000)
             simulation(engine).use { simulation ->
                 simulation.advance()
@@ -198,3 +203,7 @@ class FaultsTest {
         }
     }
 }
+
+class FaultsTest : FaultsContract(shares = false)
+
+class SharedFaultsTest : FaultsContract(shares = true)

@@ -3,10 +3,7 @@ package daphnis.actors
 import daphnis.actors.FaultKit.actorSystem
 import daphnis.actors.FaultKit.expected
 import daphnis.actors.FaultKit.initial
-import daphnis.actors.FaultKit.layout
 import daphnis.actors.FaultKit.simulation
-import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.pekko.PekkoEngine
 import daphnis.core.population.stateDigest
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.Runnable
@@ -29,7 +26,7 @@ import kotlin.coroutines.CoroutineContext
  * limit is the watchdog.
  */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class HostEndsTest {
+abstract class HostEndsContract(shares: Boolean) : BothWays(shares) {
     private fun executor(): ExecutorService = Executors.newFixedThreadPool(2) { Thread(it).apply { isDaemon = true } }
 
     private val ways = listOf<(ExecutorService) -> Unit>({ it.shutdown() }, { it.shutdownNow() })
@@ -38,7 +35,7 @@ class HostEndsTest {
     fun `an actor system that has ended before the first step, and between two`() {
         for (stepsBefore in 0..1) {
             val host = actorSystem()
-            simulation(PekkoEngine(2, layout, host)).use { simulation ->
+            simulation(pekko(host = host)).use { simulation ->
                 repeat(stepsBefore) { simulation.advance() }
                 host.terminate()
                 host.getWhenTerminated().toCompletableFuture().get()
@@ -63,7 +60,7 @@ class HostEndsTest {
                 }
                 1.0
             }
-            simulation(PekkoEngine(2, layout, host), law).use { simulation ->
+            simulation(pekko(host = host), law).use { simulation ->
                 val e = assertThrows(IllegalStateException::class.java) { simulation.advance() }
                 assertTrue("the actor system \"host\"" in e.message!!) { e.message }
                 assertEquals(initial, stateDigest(simulation.population))
@@ -77,7 +74,7 @@ class HostEndsTest {
         for (end in ways) {
             for (stepsBefore in 0..1) {
                 val executor = executor()
-                simulation(RegionActorEngine(2, layout, executor.asCoroutineDispatcher())).use { simulation ->
+                simulation(actors(dispatcher = executor.asCoroutineDispatcher())).use { simulation ->
                     repeat(stepsBefore) { simulation.advance() }
                     end(executor)
                     repeat(2) {
@@ -100,7 +97,7 @@ class HostEndsTest {
                     if (calls.incrementAndGet() == moment) end(executor)
                     1.0
                 }
-                simulation(RegionActorEngine(2, layout, executor.asCoroutineDispatcher()), law).use { simulation ->
+                simulation(actors(dispatcher = executor.asCoroutineDispatcher()), law).use { simulation ->
                     val e = assertThrows(IllegalStateException::class.java) { simulation.advance() }
                     assertTrue("the dispatcher" in e.message!!) { e.message }
                     assertEquals(initial, stateDigest(simulation.population))
@@ -123,7 +120,7 @@ class HostEndsTest {
     fun `a dispatcher that takes the regions' work and never does it`() {
         val executor = executor()
         val dispatcher = Forgetful(executor)
-        val engine = RegionActorEngine(2, layout, dispatcher).also { it.patience = 300_000_000 }
+        val engine = actors(dispatcher = dispatcher).also { it.patience = 300_000_000 }
         simulation(engine).use { simulation ->
             simulation.advance()
             dispatcher.dead = true
@@ -146,7 +143,7 @@ class HostEndsTest {
         val host = actorSystem()
         val free = CountDownLatch(1)
         val dispatcher = host.executionContext()
-        val engine = PekkoEngine(2, layout, host).also { it.patience = 300_000_000 }
+        val engine = pekko(host = host).also { it.patience = 300_000_000 }
         simulation(engine).use { simulation ->
             simulation.advance()
             // More than it can have threads, none of which says that it blocks.
@@ -170,7 +167,7 @@ class HostEndsTest {
         val host = actorSystem()
         try {
             repeat(5) {
-                PekkoEngine(2, layout, host).use { engine ->
+                pekko(host = host).use { engine ->
                     val simulation = simulation(engine)
                     simulation.advance()
                     assertEquals(expected[0], stateDigest(simulation.population))
@@ -182,3 +179,7 @@ class HostEndsTest {
         }
     }
 }
+
+class HostEndsTest : HostEndsContract(shares = false)
+
+class SharedHostEndsTest : HostEndsContract(shares = true)

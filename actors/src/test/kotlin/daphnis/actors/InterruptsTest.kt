@@ -1,11 +1,8 @@
 package daphnis.actors
 
-import daphnis.actors.FaultKit.engines
 import daphnis.actors.FaultKit.expected
 import daphnis.actors.FaultKit.initial
 import daphnis.actors.FaultKit.simulation
-import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.pekko.PekkoEngine
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -17,7 +14,7 @@ import java.util.concurrent.locks.LockSupport
 
 /** Interrupts of whoever waits or works, and threads that stay behind. The time limit is the watchdog. */
 @Timeout(180, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class InterruptsTest {
+abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
     @Test
     fun `an interrupted host gets its step, and its interrupt`() {
         for (engine in engines()) {
@@ -144,9 +141,9 @@ class InterruptsTest {
             Thread {
                 try {
                     val engine = if (k % 2 == 0) {
-                        RegionActorEngine(3, FaultKit.layout)
+                        actors(3)
                     } else {
-                        PekkoEngine(3, FaultKit.layout)
+                        pekko(3)
                     }
                     simulation(engine).use { simulation ->
                         assertEquals(initial, stateDigest(simulation.population))
@@ -162,3 +159,7 @@ class InterruptsTest {
         FaultKit.awaitNoEngineThreads()
     }
 }
+
+class InterruptsTest : InterruptsContract(shares = false)
+
+class SharedInterruptsTest : InterruptsContract(shares = true)

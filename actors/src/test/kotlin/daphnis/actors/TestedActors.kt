@@ -14,13 +14,22 @@ internal class TestedActors : TestedEngines(ActorEngines) {
     var host: ActorSystem<Void>? = null
 
     override fun make(name: String, settings: EngineSettings): CollisionEngine = when (name) {
-        "actors" -> RegionActorEngine(settings.threads(), layout(settings))
-        "pekko" -> pekko(settings.threads(), layout(settings))
+        "actors" -> RegionActorEngine(settings.threads(), layout(settings)).also {
+            it.fewest = fewest(settings)
+            it.tuning = tuning(settings)
+        }
+        "pekko" -> pekko(settings.threads(), layout(settings)).also {
+            it.fewest = fewest(settings)
+            it.tuning = tuning(settings)
+        }
         else -> super.make(name, settings)
     }
 
     private fun pekko(threads: Int, layout: RegionLayout) =
         host?.let { PekkoEngine(threads, layout, it) } ?: PekkoEngine(threads, layout)
+
+    /** Epochs in all steps, in none, or as users have them. */
+    private fun fewest(settings: EngineSettings): Int = listOf(0, Int.MAX_VALUE, 256)[settings.random.nextInt(3)]
 
     private fun layout(settings: EngineSettings): RegionLayout {
         val random = settings.random

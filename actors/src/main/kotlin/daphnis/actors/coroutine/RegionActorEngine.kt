@@ -6,6 +6,7 @@ import daphnis.actors.region.RegionSteps
 import daphnis.actors.region.StepCoordinator
 import daphnis.actors.region.StepExchange
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy.DYNAMIC
@@ -63,13 +64,17 @@ public class RegionActorEngine @JvmOverloads constructor(
         layout,
         threads,
         if (pool == null || threads == 1) InlineLoop else ParallelLoop(ExecutorHandler(pool, threads), DYNAMIC),
-        { regions, answers -> CoroutineRegions(regionThreads, regions, answers) },
+        { regions, answers -> CoroutineRegions(regionThreads, regions, answers, spins(regions.size)) },
         { pool?.shutdown() },
     )
     override val loop: RangeLoop get() = steps.loop
 
     /** Called by every region before each command; for tests. Set before the first step. */
     internal var probe: ((RegionCommand) -> Unit)? by steps::probe
+
+    /** The least number of spheres with which steps are taken in epochs; for tests. Set before the first step. */
+    internal var fewest: Int by steps::fewest
+    internal var tuning: HorizonTuning? by steps::tuning
 
     /** Nanoseconds after which a step in which nothing begins counts as lost; for tests. Set before the first step. */
     internal var patience: Long by steps::patience
@@ -90,7 +95,7 @@ public class RegionActorEngine @JvmOverloads constructor(
         // Twice, since a change of dispatcher checks on return whether the job around it is cancelled, and would
         // discard a step that is done.
         withContext(NonCancellable) {
-            withContext(Dispatchers.Default) {
+            withContext(Dispatchers.IO) {
                 val news = Channel<Unit>(Channel.CONFLATED)
                 steps.take(step, { news.trySend(Unit) }, { caller?.isActive != false }) {
                     withTimeoutOrNull(TimeUnit.NANOSECONDS.toMillis(StepExchange.SLICE)) { news.receive() }
@@ -103,7 +108,13 @@ public class RegionActorEngine @JvmOverloads constructor(
         steps.close()
     }
 
+    /** Commands follow one another closely. A region with a thread of its own takes nobody's time when it spins. */
+    private fun spins(regions: Int): Int = if (pool != null && regions <= threads) SPINS else 0
+
     private companion object {
+        /** Some tens of microseconds. */
+        private const val SPINS = 1000
+
         fun newPool(threads: Int): ExecutorService {
             val number = AtomicInteger()
             return Executors.newFixedThreadPool(threads) {

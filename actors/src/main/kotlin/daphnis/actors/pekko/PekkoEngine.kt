@@ -5,6 +5,7 @@ import daphnis.actors.region.RegionLayout
 import daphnis.actors.region.RegionSteps
 import daphnis.actors.region.StepCoordinator
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy.DYNAMIC
@@ -56,6 +57,10 @@ public class PekkoEngine @JvmOverloads constructor(
 
     /** Called by every region before each command; for tests. Set before the first step. */
     internal var probe: ((RegionCommand) -> Unit)? by steps::probe
+
+    /** The least number of spheres with which steps are taken in epochs; for tests. Set before the first step. */
+    internal var fewest: Int by steps::fewest
+    internal var tuning: HorizonTuning? by steps::tuning
 
     /** Nanoseconds after which a step in which nothing begins counts as lost; for tests. Set before the first step. */
     internal var patience: Long by steps::patience

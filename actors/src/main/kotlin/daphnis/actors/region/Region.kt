@@ -42,6 +42,7 @@ public class Region(public val number: Int, private val map: RegionMap, private 
         probe(command)
         worker.claimRule = ownSpheres
         when (command.phase) {
+            Phase.SHARE -> command.share!!.run(number)
             Phase.SEARCH -> map.forEachStretch(number) { from, to -> worker.searchStart(from, to) }
             Phase.PROPOSE -> crew.propose(number)
             Phase.WORK -> {

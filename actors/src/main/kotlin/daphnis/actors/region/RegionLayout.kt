@@ -30,20 +30,19 @@ public sealed class RegionLayout {
         public const val MOST: Int = 4096
 
         private const val SPHERES_A_REGION = 2000
-        private const val REGIONS_A_THREAD = 2
 
         private fun requireCount(count: Int) {
             require(count in 1..MOST) { "number of regions is $count; it must be in 1..$MOST" }
         }
 
         /**
-         * A layout that suits [spheres] and [threads]: several regions per thread, so that a region with less work is
-         * no loss, but none too small.
+         * A layout that suits [spheres] and [threads]: a region for each thread, since borders cost more than uneven
+         * regions, but none too small.
          */
         @JvmStatic
         public fun of(spheres: Int, threads: Int): RegionLayout = Stretches(
             minOf(
-                threads * REGIONS_A_THREAD,
+                threads,
                 spheres / SPHERES_A_REGION,
             ).coerceIn(1, MOST),
         )

@@ -1,7 +1,12 @@
 package daphnis.actors.region
 
+import daphnis.core.parallel.RangeBody
+
 /** What a region does for a command. */
 public enum class Phase {
+    /** Do its share of a loop of a step that is taken in an epoch. */
+    SHARE,
+
     /** Find the potential collisions of the step that its own spheres can have. */
     SEARCH,
 
@@ -31,16 +36,39 @@ public enum class Phase {
  * @property islands roots of the islands of a [Phase.GRANT], the batch; not changed after sending
  * @property locked by region: whether its spheres may be touched in a [Phase.GRANT]; not changed after sending
  */
-public class RegionCommand @JvmOverloads constructor(
+public class RegionCommand internal constructor(
     public val region: Int,
     public val phase: Phase,
-    public val islands: IntArray = NOTHING,
-    public val locked: BooleanArray = NONE,
+    public val islands: IntArray,
+    public val locked: BooleanArray,
+    internal val share: Share?,
 ) {
+    @JvmOverloads
+    public constructor(region: Int, phase: Phase, islands: IntArray = NOTHING, locked: BooleanArray = NONE) :
+        this(region, phase, islands, locked, null)
+
+    internal constructor(region: Int, share: Share) : this(region, Phase.SHARE, NOTHING, NONE, share)
+
     private companion object {
         val NOTHING = IntArray(0)
         val NONE = BooleanArray(0)
     }
+}
+
+/** A region's share of a loop: the indices [from] until [to]. */
+internal class Share(private val loop: SharedLoop, private val from: Int, private val to: Int) {
+    /** Runs it as [worker], unless nobody waits for it any more. */
+    fun run(worker: Int) {
+        check(!loop.isAbandoned) { "a share of a loop that nobody waits for" }
+        if (from < to) loop.body.run(worker, from, to)
+    }
+}
+
+/** A loop whose indices are shared among regions. */
+internal class SharedLoop(val body: RangeBody) {
+    /** Nobody waits for it any more: a share that has not begun must not begin. */
+    @Volatile
+    var isAbandoned = false
 }
 
 /**

@@ -1,6 +1,8 @@
 package daphnis.actors.region
 
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.horizon.HorizonSteps
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
@@ -10,6 +12,9 @@ import java.util.concurrent.locks.LockSupport
 
 /**
  * The common part of the engines on regions: a step from its beginning to its end, and the end of the engine.
+ *
+ * **Two ways of taking a step.** Where it should be quicker, regions share a step of an epoch ([RegionLoop]); else they
+ * grow islands ([StepCoordinator]).
  *
  * **How a step ends.** Regions grow islands on paths that are guesses until they have been checked, so an exception out
  * of a region (a collapse, a step that is refused, a law that throws) may come from something that never happens. The
@@ -42,6 +47,12 @@ internal class RegionSteps(
     /** Called by every region before each command; for tests. Set before the first step. */
     var probe: ((RegionCommand) -> Unit)? = null
 
+    /** The least number of spheres with which steps are taken in epochs. Set before the first step. */
+    var fewest: Int = HorizonSteps.WORTH_SPHERES
+
+    /** How epochs are laid out, null for what should be quickest; for tests. Set before the first step. */
+    var tuning: HorizonTuning? = null
+
     /** See [StepExchange]; tests shorten it. Set before the first step. */
     var patience: Long = StepExchange.PATIENCE
 
@@ -61,7 +72,7 @@ internal class RegionSteps(
         try {
             take(step, { LockSupport.unpark(thread) }, { true }) { exchange ->
                 // A wake-up that was consumed while a loop waited is not needed, since then there is news.
-                if (!exchange.hasNews) LockSupport.parkNanos(this, StepExchange.SLICE)
+                exchange.awaitNews()
                 if (Thread.interrupted()) isInterrupted = true
             }
         } finally {
@@ -76,25 +87,55 @@ internal class RegionSteps(
      * @param isWanted called at every turn; false cancels the step
      * @param await waits until there is news, but no longer than a slice
      */
-    inline fun take(step: CollisionStep, waker: Waker, isWanted: () -> Boolean, await: (StepExchange) -> Unit) {
-        val exchange = enter(step, waker)
+    inline fun take(
+        step: CollisionStep,
+        waker: Waker,
+        noinline isWanted: () -> Boolean,
+        await: (StepExchange) -> Unit,
+    ) {
+        val exchange = enter(step.population.size)
         try {
+            if (share(exchange, step, isWanted)) return
+            exchange.wakeWith(waker)
+            exchange.begin(step)
             while (!exchange.turn()) {
+                exchange.serveOwn()
                 await(exchange)
                 if (!isWanted()) exchange.coordinator.cancel()
             }
             conclude(exchange, step)
+            exchange.horizon.tookAnother(step)
         } finally {
             leave(exchange)
         }
     }
 
-    fun enter(step: CollisionStep, waker: Waker): StepExchange {
+    /**
+     * Takes [step] in an epoch, on this thread, if that should be quicker.
+     *
+     * @return whether the step is done
+     */
+    fun share(exchange: StepExchange, step: CollisionStep, isWanted: () -> Boolean): Boolean {
+        val thread = Thread.currentThread()
+        exchange.wakeWith { LockSupport.unpark(thread) }
+        exchange.loop.beginStep(isWanted)
+        try {
+            if (!exchange.horizon.take(step)) return false
+        } catch (e: Throwable) {
+            if (!exchange.loop.isBroken) throw e
+            conclude(exchange, step)
+        } finally {
+            exchange.loop.endStep()
+        }
+        return true
+    }
+
+    fun enter(spheres: Int): StepExchange {
         requireOpen()
         check(stepping.tryAcquire()) { "a step is under way" }
         try {
-            val exchange = exchange ?: newExchange(step.population.size).also { exchange = it }
-            exchange.begin(step, waker)
+            val exchange = exchange ?: newExchange(spheres).also { exchange = it }
+            exchange.coordinator.renew()
             current = exchange.coordinator
             // A [close] which does not see the coordinator yet has set the mark before this line.
             if (gate.isClosed) exchange.coordinator.cancel()
@@ -109,7 +150,8 @@ internal class RegionSteps(
         val coordinator = StepCoordinator(RegionMap(layout ?: RegionLayout.of(spheres, threads)), inner)
         for (region in coordinator.regions) probe?.let { region.probe = it }
         val answers = Answers(coordinator.regions.size)
-        return StepExchange(coordinator, answers, open(coordinator.regions, answers), patience)
+        val host = open(coordinator.regions, answers)
+        return StepExchange(coordinator, answers, host, patience) { HorizonSteps(it, fewest, tuning) }
     }
 
     fun conclude(exchange: StepExchange, step: CollisionStep) {

@@ -68,11 +68,41 @@ public class StepCoordinator @JvmOverloads constructor(
 
     /** Begins [step]; may be called again for the same step after a failure. */
     public fun begin(step: CollisionStep) {
+        renew()
+        beginGrowing(step)
+    }
+
+    /** Forgets the last step, and whether it was cancelled. */
+    internal fun renew() {
         check(outstanding == 0) { "a step is under way" }
-        this.step = step
         failure = null
         cancelled = false
         isStored = false
+    }
+
+    /**
+     * Shares the indices 0 until [size] of [loop] among the regions, in order, for a step that is taken in an epoch. It
+     * [isFinished] when all have answered.
+     */
+    internal fun share(size: Int, loop: SharedLoop) {
+        check(outstanding == 0) { "a step is under way" }
+        isFinished = false
+        phase = Phase.SHARE
+        val count = map.count.toLong()
+        for (region in 0 until map.count) {
+            send(
+                RegionCommand(
+                    region,
+                    Share(loop, (size * region / count).toInt(), (size * (region + 1) / count).toInt()),
+                ),
+            )
+        }
+    }
+
+    /** Begins [step] by islands, after [renew]. */
+    internal fun beginGrowing(step: CollisionStep) {
+        check(outstanding == 0) { "a step is under way" }
+        this.step = step
         isFinished = false
         redone = 0
         guarded {
@@ -152,13 +182,14 @@ public class StepCoordinator @JvmOverloads constructor(
 
     /** Called when all regions have answered. */
     private fun goOn() {
-        if (field.isOutrun) {
+        if (phase != Phase.SHARE && field.isOutrun) {
             field.enlarge()
             redone++
             attempt()
             return
         }
         when (phase) {
+            Phase.SHARE -> isFinished = true
             Phase.SEARCH -> openWindow()
             Phase.PROPOSE -> {
                 crew.joinBorders()

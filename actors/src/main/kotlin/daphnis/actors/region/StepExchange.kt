@@ -1,6 +1,10 @@
 package daphnis.actors.region
 
+import daphnis.core.engine.horizon.HorizonSteps
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
+import java.util.concurrent.CancellationException
+import java.util.concurrent.locks.LockSupport
 
 /**
  * The coordinator's loop, one [turn] at a time, on the thread or coroutine that takes the step: it sends commands to
@@ -12,17 +16,30 @@ import daphnis.core.step.CollisionStep
  * Then the step ends as [lost].
  *
  * @param patience in nanoseconds of waiting; time in which the process itself was stopped does not count
+ * @param epochs makes the steps in epochs, whose loop is that of the regions
  */
 internal class StepExchange(
     val coordinator: StepCoordinator,
     private val answers: Answers,
     private val host: RegionHost,
     private val patience: Long,
+    epochs: (RangeLoop) -> HorizonSteps,
 ) {
     private val out = arrayOfNulls<RegionCommand>(coordinator.regions.size)
+    private var own: RegionCommand? = null
     private var seen = 0
     private var idle = 0L
     private var lastLook = 0L
+
+    /** Waits until there is news, or an interrupt, but no longer than a slice. Blocks this thread. */
+    fun awaitNews() {
+        var spins = 0
+        while (!hasNews && spins < SPINS) {
+            spins++
+            Thread.onSpinWait()
+        }
+        if (!hasNews) LockSupport.parkNanos(this, SLICE)
+    }
 
     /** Why answers will not come; null while they may. */
     var lost: Throwable? = null
@@ -34,12 +51,30 @@ internal class StepExchange(
     /** Whether something has come since the last turn. */
     val hasNews: Boolean get() = answers.count != seen
 
-    /** Begins [step]; [waker] wakes the thread or coroutine that waits between two turns. */
-    fun begin(step: CollisionStep, waker: Waker) {
+    /** The epochs of these regions. */
+    val loop = RegionLoop(this)
+    val horizon = epochs(loop)
+
+    /** [waker] wakes the thread or coroutine that waits between two turns from now on. */
+    fun wakeWith(waker: Waker) {
         answers.waker = waker
+    }
+
+    /** Begins [step] by islands, see [StepCoordinator.beginGrowing]. */
+    fun begin(step: CollisionStep) {
+        startWatch()
+        coordinator.beginGrowing(step)
+    }
+
+    /** Begins [loop], see [StepCoordinator.share]. */
+    fun share(size: Int, loop: SharedLoop) {
+        startWatch()
+        coordinator.share(size, loop)
+    }
+
+    private fun startWatch() {
         idle = 0
         lastLook = System.nanoTime()
-        coordinator.begin(step)
     }
 
     /**
@@ -76,8 +111,18 @@ internal class StepExchange(
         while (true) {
             val command = coordinator.poll() ?: return
             out[command.region] = command
-            host.send(command)
+            if (command.region == OWN && command.phase != Phase.GRANT) own = command else host.send(command)
         }
+    }
+
+    /**
+     * Does what was sent to one of the regions, on this thread, which would only wait otherwise. Called between two
+     * turns, when the others have got their commands.
+     */
+    fun serveOwn() {
+        val command = own ?: return
+        own = null
+        coordinator.regions[OWN].serve(command, answers)
     }
 
     /** Called when nothing has come: checks whether anything still can. */
@@ -113,6 +158,26 @@ internal class StepExchange(
         }
     }
 
+    /** Throws what has ended the step, if anything has. */
+    fun throwFailure() {
+        val failure = coordinator.failure
+        val lost = lost
+        when {
+            failure is Error -> throw failure
+            lost is Error -> throw lost
+            coordinator.isCancelled -> throw CancellationException("the step was cancelled")
+            lost != null -> throw lost
+            failure != null -> throw failure
+        }
+    }
+
+    /** Waits until no region is at work on [loop], which is [lost]; none begins any more. */
+    fun abandon(loop: SharedLoop) {
+        loop.isAbandoned = true
+        // A region is at work before it looks whether the loop is abandoned.
+        while (coordinator.regions.any { it.isAtWork }) LockSupport.parkNanos(this, SLICE / SLICES_A_LOOK)
+    }
+
     /** Ends the regions. */
     fun stop() {
         host.stop()
@@ -125,6 +190,16 @@ internal class StepExchange(
         /** Nanoseconds after which a step in which nothing begins counts as lost. */
         const val PATIENCE = 30_000_000_000L
 
+        /**
+         * The region that works on the coordinator's thread, but not under locks: these are returned as soon as others
+         * have done with theirs, so the coordinator must look.
+         */
+        private const val OWN = 0
+
+        /** Some tens of microseconds. */
+        private const val SPINS = 2000
+
         private const val NANOS_A_SECOND = 1e9
+        private const val SLICES_A_LOOK = 100
     }
 }

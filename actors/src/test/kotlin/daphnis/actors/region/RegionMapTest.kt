@@ -119,7 +119,7 @@ class RegionMapTest {
 
     @Test
     fun `the number of regions suits spheres and threads, and has bounds`() {
-        assertEquals(8, RegionLayout.of(100_000, 4).count)
+        assertEquals(4, RegionLayout.of(100_000, 4).count)
         assertEquals(3, RegionLayout.of(7_999, 4).count)
         assertEquals(1, RegionLayout.of(10, 64).count)
         assertEquals(RegionLayout.MOST, RegionLayout.of(Int.MAX_VALUE, 1_000_000).count)

@@ -78,9 +78,14 @@ abstract class EnginesCountContract(private val tested: TestedEngines) {
                     val decided = if (calls.get() > call && thrown == 0) 1L else 0L
                     assertEquals(counts(honest).dropLast(2), counts(forcing).dropLast(2)) { story }
                     assertEquals(decided, forcing.counters.causalityReplays) { story }
-                    // An engine whose search does not rely on the bound does not redo the step.
-                    val redone = if (forcing.engine.name == "horizon") 0L else honest.counters.redoneSteps
-                    assertEquals(redone, forcing.counters.redoneSteps) { story }
+                    // An engine whose search does not rely on the bound does not redo the step. Regions have two ways.
+                    val redone = forcing.counters.redoneSteps
+                    val either = setOf(0L, honest.counters.redoneSteps)
+                    when (forcing.engine.name) {
+                        "horizon" -> assertEquals(0L, redone) { story }
+                        "actors", "pekko" -> assertTrue(redone in either) { "$story: $redone of $either" }
+                        else -> assertEquals(honest.counters.redoneSteps, redone) { story }
+                    }
                 }
             }
             assertTrue(thrown > 1) { "engine $kind threw $thrown times" }

@@ -25,7 +25,7 @@ open class TestedEngines(val registry: EngineFactory) {
         return BrickDivision(parts(), parts(), parts())
     }
 
-    private fun tuning(settings: EngineSettings): HorizonTuning {
+    protected fun tuning(settings: EngineSettings): HorizonTuning {
         val random = settings.random
         fun between(least: Double, most: Double) = least * Math.pow(most / least, random.nextDouble(0.0, 1.0))
         return HorizonTuning(

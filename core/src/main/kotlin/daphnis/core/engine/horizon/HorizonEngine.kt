@@ -7,7 +7,6 @@ import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
-import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.step.CollisionStep
@@ -38,7 +37,11 @@ public class HorizonEngine internal constructor(
     filter: LineFilter,
 ) : CollisionEngine {
     @JvmOverloads
-    public constructor(handler: ThreadHandler, fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null) :
+    public constructor(
+        handler: ThreadHandler,
+        fewest: Int = HorizonSteps.WORTH_SPHERES,
+        tuning: HorizonTuning? = null,
+    ) :
         this(handler, fewest, tuning, LineFilter.BEST)
 
     public constructor(threads: Int) : this(FixedPool(threads))
@@ -51,14 +54,12 @@ public class HorizonEngine internal constructor(
     private val prepared = PreparedStep()
     private val other: CollisionEngine =
         if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
-    private val isEager = fewest == 0
-    private val pieces: RangeLoop = if (isEager) FineLoop(gate) else gate
-    private val epoch = Epoch(prepared, pieces, FilterChoice(filter, always = isEager), isEager)
+    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared)
+    private val epoch = steps.epoch
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
-    public var epochSteps: Long = 0
-        private set
+    public val epochSteps: Long get() = steps.steps
 
     /** Windows begun within a step, apart from the first of each, since the start. */
     internal val windows: Long get() = epoch.windows
@@ -74,20 +75,9 @@ public class HorizonEngine internal constructor(
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
-        val size = step.population.size
-        if (size < maxOf(fewest, 1) || tuning == null && epoch.rests()) {
-            epoch.drop()
-        } else {
-            prepared.measure(step, loop)
-            if (epoch.carry(step, tuning)) {
-                epochSteps++
-                return
-            }
-        }
-        val before = step.counters.collisions
+        if (steps.take(step)) return
         other.advance(step)
-        if (epoch.hasFailed) step.counters.causalityReplays++
-        if (size > 0) epoch.observe((step.counters.collisions - before).toDouble() / size)
+        steps.tookAnother(step)
     }
 
     override fun close() {
@@ -96,26 +86,9 @@ public class HorizonEngine internal constructor(
         handler.close()
     }
 
-    /** A loop of small pieces. */
-    private class FineLoop(private val loop: RangeLoop) : RangeLoop by loop {
-        override fun run(size: Int, body: RangeBody) {
-            loop.run(size, GRAIN, body)
-        }
-
-        override fun run(size: Int, grain: Int, body: RangeBody) {
-            loop.run(size, minOf(grain, GRAIN), body)
-        }
-
-        private companion object {
-            const val GRAIN = 8
-        }
-    }
-
     public companion object {
         /** Whether searches use the vector unit in this JVM. */
         @JvmStatic
         public val usesVectorUnit: Boolean get() = LineFilter.BEST !== ScalarFilter
-
-        private const val WORTH_SPHERES = 256
     }
 }

@@ -1,0 +1,88 @@
+package daphnis.actors.region
+
+import daphnis.actors.FaultKit
+import daphnis.actors.coroutine.RegionActorEngine
+import daphnis.actors.pekko.PekkoEngine
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.SerialEngine
+import daphnis.core.population.stateDigest
+import daphnis.core.randomSpheres
+import daphnis.core.simulationOf
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.atomic.AtomicInteger
+
+/** Steps that regions take in epochs. */
+@Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class RegionEpochsTest {
+    /** Phases in which each region was told something, while a gas at filling factor [phi] is carried on. */
+    private fun phasesOf(engine: CollisionEngine, told: Map<Phase, Set<Int>>, phi: Double, dt: Double): Set<Phase> {
+        val n = 5000
+        val edge = Math.cbrt(n * Math.PI / 6 / phi)
+        val boundary = Periodic(Box.centred(edge, edge, edge))
+        fun simulation(e: CollisionEngine) =
+            simulationOf(randomSpheres(n, boundary, 1, 1.0) { 0.5 }, boundary, dt, ConstantRestitution(1.0), engine = e)
+        val serial = simulation(SerialEngine()).also { s -> repeat(STEPS) { s.advance() } }
+        simulation(engine).use { s ->
+            repeat(STEPS) { s.advance() }
+            assertEquals(stateDigest(serial.population), stateDigest(s.population)) { engine.name }
+        }
+        return told.keys
+    }
+
+    private fun forEachEngine(test: (CollisionEngine, Map<Phase, Set<Int>>) -> Unit) {
+        val told = ConcurrentHashMap<Phase, MutableSet<Int>>()
+        val probe = { c: RegionCommand ->
+            told.getOrPut(c.phase) { ConcurrentHashMap.newKeySet() } += c.region
+            Unit
+        }
+        test(RegionActorEngine(2).also { it.probe = probe }, told)
+        told.clear()
+        test(PekkoEngine(2).also { it.probe = probe }, told)
+    }
+
+    @Test
+    fun `as users have it, a dilute gas goes in epochs, of which every region has its share`() {
+        forEachEngine { engine, told ->
+            assertEquals(setOf(Phase.SHARE), phasesOf(engine, told, phi = 0.02, dt = 0.1)) { engine.name }
+            assertEquals(setOf(0, 1), told[Phase.SHARE]) { engine.name }
+        }
+    }
+
+    @Test
+    fun `few spheres go by islands`() {
+        forEachEngine { engine, told ->
+            val step = FaultKit.step()
+            when (engine) {
+                is RegionActorEngine -> engine.fewest = step.population.size + 1
+                is PekkoEngine -> engine.fewest = step.population.size + 1
+            }
+            engine.use { it.advance(step) }
+            assertFalse(Phase.SHARE in told) { engine.name }
+            assertTrue(Phase.SEARCH in told) { engine.name }
+        }
+    }
+
+    @Test
+    fun `a share of a loop for which nobody waits any more does nothing`() {
+        val runs = AtomicInteger()
+        val loop = SharedLoop { _, from, to -> runs.addAndGet(to - from) }
+        Share(loop, 3, 10).run(0)
+        assertEquals(7, runs.get())
+        loop.isAbandoned = true
+        assertThrows(IllegalStateException::class.java) { Share(loop, 3, 10).run(0) }
+        assertEquals(7, runs.get())
+    }
+
+    private companion object {
+        const val STEPS = 12
+    }
+}

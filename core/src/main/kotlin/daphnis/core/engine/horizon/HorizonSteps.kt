@@ -1,0 +1,96 @@
+package daphnis.core.engine.horizon
+
+import daphnis.core.api.EngineApi
+import daphnis.core.parallel.RangeBody
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.step.CollisionStep
+import daphnis.core.step.PreparedStep
+
+/**
+ * Takes steps in epochs, which look ahead over several of them, where that should be quicker, for an engine that takes
+ * its other steps in another way. The work is shared among the workers of [loop]: searches and passes by ranges of
+ * spheres, collisions by groups of spheres that lie side by side, one for each worker.
+ *
+ * ```
+ *   if (!horizon.take(step)) {
+ *       …                      // in another way
+ *       horizon.tookAnother(step)
+ *   }
+ * ```
+ *
+ * One thread at a time. After an exception other than an [Error] out of a law the object may be used on.
+ *
+ * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
+ *   shares all work among the workers, however little
+ * @param tuning how epochs are laid out; null for what should be quickest
+ */
+@EngineApi
+public class HorizonSteps internal constructor(
+    loop: RangeLoop,
+    private val fewest: Int,
+    private val tuning: HorizonTuning?,
+    filter: LineFilter,
+    internal val prepared: PreparedStep,
+) {
+    @JvmOverloads
+    public constructor(loop: RangeLoop, fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null) :
+        this(loop, fewest, tuning, LineFilter.BEST, PreparedStep())
+
+    private val isEager = fewest == 0
+    private val loop: RangeLoop = if (isEager) FineLoop(loop) else loop
+    internal val epoch = Epoch(prepared, this.loop, FilterChoice(filter, always = isEager), isEager)
+
+    /** Steps taken here since the start. */
+    public var steps: Long = 0
+        private set
+
+    /** Collisions counted before the present step. */
+    private var before = 0L
+
+    /**
+     * Takes [step], if that should be quicker here.
+     *
+     * @return false when it is to be taken in another way; then nothing has changed
+     * @throws IllegalArgumentException when the step is refused
+     */
+    public fun take(step: CollisionStep): Boolean {
+        before = step.counters.collisions
+        val size = step.population.size
+        if (size < maxOf(fewest, 1) || tuning == null && epoch.rests()) {
+            epoch.drop()
+            return false
+        }
+        prepared.measure(step, loop)
+        if (!epoch.carry(step, tuning)) return false
+        steps++
+        return true
+    }
+
+    /** [step], which [take] has refused, has been taken in another way. */
+    public fun tookAnother(step: CollisionStep) {
+        if (epoch.hasFailed) step.counters.causalityReplays++
+        val size = step.population.size
+        if (size > 0) epoch.observe((step.counters.collisions - before).toDouble() / size)
+    }
+
+    /** A loop of small pieces. */
+    private class FineLoop(private val loop: RangeLoop) : RangeLoop by loop {
+        override fun run(size: Int, body: RangeBody) {
+            loop.run(size, GRAIN, body)
+        }
+
+        override fun run(size: Int, grain: Int, body: RangeBody) {
+            loop.run(size, minOf(grain, GRAIN), body)
+        }
+
+        private companion object {
+            const val GRAIN = 8
+        }
+    }
+
+    @EngineApi
+    public companion object {
+        /** Spheres from which on epochs can pay. */
+        public const val WORTH_SPHERES: Int = 256
+    }
+}
