@@ -18,15 +18,8 @@ import java.util.concurrent.ExecutorService
  * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of commands. Only its coroutine
  * touches a region's state while it handles a command, and the coordinator touches it only when all regions have
  * answered. What happens before a send on a channel is seen after the receive that gets it.
- *
- * @param spins how often a region looks for its next command before it gives its thread away
  */
-internal class CoroutineRegions(
-    dispatcher: CoroutineDispatcher,
-    regions: List<Region>,
-    answers: Answers,
-    private val spins: Int,
-) : RegionHost {
+internal class CoroutineRegions(dispatcher: CoroutineDispatcher, regions: List<Region>, answers: Answers) : RegionHost {
     // How a coroutine ends is told by its completion; nothing else has to be told.
     private val scope = CoroutineScope(SupervisorJob() + dispatcher + CoroutineExceptionHandler { _, _ -> })
 
@@ -36,23 +29,13 @@ internal class CoroutineRegions(
     init {
         try {
             for (region in regions) {
-                scope.launch { while (true) region.serve(next(mailboxes[region.number]) ?: break, answers) }
+                scope.launch { for (command in mailboxes[region.number]) region.serve(command, answers) }
                     .invokeOnCompletion { answers.leave(region.number) }
             }
         } catch (e: Throwable) {
             stop()
             throw e
         }
-    }
-
-    /** @return null when the mailbox is closed */
-    private suspend fun next(mailbox: Channel<RegionCommand>): RegionCommand? {
-        repeat(spins) {
-            val received = mailbox.tryReceive()
-            if (received.isSuccess || received.isClosed) return received.getOrNull()
-            Thread.onSpinWait()
-        }
-        return mailbox.receiveCatching().getOrNull()
     }
 
     override val name: String get() = "the dispatcher"

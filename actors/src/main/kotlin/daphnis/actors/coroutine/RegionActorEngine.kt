@@ -64,7 +64,7 @@ public class RegionActorEngine @JvmOverloads constructor(
         layout,
         threads,
         if (pool == null || threads == 1) InlineLoop else ParallelLoop(ExecutorHandler(pool, threads), DYNAMIC),
-        { regions, answers -> CoroutineRegions(regionThreads, regions, answers, spins(regions.size)) },
+        { regions, answers -> CoroutineRegions(regionThreads, regions, answers) },
         { pool?.shutdown() },
     )
     override val loop: RangeLoop get() = steps.loop
@@ -108,13 +108,7 @@ public class RegionActorEngine @JvmOverloads constructor(
         steps.close()
     }
 
-    /** Commands follow one another closely. A region with a thread of its own takes nobody's time when it spins. */
-    private fun spins(regions: Int): Int = if (pool != null && regions <= threads) SPINS else 0
-
     private companion object {
-        /** Some tens of microseconds. */
-        private const val SPINS = 1000
-
         fun newPool(threads: Int): ExecutorService {
             val number = AtomicInteger()
             return Executors.newFixedThreadPool(threads) {
