@@ -2,6 +2,7 @@ package daphnis.actors.region
 
 import daphnis.actors.gas
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Open
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
@@ -93,5 +94,43 @@ class StepCoordinatorTest {
         for (command in commands) coordinator.accept(coordinator.regions[command.region].handle(command))
         assertTrue(coordinator.isFinished && coordinator.isCancelled)
         assertEquals(before, stateDigest(p))
+    }
+
+    @Test
+    fun `whatever a step by islands was doing when it was cancelled, a loop is shared after it`() {
+        // A heavy one hits a light one, which goes beyond the bound, so that the step is redone before it ends.
+        fun zeros() = DoubleArray(3)
+        val p = Population(
+            doubleArrayOf(0.0, 2.0, 30.0),
+            zeros(),
+            zeros(),
+            doubleArrayOf(1.0, 0.0, 0.0),
+            zeros(),
+            zeros(),
+            DoubleArray(3) { 0.5 },
+            doubleArrayOf(1000.0, 0.001, 1.0),
+        )
+        val coordinator = StepCoordinator(RegionMap(RegionLayout.Stretches(2)))
+        fun serve() = coordinator.poll()?.also { coordinator.accept(coordinator.regions[it.region].handle(it)) }
+        val whole = step(p.copy(), Open, 20.0)
+        var commands = 0
+        coordinator.begin(whole)
+        while (serve() != null) commands++
+        assertTrue(whole.counters.redoneSteps > 0)
+        for (last in 1..commands) {
+            coordinator.begin(step(p.copy(), Open, 20.0))
+            repeat(last) { serve() }
+            coordinator.cancel()
+            do {
+                val told = serve()
+            } while (told != null)
+            assertTrue(coordinator.isFinished)
+            val seen = IntArray(10)
+            coordinator.renew()
+            coordinator.share(seen.size, SharedLoop { _, from, to -> for (k in from until to) seen[k]++ })
+            repeat(2) { serve() }
+            assertTrue(coordinator.isFinished && !coordinator.isCancelled) { "cancelled after $last commands" }
+            assertEquals(List(10) { 1 }, seen.toList()) { "cancelled after $last commands" }
+        }
     }
 }
