@@ -151,7 +151,12 @@ internal class RegionSteps(
         for (region in coordinator.regions) probe?.let { region.probe = it }
         val answers = Answers(coordinator.regions.size)
         val host = open(coordinator.regions, answers)
-        return StepExchange(coordinator, answers, host, patience) { HorizonSteps(it, fewest, tuning) }
+        try {
+            return StepExchange(coordinator, answers, host, patience) { HorizonSteps(it, fewest, tuning) }
+        } catch (e: Throwable) {
+            host.stop()
+            throw e
+        }
     }
 
     fun conclude(exchange: StepExchange, step: CollisionStep) {

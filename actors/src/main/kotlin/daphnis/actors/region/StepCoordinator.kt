@@ -88,16 +88,13 @@ public class StepCoordinator @JvmOverloads constructor(
         check(outstanding == 0) { "a step is under way" }
         isFinished = false
         phase = Phase.SHARE
-        val count = map.count.toLong()
         for (region in 0 until map.count) {
-            send(
-                RegionCommand(
-                    region,
-                    Share(loop, (size * region / count).toInt(), (size * (region + 1) / count).toInt()),
-                ),
-            )
+            send(RegionCommand(region, Share(loop, startOf(region, size), startOf(region + 1, size))))
         }
     }
+
+    /** The first of the indices 0 until [size] that belongs to [region]. */
+    private fun startOf(region: Int, size: Int): Int = (size.toLong() * region / map.count).toInt()
 
     /** Begins [step] by islands, after [renew]. */
     internal fun beginGrowing(step: CollisionStep) {

@@ -133,4 +133,29 @@ class StepCoordinatorTest {
             assertEquals(List(10) { 1 }, seen.toList()) { "cancelled after $last commands" }
         }
     }
+
+    @Test
+    fun `a loop is shared in order and without gaps, however long it is and however many regions there are`() {
+        for (size in listOf(1, 5, 1000, Int.MAX_VALUE)) {
+            for (count in listOf(1, 2, 7, RegionLayout.MOST)) {
+                val coordinator = StepCoordinator(RegionMap(RegionLayout.Stretches(count)))
+                val next = intArrayOf(0)
+                coordinator.renew()
+                coordinator.share(
+                    size,
+                    SharedLoop { _, from, to ->
+                        assertEquals(next[0], from) { "$size among $count" }
+                        assertTrue(to.toLong() - from <= size / count + 1L) { "$size among $count" }
+                        next[0] = to
+                    },
+                )
+                while (true) {
+                    val command = coordinator.poll() ?: break
+                    coordinator.accept(coordinator.regions[command.region].handle(command))
+                }
+                assertEquals(size, next[0]) { "$size among $count" }
+                assertTrue(coordinator.isFinished)
+            }
+        }
+    }
 }
