@@ -86,8 +86,8 @@ public class RegionActorEngine @JvmOverloads constructor(
     /**
      * [advance] for a coroutine that may be cancelled. When it is cancelled, this ends soon with a
      * [CancellationException] and the population as before, unless the population is being written already. In that
-     * case the step is finished and this returns. One caller at a time. The coordinator's share of the work is done on
-     * [Dispatchers.Default].
+     * case the step is finished and this returns. One caller at a time. The coordinator's share of the work, and that
+     * of the first region, is done on [Dispatchers.IO], since it may wait for the other regions.
      */
     public suspend fun advanceSuspending(step: CollisionStep) {
         currentCoroutineContext().ensureActive()
