@@ -21,10 +21,13 @@ import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SharedCores
 import daphnis.app.sweep.SweepDirectory
 import daphnis.app.sweep.SweepPlan
+import daphnis.core.run.RunDirectory
+import daphnis.core.run.engineOf
 import daphnis.app.sweep.SweepRecord
 import daphnis.app.sweep.SweepWork
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
+import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.json.Json
@@ -80,11 +83,11 @@ class SweepCommand : CliktCommand(name = "sweep") {
         from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
         val plan = SweepPlan.of(settings, seeds)
         val base = scenarioNamed(scenario, emptyList())
-        // What no run can be read from is told before the first one; a value out of range, by its run. A file that is
-        // changed later changes no run.
+        // A file that is changed later changes no run.
         val scenarios = plan.runs.associateWith { scenarioOf(it) }
         requireEngine()
         val place = SweepDirectory(
+        requireStartable(plan, place, scenarios::getValue)
             out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep"),
         )
         val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
@@ -107,6 +110,23 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val known = "known are ${allEngines.names.joinToString()}"
         val problem = "'$name' is no engine; ${Nearest.question(name, allEngines.names)}$known"
         throw InputException("--engine", null, problem)
+    /** Wrong values are told before anything is written; seeds change none. Runs that have begun were checked then. */
+    private fun requireStartable(plan: SweepPlan, place: SweepDirectory, scenarioOf: (PlannedRun) -> Scenario) {
+        val begun = { run: PlannedRun -> Files.exists(RunDirectory(place.run(run.name)).scenario) }
+        for (run in plan.runs.filterNot(begun).distinctBy { it.settings }) {
+            try {
+                ScenarioSetup.check(scenarioOf(run), scenario)
+                engineOf(scenarioOf(run), scenario, allEngines).close()
+            } catch (e: InputException) {
+                // What is wrong with one key may be so only together with others.
+                val others = plan.varying.indices.filter { plan.varying[it].path != e.key }
+                    .map { "${plan.varying[it].path}=${run.values[it]}" }
+                val where = if (others.isEmpty()) "" else "; this is with ${others.joinToString(", ")}"
+                throw InputException("", null, reasonInWords(e) + where)
+            }
+        }
+    }
+
     }
 
     private fun carryOut(

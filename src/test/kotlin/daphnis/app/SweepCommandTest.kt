@@ -110,17 +110,20 @@ class SweepCommandTest {
             "--set",
             "until=1",
             "--set",
-            "particles.count=2000000,50",
+            "particles.count=50",
+            "--set",
+            "box.lengths=[3.4,3.4,3.4],[10,10,10]",
             "--out",
             out("a"),
             "--quiet",
         )
         assertEquals(1, result.code) { result.err }
-        assertTrue("failed: count=2000000: cooling-gas: particles.count: is 2000000" in result.out) { result.out }
+        assertTrue("failed: lengths=3.4-3.4-3.4: cooling-gas: particles.count: is 50" in result.out) { result.out }
         assertEquals("daphnis: 1 of 2 runs failed, see ${out("a")}/runs.csv", result.err.trim())
         val few = ",1,seed 1 not known to be steady: too few rows in the time averaged"
-        assertTrue(lines("a/sweep.csv").any { it.startsWith("50,granular_temperature,") && it.endsWith(few) })
-        val failed = lines("a/sweep.csv").first { it.startsWith("2000000,") }
+        val room = "\"[10,10,10]\",granular_temperature,"
+        assertTrue(lines("a/sweep.csv").any { it.startsWith(room) && it.endsWith(few) })
+        val failed = lines("a/sweep.csv").first { it.startsWith("\"[3.4,") }
         assertTrue(",,0," in failed && "seed 1 failed: cooling-gas" in failed) { failed }
     }
 
@@ -198,3 +201,26 @@ class SweepCommandTest {
         assertFalse(Files.exists(folder.resolve("none")))
     }
 }
+
+    @Test
+    fun `a value with which a run could not start is told before anything is run`() {
+        fun wrong(vararg words: String, line: String) {
+            val result = sweep("cooling-gas", *words, "--out", out("none"))
+            assertRefused(result)
+            assertEquals("daphnis: cooling-gas: $line", result.err.trim())
+        }
+        val depth = arrayOf("--set", "particles.count=null", "--set", "particles.opticalDepth=0.1,-5")
+        wrong(*depth, line = "particles.opticalDepth: is -5.0; must be > 0")
+        wrong(
+            "--set",
+            "particles.count=5,x",
+            line = "particles.count: is \"x\"; it must be a whole number below 2147483648",
+        )
+        wrong("--set", "restitution.coefficient=0.5,1.5", line = "restitution.coefficient: is 1.5; must be in [0, 1]")
+        wrong("--set", "timeStep.dt=0.1,0", "--seeds", "1,2", line = "timeStep.dt: is 0.0; must be > 0")
+        val edge = "box.lengths[0]: is 0.9; must exceed the diameter of the largest sphere, 1.0, or it would touch " +
+            "its own image; this is with particles.count=1, box.lengths=[0.9,9,9]"
+        wrong("--set", "particles.count=1,2", "--set", "box.lengths=[9,9,9],[0.9,9,9]", line = edge)
+        wrong("--set", "engine.threads=1,-1", line = "engine.threads: is -1; must be in 1..256, or 0 for one per core")
+        assertFalse(Files.exists(folder.resolve("none")))
+    }
