@@ -143,6 +143,55 @@ class SweepCommandTest {
     }
 
     @Test
+    fun `a run that was replaced by hand by another is left out, and one that is the same is taken`() {
+        val words = arrayOf(*small, "--set", "restitution.coefficient=0.5,0.9", "--out", out("a"), "--quiet")
+        val set = small.drop(1).toTypedArray()
+        assertDone(sweep(*words))
+        val run = out("a/runs/coefficient=0.5")
+        fun by(vararg other: String): CommandResult {
+            assertDone(daphnis("run", "cooling-gas", *set, *other, "--out", run, "--force", "--quiet"))
+            return sweep(*words)
+        }
+        val own = "restitution.coefficient=0.5"
+        assertDone(by("--set", own, "--engine", "serial"))
+        for ((other, why) in listOf(
+            listOf("--set", own, "--seed", "7") to "seed: is 1; the run was made with 7",
+            listOf("--set", "restitution.coefficient=0.6") to
+                "restitution.coefficient: is 0.5; the run was made with 0.6",
+        )) {
+            val result = by(*other.toTypedArray())
+            assertEquals(1, result.code) { result.err }
+            assertTrue("failed: coefficient=0.5: $run holds another run than that of this sweep: $why" in result.out) {
+                result.out
+            }
+            assertTrue(lines("a/sweep.csv").filter { it.startsWith("0.5,") }.all { ",,0," in it })
+        }
+    }
+
+    @Test
+    fun `runs in orbits, from a file and with what a scenario leaves open are known again`() {
+        val ring = arrayOf("ring-patch", "--set", "untilOrbits=0.02", "--set", "box.lengths=[20,20,20]")
+        val every = arrayOf("--set", "output.snapshotInterval=0.01", "--set", "output.intervalUnit=orbit")
+        repeat(2) { assertDone(sweep(*ring, *every, "--seeds", "1,2", "--out", out("rings"), "--quiet")) }
+        val file = folder.resolve("two.csv")
+        Files.writeString(file, "x,y,z,vx,vy,vz,radius,mass\n-2,0,0,1,0,0,0.5,1\n2,0,0,-1,0,0,0.5,1\n")
+        val own = folder.resolve("own.json")
+        Files.writeString(
+            own,
+            """{"box": {"lengths": [10, 10, 10]}, "boundary": {"type": "periodic"}, "until": 3,
+                "placement": {"type": "file", "path": "two.csv"},
+                "guard": {"type": "floor-speed", "relative": 0.1},
+                "restitution": {"type": "constant", "coefficient": 0.9}}""",
+        )
+        val words = arrayOf("$own", "--set", "restitution.coefficient=0.5,0.9", "--out", out("a"), "--quiet")
+        repeat(2) { assertDone(sweep(*words)) }
+        Files.writeString(file, Files.readString(file).replace("-1,", "-2,"))
+        val result = sweep(*words)
+        assertEquals(1, result.code) { result.err }
+        assertTrue("placement.path: $file differs from" in result.out) { result.out }
+    }
+
+    @Test
     fun `runs whose snapshots were removed have the ends of the series, and that is said once`() {
         val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
         assertDone(sweep(*words))
