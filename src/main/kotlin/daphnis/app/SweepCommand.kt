@@ -21,6 +21,7 @@ import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SharedCores
 import daphnis.app.sweep.SweepDirectory
 import daphnis.app.sweep.SweepPlan
+import daphnis.core.format.WholeFile
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.engineOf
 import daphnis.app.sweep.SweepRecord
@@ -197,7 +198,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
             val tables = SweepTables(sweep)
             tables.writeMeans(place.means)
             tables.writeRuns(place.runs)
-            Files.writeString(place.text, "# $scenario\n\n${SweepText(sweep).text(WIDE)}\n")
+            WholeFile.write(place.text, "# $scenario\n\n${SweepText(sweep).text(WIDE)}\n")
             plots = SweepPlots(sweep).write(place.plots)
         }
         if (!quiet) println("\n${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")

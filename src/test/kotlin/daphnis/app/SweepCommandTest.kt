@@ -67,6 +67,8 @@ class SweepCommandTest {
         assertEquals(before, Files.getLastModifiedTime(checkpoint))
         assertTrue("6 of 6 runs" in again.err) { again.err }
         assertEquals(lines("b/sweep.csv"), lines("a/sweep.csv"))
+        val tables = listOf("sweep.csv", "runs.csv", "sweep.md").map { folder.resolve("a/$it") }
+        assertReplacedWhole(tables) { assertDone(sweep(*words, "--out", out("a"), "--quiet")) }
     }
 
     @Test

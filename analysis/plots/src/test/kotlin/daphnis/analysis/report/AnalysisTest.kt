@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.requireReplacedWhole
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
@@ -393,7 +394,7 @@ class AnalysisTest {
         }
         val out = directory.resolve("out")
         Files.createDirectories(out)
-        Analysis(AnalysisInput.ofFile(bin, null, "")).write(out)
+        requireReplacedWhole(out, files = 10) { Analysis(AnalysisInput.ofFile(bin, null, "")).write(out) }
         assertTrue(Files.size(out.resolve("report.html")) > 10_000)
     }
 
