@@ -9,28 +9,26 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
-import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.sweep.Sweep
 import daphnis.analysis.sweep.SweepPlots
 import daphnis.analysis.sweep.SweepRun
 import daphnis.analysis.sweep.SweepTables
 import daphnis.analysis.sweep.SweepText
-import daphnis.app.progress.columnsFor
 import daphnis.app.sweep.KeyLabel
 import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SharedCores
 import daphnis.app.sweep.SweepDirectory
 import daphnis.app.sweep.SweepPlan
+import daphnis.app.sweep.SweepRecord
+import daphnis.app.sweep.SweepWork
 import daphnis.core.format.WholeFile
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.engineOf
-import daphnis.app.sweep.SweepRecord
-import daphnis.app.sweep.SweepWork
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
-import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
 import kotlinx.serialization.json.Json
 import java.nio.file.Files
 import java.nio.file.Path
@@ -88,9 +86,9 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val scenarios = plan.runs.associateWith { scenarioOf(it) }
         requireEngine()
         val place = SweepDirectory(
-        requireStartable(plan, place, scenarios::getValue)
             out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep"),
         )
+        requireStartable(plan, place, scenarios::getValue)
         val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
         writing(place.path.toAbsolutePath().parent) {
             place.claim(record)
@@ -111,6 +109,8 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val known = "known are ${allEngines.names.joinToString()}"
         val problem = "'$name' is no engine; ${Nearest.question(name, allEngines.names)}$known"
         throw InputException("--engine", null, problem)
+    }
+
     /** Wrong values are told before anything is written; seeds change none. Runs that have begun were checked then. */
     private fun requireStartable(plan: SweepPlan, place: SweepDirectory, scenarioOf: (PlannedRun) -> Scenario) {
         val begun = { run: PlannedRun -> Files.exists(RunDirectory(place.run(run.name)).scenario) }
@@ -126,8 +126,6 @@ class SweepCommand : CliktCommand(name = "sweep") {
                 throw InputException("", null, reasonInWords(e) + where)
             }
         }
-    }
-
     }
 
     private fun carryOut(
@@ -190,9 +188,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
     }
 
     private fun conclude(sweep: Sweep, place: SweepDirectory) {
-        val terminal = Terminal()
-        val columns = if (terminal.terminalInfo.outputInteractive) columnsFor(terminal) else WIDE
-        println(SweepText(sweep).text(columns))
+        println(table(SweepText(sweep)))
         var plots = 0
         writing(place.path) {
             val tables = SweepTables(sweep)
@@ -206,6 +202,13 @@ class SweepCommand : CliktCommand(name = "sweep") {
         if (failed > 0) {
             throw ProgramResult(complain("$failed of ${sweep.runs.size} runs failed, see ${place.runs}", EXIT_FAILED))
         }
+    }
+
+    /** Beside each other stand as many points as have place; where not even one has, all are listed below. */
+    private fun table(sweep: SweepText): String {
+        val columns = outputColumns() ?: return sweep.text(WIDE)
+        val text = sweep.text(columns)
+        return fitted(if (isWide(text.lines(), columns)) sweep.text(Int.MAX_VALUE) else text, columns)
     }
 
     private companion object {
