@@ -251,7 +251,6 @@ class SweepCommandTest {
         refused("cooling-gas", "--seed", "1,2", parts = listOf("--seeds"))
         assertFalse(Files.exists(folder.resolve("none")))
     }
-}
 
     @Test
     fun `a value with which a run could not start is told before anything is run`() {
@@ -275,3 +274,4 @@ class SweepCommandTest {
         wrong("--set", "engine.threads=1,-1", line = "engine.threads: is -1; must be in 1..256, or 0 for one per core")
         assertFalse(Files.exists(folder.resolve("none")))
     }
+}

@@ -399,6 +399,16 @@ class AnalysisTest {
     }
 
     @Test
+    fun `that the last line of a text has no end is a notice`() {
+        val whole = "x,y,z,radius\n0,0,0,0.5\n3,0,0,0.25\n"
+        val file = Files.writeString(directory.resolve("a.csv"), whole)
+        assertEquals(emptyList<String>(), AnalysisInput.ofFile(file, null, "").notices)
+        Files.writeString(file, whole.dropLast(2))
+        val notice = AnalysisInput.ofFile(file, null, "").notices.single()
+        assertTrue("$file: the last line has no end" in notice) { notice }
+    }
+
+    @Test
     fun `what is wrong with a file is one line that names it`() {
         fun wrong(name: String, text: String, vararg words: String) {
             val file = directory.resolve(name)
