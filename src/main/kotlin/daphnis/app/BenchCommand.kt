@@ -87,7 +87,7 @@ class BenchCommand : CliktCommand(name = "bench") {
         }
         val isWhole = steps == null && settings.isEmpty()
         PaperTable.of(if (isWhole) all.filter { isBuiltIn(it.first().scenario) } else emptyList())?.let { table ->
-            println(table)
+            println(fitted(table))
             writing(path) { directory.writePaperTable(table) }
         }
         val plots = writing(path) { directory.drawAll(all) }
@@ -112,9 +112,11 @@ class BenchCommand : CliktCommand(name = "bench") {
             if (!quiet) left(round, (System.nanoTime() - begin) * 1e-9)?.let(::say)
         }
         val timings = contest.timings()
-        println(timingTitle(timings) + "\n\n" + timingTable(timings) + "\n")
+        println(fitted(timingTitle(timings) + "\n\n" + timingTable(timings) + "\n"))
         return timings
     }
+
+    private fun fitted(text: String): String = outputColumns()?.let { fitted(text, it) } ?: text
 
     private fun say(line: String) = System.err.println("daphnis: $line")
 
@@ -165,7 +167,7 @@ class BenchCommand : CliktCommand(name = "bench") {
         val (old, new) = words.map { TimingFile.read(fileOf(it)) }
         val comparison = TimingComparison(old, new)
         if (comparison.pairs.isEmpty()) throw InputException(words[1], null, "has no timing in common with ${words[0]}")
-        println(comparison.table())
+        println(fitted(comparison.table()))
         comparison.unmatched.forEach(::println)
         println(comparison.closing())
         if (comparison.pairs.any { it.verdict == Verdict.SLOWER }) throw ProgramResult(EXIT_FAILED)

@@ -5,13 +5,11 @@ import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
-import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.app.describe.CostRows
 import daphnis.app.describe.GravityRows
 import daphnis.app.describe.PhysicsRows
 import daphnis.app.describe.Quantities
 import daphnis.app.describe.Rows
-import daphnis.app.progress.columnsFor
 import daphnis.core.run.engineOf
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings
@@ -42,7 +40,6 @@ class DescribeCommand : CliktCommand(name = "describe") {
         GravityRows(setup, say, rows).write()
         CostRows(setup, say, rows).write()
         for (notice in setup.notices + warnings(setup)) rows.add("note", notice)
-        val terminal = Terminal()
-        println(if (terminal.terminalInfo.outputInteractive) rows.text(columnsFor(terminal)) else rows.text())
+        println(rows.text(outputColumns() ?: Int.MAX_VALUE))
     }
 }

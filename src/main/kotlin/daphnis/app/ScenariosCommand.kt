@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.optional
+import daphnis.app.describe.Rows
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
@@ -21,8 +22,9 @@ class ScenariosCommand : CliktCommand(name = "scenarios") {
     override fun run() {
         val name = wanted
         if (name == null) {
-            val width = BuiltIn.names.maxOf { it.length }
-            for (known in BuiltIn.names) println("${known.padEnd(width)}  ${BuiltIn.scenario(known).description}")
+            val rows = Rows(BuiltIn.names.maxOf { it.length } + 2)
+            for (known in BuiltIn.names) rows.add(known, BuiltIn.scenario(known).description)
+            println(rows.text(outputColumns() ?: Int.MAX_VALUE))
         } else {
             print(BuiltIn.text(name) ?: throw unknown(name))
         }

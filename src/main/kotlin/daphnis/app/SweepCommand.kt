@@ -9,13 +9,11 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
-import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.sweep.Sweep
 import daphnis.analysis.sweep.SweepPlots
 import daphnis.analysis.sweep.SweepRun
 import daphnis.analysis.sweep.SweepTables
 import daphnis.analysis.sweep.SweepText
-import daphnis.app.progress.columnsFor
 import daphnis.app.sweep.KeyLabel
 import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SharedCores
@@ -23,10 +21,14 @@ import daphnis.app.sweep.SweepDirectory
 import daphnis.app.sweep.SweepPlan
 import daphnis.app.sweep.SweepRecord
 import daphnis.app.sweep.SweepWork
+import daphnis.core.format.WholeFile
+import daphnis.core.run.RunDirectory
+import daphnis.core.run.engineOf
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
 import kotlinx.serialization.json.Json
 import java.nio.file.Files
 import java.nio.file.Path
@@ -80,13 +82,13 @@ class SweepCommand : CliktCommand(name = "sweep") {
         from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
         val plan = SweepPlan.of(settings, seeds)
         val base = scenarioNamed(scenario, emptyList())
-        // What no run can be read from is told before the first one; a value out of range, by its run. A file that is
-        // changed later changes no run.
+        // A file that is changed later changes no run.
         val scenarios = plan.runs.associateWith { scenarioOf(it) }
         requireEngine()
         val place = SweepDirectory(
             out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep"),
         )
+        requireStartable(plan, place, scenarios::getValue)
         val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
         writing(place.path.toAbsolutePath().parent) {
             place.claim(record)
@@ -107,6 +109,23 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val known = "known are ${allEngines.names.joinToString()}"
         val problem = "'$name' is no engine; ${Nearest.question(name, allEngines.names)}$known"
         throw InputException("--engine", null, problem)
+    }
+
+    /** Wrong values are told before anything is written; seeds change none. Runs that have begun were checked then. */
+    private fun requireStartable(plan: SweepPlan, place: SweepDirectory, scenarioOf: (PlannedRun) -> Scenario) {
+        val begun = { run: PlannedRun -> Files.exists(RunDirectory(place.run(run.name)).scenario) }
+        for (run in plan.runs.filterNot(begun).distinctBy { it.settings }) {
+            try {
+                ScenarioSetup.check(scenarioOf(run), scenario)
+                engineOf(scenarioOf(run), scenario, allEngines).close()
+            } catch (e: InputException) {
+                // What is wrong with one key may be so only together with others.
+                val others = plan.varying.indices.filter { plan.varying[it].path != e.key }
+                    .map { "${plan.varying[it].path}=${run.values[it]}" }
+                val where = if (others.isEmpty()) "" else "; this is with ${others.joinToString(", ")}"
+                throw InputException("", null, reasonInWords(e) + where)
+            }
+        }
     }
 
     private fun carryOut(
@@ -169,15 +188,13 @@ class SweepCommand : CliktCommand(name = "sweep") {
     }
 
     private fun conclude(sweep: Sweep, place: SweepDirectory) {
-        val terminal = Terminal()
-        val columns = if (terminal.terminalInfo.outputInteractive) columnsFor(terminal) else WIDE
-        println(SweepText(sweep).text(columns))
+        println(table(SweepText(sweep)))
         var plots = 0
         writing(place.path) {
             val tables = SweepTables(sweep)
             tables.writeMeans(place.means)
             tables.writeRuns(place.runs)
-            Files.writeString(place.text, "# $scenario\n\n${SweepText(sweep).text(WIDE)}\n")
+            WholeFile.write(place.text, "# $scenario\n\n${SweepText(sweep).text(WIDE)}\n")
             plots = SweepPlots(sweep).write(place.plots)
         }
         if (!quiet) println("\n${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
@@ -185,6 +202,13 @@ class SweepCommand : CliktCommand(name = "sweep") {
         if (failed > 0) {
             throw ProgramResult(complain("$failed of ${sweep.runs.size} runs failed, see ${place.runs}", EXIT_FAILED))
         }
+    }
+
+    /** Beside each other stand as many points as have place; where not even one has, all are listed below. */
+    private fun table(sweep: SweepText): String {
+        val columns = outputColumns() ?: return sweep.text(WIDE)
+        val text = sweep.text(columns)
+        return fitted(if (isWide(text.lines(), columns)) sweep.text(Int.MAX_VALUE) else text, columns)
     }
 
     private companion object {

@@ -5,6 +5,8 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** What a command left: exit code, standard output, error stream. */
 internal class CommandResult(val code: Int, val out: String, val err: String)
@@ -37,4 +39,14 @@ internal fun assertRefused(result: CommandResult, vararg parts: String) {
     assertEquals(1, result.err.trimEnd().lines().size) { result.err }
     for (part in parts) assertTrue(part in result.err) { "'$part' is not in ${result.err}" }
     assertFalse("Exception" in result.err) { result.err }
+}
+
+/** [write] replaces [files] by others in one act each, so that a second name of the old ones keeps what they held. */
+internal fun assertReplacedWhole(files: List<Path>, write: () -> Unit) {
+    val held = files.map { file ->
+        Files.createLink(file.resolveSibling("${file.fileName}.held"), Files.writeString(file, "old"))
+    }
+    write()
+    for (file in files) assertTrue(Files.readString(file) != "old") { "$file was not written" }
+    for (other in held) assertEquals("old", Files.readString(other)) { "$other" }
 }

@@ -108,6 +108,17 @@ class PlacementFileTest {
     }
 
     @Test
+    fun `that a text may be cut within its last number is a notice, and it is taken as it is`() {
+        val whole = "x,y,z,radius,mass\n0,0,0,0.5,1\n3,0,0,0.25,1.5\n"
+        Files.writeString(home.resolve("a.csv"), whole)
+        assertEquals("", daphnis("run", from("a.csv"), "--out", at("c"), "--quiet").err)
+        Files.writeString(home.resolve("a.csv"), whole.dropLast(2))
+        val cut = daphnis("run", from("a.csv"), "--out", at("d"), "--quiet")
+        assertDone(cut)
+        assertTrue("a.csv: the last line has no end" in cut.err) { cut.err }
+    }
+
+    @Test
     fun `masses that a file does not have are a notice, or follow from a density`() {
         val silent = daphnis("run", from("a/export/CartAndRad.10.bin", ", \"density\": 3"), "--out", at("b"), "--quiet")
         assertEquals("", silent.err)

@@ -67,6 +67,8 @@ class SweepCommandTest {
         assertEquals(before, Files.getLastModifiedTime(checkpoint))
         assertTrue("6 of 6 runs" in again.err) { again.err }
         assertEquals(lines("b/sweep.csv"), lines("a/sweep.csv"))
+        val tables = listOf("sweep.csv", "runs.csv", "sweep.md").map { folder.resolve("a/$it") }
+        assertReplacedWhole(tables) { assertDone(sweep(*words, "--out", out("a"), "--quiet")) }
     }
 
     @Test
@@ -110,17 +112,20 @@ class SweepCommandTest {
             "--set",
             "until=1",
             "--set",
-            "particles.count=2000000,50",
+            "particles.count=50",
+            "--set",
+            "box.lengths=[3.4,3.4,3.4],[10,10,10]",
             "--out",
             out("a"),
             "--quiet",
         )
         assertEquals(1, result.code) { result.err }
-        assertTrue("failed: count=2000000: cooling-gas: particles.count: is 2000000" in result.out) { result.out }
+        assertTrue("failed: lengths=3.4-3.4-3.4: cooling-gas: particles.count: is 50" in result.out) { result.out }
         assertEquals("daphnis: 1 of 2 runs failed, see ${out("a")}/runs.csv", result.err.trim())
         val few = ",1,seed 1 not known to be steady: too few rows in the time averaged"
-        assertTrue(lines("a/sweep.csv").any { it.startsWith("50,granular_temperature,") && it.endsWith(few) })
-        val failed = lines("a/sweep.csv").first { it.startsWith("2000000,") }
+        val room = "\"[10,10,10]\",granular_temperature,"
+        assertTrue(lines("a/sweep.csv").any { it.startsWith(room) && it.endsWith(few) })
+        val failed = lines("a/sweep.csv").first { it.startsWith("\"[3.4,") }
         assertTrue(",,0," in failed && "seed 1 failed: cooling-gas" in failed) { failed }
     }
 
@@ -137,6 +142,55 @@ class SweepCommandTest {
         run.toFile().deleteRecursively()
         assertDone(sweep(*words))
         assertEquals(before, lines("a/sweep.csv"))
+    }
+
+    @Test
+    fun `a run that was replaced by hand by another is left out, and one that is the same is taken`() {
+        val words = arrayOf(*small, "--set", "restitution.coefficient=0.5,0.9", "--out", out("a"), "--quiet")
+        val set = small.drop(1).toTypedArray()
+        assertDone(sweep(*words))
+        val run = out("a/runs/coefficient=0.5")
+        fun by(vararg other: String): CommandResult {
+            assertDone(daphnis("run", "cooling-gas", *set, *other, "--out", run, "--force", "--quiet"))
+            return sweep(*words)
+        }
+        val own = "restitution.coefficient=0.5"
+        assertDone(by("--set", own, "--engine", "serial"))
+        for ((other, why) in listOf(
+            listOf("--set", own, "--seed", "7") to "seed: is 1; the run was made with 7",
+            listOf("--set", "restitution.coefficient=0.6") to
+                "restitution.coefficient: is 0.5; the run was made with 0.6",
+        )) {
+            val result = by(*other.toTypedArray())
+            assertEquals(1, result.code) { result.err }
+            assertTrue("failed: coefficient=0.5: $run holds another run than that of this sweep: $why" in result.out) {
+                result.out
+            }
+            assertTrue(lines("a/sweep.csv").filter { it.startsWith("0.5,") }.all { ",,0," in it })
+        }
+    }
+
+    @Test
+    fun `runs in orbits, from a file and with what a scenario leaves open are known again`() {
+        val ring = arrayOf("ring-patch", "--set", "untilOrbits=0.02", "--set", "box.lengths=[20,20,20]")
+        val every = arrayOf("--set", "output.snapshotInterval=0.01", "--set", "output.intervalUnit=orbit")
+        repeat(2) { assertDone(sweep(*ring, *every, "--seeds", "1,2", "--out", out("rings"), "--quiet")) }
+        val file = folder.resolve("two.csv")
+        Files.writeString(file, "x,y,z,vx,vy,vz,radius,mass\n-2,0,0,1,0,0,0.5,1\n2,0,0,-1,0,0,0.5,1\n")
+        val own = folder.resolve("own.json")
+        Files.writeString(
+            own,
+            """{"box": {"lengths": [10, 10, 10]}, "boundary": {"type": "periodic"}, "until": 3,
+                "placement": {"type": "file", "path": "two.csv"},
+                "guard": {"type": "floor-speed", "relative": 0.1},
+                "restitution": {"type": "constant", "coefficient": 0.9}}""",
+        )
+        val words = arrayOf("$own", "--set", "restitution.coefficient=0.5,0.9", "--out", out("a"), "--quiet")
+        repeat(2) { assertDone(sweep(*words)) }
+        Files.writeString(file, Files.readString(file).replace("-1,", "-2,"))
+        val result = sweep(*words)
+        assertEquals(1, result.code) { result.err }
+        assertTrue("placement.path: $file differs from" in result.out) { result.out }
     }
 
     @Test
@@ -195,6 +249,29 @@ class SweepCommandTest {
         refused("cooling-gas", "--seeds", "1,2", "--from", "NaN", parts = listOf("--from", "NaN"))
         refused("cooling-gas", "--seeds", "1,2", "--engine", "seriel", parts = listOf("did you mean 'serial'"))
         refused("cooling-gas", "--seed", "1,2", parts = listOf("--seeds"))
+        assertFalse(Files.exists(folder.resolve("none")))
+    }
+
+    @Test
+    fun `a value with which a run could not start is told before anything is run`() {
+        fun wrong(vararg words: String, line: String) {
+            val result = sweep("cooling-gas", *words, "--out", out("none"))
+            assertRefused(result)
+            assertEquals("daphnis: cooling-gas: $line", result.err.trim())
+        }
+        val depth = arrayOf("--set", "particles.count=null", "--set", "particles.opticalDepth=0.1,-5")
+        wrong(*depth, line = "particles.opticalDepth: is -5.0; must be > 0")
+        wrong(
+            "--set",
+            "particles.count=5,x",
+            line = "particles.count: is \"x\"; it must be a whole number below 2147483648",
+        )
+        wrong("--set", "restitution.coefficient=0.5,1.5", line = "restitution.coefficient: is 1.5; must be in [0, 1]")
+        wrong("--set", "timeStep.dt=0.1,0", "--seeds", "1,2", line = "timeStep.dt: is 0.0; must be > 0")
+        val edge = "box.lengths[0]: is 0.9; must exceed the diameter of the largest sphere, 1.0, or it would touch " +
+            "its own image; this is with particles.count=1, box.lengths=[0.9,9,9]"
+        wrong("--set", "particles.count=1,2", "--set", "box.lengths=[9,9,9],[0.9,9,9]", line = edge)
+        wrong("--set", "engine.threads=1,-1", line = "engine.threads: is -1; must be in 1..256, or 0 for one per core")
         assertFalse(Files.exists(folder.resolve("none")))
     }
 }

@@ -7,6 +7,9 @@ import daphnis.core.hill.Epicycle
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.populationOf
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.streams.asSequence
 
 /**
  * [count] spheres of radius [radius] and mass 1, uniform in the box of [boundary] (overlapping: nothing collides here),
@@ -42,4 +45,25 @@ fun onEpicycles(epicycles: List<Epicycle>, boundary: BoundaryConditions, omega: 
         Sphere(s[0], s[1], s[2], s[3], s[4], s[5], r = 0.1)
     }
     return State(populationOf(*spheres), boundary, 0.0, omega)
+}
+
+/**
+ * Checks that [write] replaces the files of [directory] by others, in one act each: who has one of the old ones open, as
+ * a second name stands for here, keeps it as it was.
+ *
+ * @param files how many there are at least
+ */
+fun requireReplacedWhole(directory: Path, files: Int, write: () -> Unit) {
+    write()
+    val written = Files.walk(directory).use { all -> all.asSequence().filter { Files.isRegularFile(it) }.toList() }
+    check(written.size >= files) { "only $written" }
+    val apart = Files.createTempDirectory(directory.toAbsolutePath().parent, "held")
+    for ((k, file) in written.withIndex()) Files.createLink(apart.resolve("$k"), Files.writeString(file, "old"))
+    write()
+    for ((k, file) in written.withIndex()) {
+        check(Files.readString(apart.resolve("$k")) == "old") { "$file was written in place" }
+        check(!Files.readAllBytes(file).contentEquals("old".toByteArray())) { "$file was not written" }
+    }
+    val now = Files.walk(directory).use { all -> all.asSequence().filter { Files.isRegularFile(it) }.toSet() }
+    check(now == written.toSet()) { "left behind: ${now - written.toSet()}" }
 }

@@ -3,6 +3,7 @@ package daphnis.app.bench
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.plot.ScalingPlot
 import daphnis.analysis.plot.Yardstick
+import daphnis.core.format.WholeFile
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import java.nio.file.Files
@@ -30,11 +31,11 @@ internal class BenchDirectory(private val path: Path) {
     fun writeTables(all: List<List<Timing>>) {
         TimingFile.write(csv, all.flatten())
         val tables = all.joinToString("\n") { "## ${timingTitle(it)}\n\n${timingTable(it)}\n" }
-        Files.writeString(path.resolve(TABLES), "# daphnis bench\n\n${machine()}\n\n$tables")
+        WholeFile.write(path.resolve(TABLES), "# daphnis bench\n\n${machine()}\n\n$tables")
     }
 
     fun writePaperTable(table: String) {
-        Files.writeString(path.resolve(PAPER), "# Beside the paper's authors\n\n${machine()}\n\n$table")
+        WholeFile.write(path.resolve(PAPER), "# Beside the paper's authors\n\n${machine()}\n\n$table")
     }
 
     private fun machine(): String {

@@ -1,6 +1,7 @@
 package daphnis.app.bench
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
 import java.io.IOException
 import java.nio.file.Files
@@ -18,7 +19,7 @@ internal object TimingFile {
                 "${quoted(t.scenario)},${t.spheres},${t.engine},${t.threads},${t.steps},${t.collisions},${round + 1},$s"
             }
         }
-        Files.writeString(path, (listOf(HEADER) + rows).joinToString("\n", postfix = "\n"))
+        WholeFile.write(path, (listOf(HEADER) + rows).joinToString("\n", postfix = "\n"))
     }
 
     /**

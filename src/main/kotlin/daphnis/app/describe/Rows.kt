@@ -1,7 +1,11 @@
 package daphnis.app.describe
 
-/** A description as rows of a label and a text; a label that is repeated is left out. */
-internal class Rows {
+/**
+ * A description as rows of a label and a text; a label that is repeated is left out.
+ *
+ * @param label columns for labels
+ */
+internal class Rows(private val label: Int = LABEL) {
     private val rows = ArrayList<Pair<String, String>>()
     private var last = ""
 
@@ -15,29 +19,16 @@ internal class Rows {
      * labels, and where that leaves too little for them, below.
      */
     fun text(columns: Int = Int.MAX_VALUE): String {
-        val isBeside = columns >= LABEL + LEAST_TEXT
-        val indent = " ".repeat(if (isBeside) LABEL else BELOW)
-        return rows.flatMap { (label, text) ->
+        val isBeside = columns >= label + LEAST_TEXT
+        val indent = " ".repeat(if (isBeside) label else BELOW)
+        return rows.flatMap { (name, text) ->
             val lines = text.lines().flatMap { wrapped(it, columns - indent.length) }.map { indent + it }
             when {
-                label.isEmpty() -> lines
-                isBeside -> listOf(label.padEnd(LABEL) + lines[0].drop(LABEL)) + lines.drop(1)
-                else -> listOf(label) + lines
+                name.isEmpty() -> lines
+                isBeside -> listOf(name.padEnd(label) + lines[0].drop(label)) + lines.drop(1)
+                else -> listOf(name) + lines
             }
         }.joinToString("\n") { it.trimEnd() }
-    }
-
-    private fun wrapped(text: String, columns: Int): List<String> {
-        val lines = arrayListOf("")
-        for (word in text.split(' ')) {
-            val line = lines.last()
-            if (line.isNotEmpty() && line.length + 1 + word.length > columns) {
-                lines += word
-            } else {
-                lines[lines.lastIndex] = if (line.isEmpty()) word else "$line $word"
-            }
-        }
-        return lines
     }
 
     private companion object {

@@ -14,6 +14,8 @@ import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
+import daphnis.core.run.differences
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
@@ -55,7 +57,7 @@ internal class SweepWork(
         val place = RunDirectory(directory.run(run.name))
         val seed = run.seed ?: scenarioOf(run).seed
         return try {
-            requireOwnEnd(run, place)
+            requireOwn(run, place)
             if (!isFinished(place) && !simulated(run, place)) return null
             teller.at(run.name, 1.0)
             val (numbers, remark) = numbers(place)
@@ -66,19 +68,26 @@ internal class SweepWork(
         }
     }
 
-    /** A run that was resumed by hand to another end is not the one that the others are averaged with. */
-    private fun requireOwnEnd(run: PlannedRun, place: RunDirectory) {
-        if (!Files.exists(place.scenario)) return
-        val (has, should) = ScenarioJson.read(place.scenario) to scenarioOf(run)
-        if (end(has) == end(should)) return
+    /** What was put in the place of a run by hand, or resumed to another end, is not averaged with the others. */
+    private fun requireOwn(run: PlannedRun, place: RunDirectory) {
+        val mend = "without the directory it is done again"
+        if (!Files.exists(place.scenario)) {
+            if (Files.exists(place.program)) throw FormatException("${place.path} holds the run of a program; $mend")
+            return
+        }
+        val scenario = scenarioOf(run)
+        differences(place, scenario, source).firstOrNull()?.let {
+            throw FormatException("${place.path} holds another run than that of this sweep: $it; $mend")
+        }
+        val has = end(ScenarioJson.read(place.scenario))
+        val should = end(scenario)
+        if (has == should) return
         throw FormatException(
-            "${place.path} was resumed to ${end(has)}, and the runs of this sweep end at ${end(should)}; " +
-                "without the directory it is done again",
+            "${place.path} was resumed to until=$has, and the runs of this sweep end at until=$should; $mend",
         )
     }
 
-    private fun end(scenario: Scenario): String =
-        scenario.until?.let { "until=$it" } ?: "untilOrbits=${scenario.untilOrbits}"
+    private fun end(scenario: Scenario): Double = FrameSetup.times(scenario, source).end
 
     private fun isFinished(place: RunDirectory): Boolean {
         if (!Files.exists(place.scenario) || !Files.exists(place.summary)) return false

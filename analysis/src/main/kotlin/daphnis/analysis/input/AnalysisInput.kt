@@ -233,7 +233,8 @@ public class AnalysisInput internal constructor(
             return AnalysisInput(
                 path.name.substringBeforeLast('.'), scenario, firstBody, null,
                 DoubleArray(snapshots.size) { snapshots[it].time }, { snapshots[it] }, { bounded(given, it) },
-                around?.angularSpeed, null, null, null, null, listOfNotNull(silent?.let { withoutRadii(path, it) }),
+                around?.angularSpeed, null, null, null, null,
+                listOfNotNull(silent?.let { withoutRadii(path, it) }, SnapshotFormats.remark(path)),
             )
         }
 

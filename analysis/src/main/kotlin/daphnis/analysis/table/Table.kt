@@ -1,6 +1,8 @@
 package daphnis.analysis.table
 
+import daphnis.core.format.WholeFile
 import java.io.IOException
+import java.io.Writer
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -18,23 +20,19 @@ public class Table(public val name: String, public val columns: List<Column>) {
         }
     }
 
-    /** Writes `name.csv` into [directory], which is made. */
+    /** Writes `name.csv` into [directory], which is made; the whole file, or what was there stays. */
     @Throws(IOException::class)
     public fun write(directory: Path) {
         Files.createDirectories(directory)
-        Files.newBufferedWriter(directory.resolve("$name.csv")).use { out ->
-            out.append(
-                columns.joinToString(",") {
-                    if (it.unit.isEmpty()) it.name else "${it.name} [${it.unit}]"
-                },
-            ).append('\n')
-            for (row in 0 until (columns.firstOrNull()?.values?.size ?: 0)) {
-                out.append(
-                    columns.joinToString(",") { c ->
-                        c.values[row].let { if (it.isNaN()) "" else it.toString() }
-                    },
-                ).append('\n')
-            }
+        WholeFile.write(directory.resolve("$name.csv")) { part -> Files.newBufferedWriter(part).use { write(it) } }
+    }
+
+    private fun write(out: Writer) {
+        out.append(columns.joinToString(",") { if (it.unit.isEmpty()) it.name else "${it.name} [${it.unit}]" })
+        out.append('\n')
+        for (row in 0 until (columns.firstOrNull()?.values?.size ?: 0)) {
+            out.append(columns.joinToString(",") { c -> c.values[row].let { if (it.isNaN()) "" else it.toString() } })
+            out.append('\n')
         }
     }
 }

@@ -10,6 +10,7 @@ import java.nio.file.Path
 public object ExtendedXyz : ReadableFormat, WritableFormat {
     override val title: String = "extended XYZ"
     override val extensions: List<String> = listOf("xyz", "extxyz")
+    override val isText: Boolean = true
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = true)
     override val word: String = "xyz"
     override val programs: String = "OVITO, ASE"

@@ -13,6 +13,7 @@ public object LammpsData : ReadableFormat {
     override val title: String = "LAMMPS data"
     override val extensions: List<String> = listOf("data", "lmp")
     override val prefix: String = "data."
+    override val isText: Boolean = true
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = ALWAYS, severalStates = false)
 
     /** Reads [path] as a state at time 0. @throws FormatException that names the line of the error */

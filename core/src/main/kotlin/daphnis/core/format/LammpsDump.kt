@@ -15,6 +15,7 @@ public object LammpsDump : ReadableFormat, WritableFormat {
     override val title: String = "LAMMPS dump"
     override val extensions: List<String> = listOf("lammpstrj", "dump")
     override val prefix: String = "dump."
+    override val isText: Boolean = true
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = true)
     override val word: String = "lammps"
     override val programs: String = "LAMMPS, OVITO"

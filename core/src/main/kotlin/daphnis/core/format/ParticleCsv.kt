@@ -12,6 +12,7 @@ import java.nio.file.Path
 public object ParticleCsv : ReadableFormat {
     override val title: String = "table with a header"
     override val extensions: List<String> = listOf("csv", "txt", "dat")
+    override val isText: Boolean = true
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = false)
 
     private val KNOWN = listOf("x", "y", "z", "vx", "vy", "vz", "radius", "mass", "id")

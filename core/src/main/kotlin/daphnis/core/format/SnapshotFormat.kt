@@ -47,6 +47,9 @@ public interface ReadableFormat : SnapshotFormat {
     /** How names of files begin, lower case, where neither an ending nor a [mark] tells their format; null for none. */
     public val prefix: String? get() = null
 
+    /** Whether files are lines of text, where nothing but the end of the last one tells that they are whole. */
+    public val isText: Boolean get() = false
+
     /**
      * Reads every state of [path], in the order of the file. Where it has no masses ([Snapshot.hasMass]), they are
      * those of density 1, or 1 each in extended XYZ.

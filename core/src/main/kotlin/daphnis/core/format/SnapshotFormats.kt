@@ -66,4 +66,17 @@ public object SnapshotFormats {
     } catch (e: IOException) {
         throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
     }
+
+    /**
+     * What a user should know of [path] although it can be read: of a text, that its last line has no end, so that its
+     * last number may have been cut. Null for nothing.
+     *
+     * @throws FormatException when it cannot be read
+     */
+    @JvmStatic
+    public fun remark(path: Path): String? = try {
+        if (of(path).isText) TextEnd.remark(path) else null
+    } catch (e: IOException) {
+        throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
+    }
 }

@@ -5,6 +5,35 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.util.function.Consumer
+
+/**
+ * Writes files so that under their names stands what was there or what is new, and nothing half done, whatever ends the
+ * program. Until then it is in `NAME.part` beside the file. A link stays one and its target is replaced; what is no
+ * file, such as a pipe, is written itself. It is not forced to the disk.
+ */
+public object WholeFile {
+    internal const val ENDING = ".part"
+
+    /** Replaces [path] by what [write] writes to the path that it is given. */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(path: Path, write: Consumer<Path>): Unit = wholeFile(path) { write.accept(it) }
+
+    /** Replaces [path] by [bytes]. */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(path: Path, bytes: ByteArray) {
+        wholeFile(path) { Files.write(it, bytes) }
+    }
+
+    /** Replaces [path] by [text] in UTF-8. */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(path: Path, text: String) {
+        wholeFile(path) { Files.writeString(it, text) }
+    }
+}
 
 /**
  * Lets [write] write under another name and renames when it is done. What was at [path] stays if a state cannot be read,
@@ -17,7 +46,7 @@ internal inline fun <T> wholeFile(path: Path, write: (Path) -> T): T {
     val exists = Files.exists(path)
     if (exists && !Files.isRegularFile(path)) return write(path)
     val file = if (exists) path.toRealPath() else path
-    val part = file.resolveSibling("${file.fileName}.part")
+    val part = file.resolveSibling("${file.fileName}${WholeFile.ENDING}")
     // An interrupted program leaves nothing behind.
     part.toFile().deleteOnExit()
     try {

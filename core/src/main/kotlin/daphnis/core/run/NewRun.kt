@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
+import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
@@ -184,10 +185,13 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
 
     /** Whether it is a snapshot, plot or table of the run; other files beside them stay. */
     private fun isOwn(file: Path) = Files.isRegularFile(file, NOFOLLOW_LINKS) &&
-        file.name.removeSuffix(".tmp").substringAfterLast('.') in OWN_ENDINGS
+        UNFINISHED.fold(file.name, String::removeSuffix).substringAfterLast('.') in OWN_ENDINGS
 
     private companion object {
         val REPLACE = java.nio.file.StandardCopyOption.REPLACE_EXISTING
+
+        /** What a writer that was killed leaves behind the name of its file. */
+        val UNFINISHED = listOf(".tmp", WholeFile.ENDING)
         val OWN_ENDINGS = setOf("h5", "png", "svg", "csv")
     }
 }

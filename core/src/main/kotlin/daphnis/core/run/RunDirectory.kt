@@ -4,6 +4,7 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException
@@ -50,7 +51,8 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     /** What a run writes, except for its scenario and the files in subdirectories. */
     internal fun ownFiles(): List<Path> {
         val outputs = PeriodicOutputs.all.flatMap { it.files }.map { path.resolve(it) }
-        return listOf(summary, checkpoint, previousCheckpoint, newCheckpoint, report) + outputs
+        val reports = listOf(report, report.resolveSibling("${report.name}${WholeFile.ENDING}"))
+        return listOf(summary, checkpoint, previousCheckpoint, newCheckpoint) + reports + outputs
     }
 
     /** The subdirectories that outputs of a run fill. */

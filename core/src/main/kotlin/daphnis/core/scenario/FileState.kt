@@ -23,7 +23,7 @@ internal class FileState(
     /**
      * Reads the file.
      *
-     * @param notices receives a line for each quantity that the file does not have
+     * @param notices receives a line for each quantity that the file does not have, and what else is to be said of it
      */
     fun population(notices: MutableList<String>): Population {
         check.must("particles", scenario.particles == null) { "must be left out when the placement is a file" }
@@ -35,7 +35,7 @@ internal class FileState(
         }
         spec.density?.let { check.positive("placement.density", it) }
         val population = try {
-            val snapshot = start ?: chosen(read())
+            val snapshot = start ?: chosen(read(notices))
             requireTime(snapshot)
             withMasses(snapshot, notices).population()
         } catch (e: FormatException) {
@@ -48,13 +48,13 @@ internal class FileState(
         return population
     }
 
-    private fun read(): List<Snapshot> {
+    private fun read(notices: MutableList<String>): List<Snapshot> {
         val path = inputPath(spec.path, check.source, KEY)
         check.that(KEY, spec.path, !Files.isDirectory(path)) {
             "is a directory; name one file in it, such as a snapshot of a run"
         }
         check.that(KEY, spec.path, Files.isRegularFile(path)) { "no such file" }
-        return SnapshotFormats.read(path)
+        return SnapshotFormats.read(path).also { notices += listOfNotNull(SnapshotFormats.remark(path)) }
     }
 
     /** In the scenario of a run that started from another one, bodies are the spheres from `firstBody` on. */

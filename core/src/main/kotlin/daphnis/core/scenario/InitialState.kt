@@ -3,9 +3,11 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.format.Snapshot
+import daphnis.core.initial.Crowding
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
+import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
@@ -26,7 +28,8 @@ internal class InitialState(
     /** What a user should know about the state made, one line each. */
     val notices = ArrayList<String>()
 
-    fun population(): Population {
+    /** @param isPlaced false for spheres that are placed at random to be all in the middle, which costs nothing */
+    fun population(isPlaced: Boolean = true): Population {
         val placement = scenario.placement
         if (placement is PlacementSpec.File) {
             return FileState(scenario, boundary, placement, check, start).population(notices)
@@ -39,6 +42,9 @@ internal class InitialState(
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 LatticePlacement(lattice(placement)).place(radii, box, walled(), stream(PLACES))
+            } else if (!isPlaced) {
+                Crowding.check(radii, box, walled())
+                Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
             } else {
                 RandomPlacement(
                     obstacles = bodies.obstacles,

@@ -82,8 +82,30 @@ public class ScenarioSetup private constructor(
         public fun of(scenario: Scenario, source: String, state: Population? = null): ScenarioSetup =
             of(scenario, source, state, null)
 
+        /**
+         * Checks what [of] checks, except for what needs the places of spheres that are placed at random: whether all
+         * find a place, and whether none goes too far in a step whose length follows from speeds. It takes as long as
+         * drawing sizes and velocities, and for a particle file as long as [of].
+         *
+         * @param source what to call the scenario in messages
+         * @throws InputException for anything that is wrong
+         */
+        @JvmStatic
+        public fun check(scenario: Scenario, source: String) {
+            make(scenario, source, null, null, scenario.placement !is PlacementSpec.Random)
+        }
+
         /** @param start the state to start from, in place of one from the file of the placement */
-        internal fun of(scenario: Scenario, source: String, state: Population?, start: Snapshot?): ScenarioSetup {
+        internal fun of(scenario: Scenario, source: String, state: Population?, start: Snapshot?): ScenarioSetup =
+            make(scenario, source, state, start, isPlaced = true)
+
+        private fun make(
+            scenario: Scenario,
+            source: String,
+            state: Population?,
+            start: Snapshot?,
+            isPlaced: Boolean,
+        ): ScenarioSetup {
             val check = ValueCheck(source)
             val around = Surroundings.of(scenario, source)
             checkRun(scenario, check)
@@ -91,7 +113,7 @@ public class ScenarioSetup private constructor(
             FreePath.check(scenario, around.boundary, check)
             val restitution = restitution(scenario, check)
             val initial = InitialState(scenario, around.box, around.boundary, check, start)
-            val population = state ?: initial.population()
+            val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
             val isMade = state == null && scenario.placement !is PlacementSpec.File
             val bodies = if (isMade) scenario.copy(firstBody = null) else scenario
@@ -104,7 +126,7 @@ public class ScenarioSetup private constructor(
             val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStep(resolved, boundary, check)
             checkSteps(resolved, timeStep.next(population), check)
-            if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep)
+            if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep, isPlaced)
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
                 resolved, population, boundary, restitution, guard, forces, timeStep, around.angularSpeed,

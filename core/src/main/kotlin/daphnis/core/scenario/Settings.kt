@@ -93,16 +93,16 @@ internal object Settings {
         val here = steps.take(at).joinToString(".").replace(".[", "[")
         if (step.startsWith('[')) {
             val isNew = step == NEW
-            val noList = "$here is not a list in this scenario, so it has no $step"
+            val isAbsent = tree == null || tree is JsonNull
             val list = tree as? JsonArray
-                ?: JsonArray(emptyList()).takeIf { isNew && (tree == null || tree is JsonNull) }
-                ?: throw wrongArgument(SETTINGS, setting, noList)
+                ?: JsonArray(emptyList()).takeIf { isNew && isAbsent }
+                ?: throw wrongArgument(SETTINGS, setting, noList(here, step, isAbsent))
             if (isNew) return JsonArray(list + put(null, steps, at + 1, value, setting))
             val k = step.trim('[', ']').toIntOrNull()?.takeIf { it in list.indices }
                 ?: throw wrongArgument(
                     SETTINGS,
                     setting,
-                    "$here has ${entries(list.size)}, so it has no $step; $here$NEW adds one",
+                    "$here has ${entries(list.size)}, so it has no $step; ${addition(here)}",
                 )
             return JsonArray(
                 list.mapIndexed { i, entry ->
@@ -124,12 +124,26 @@ internal object Settings {
         return JsonObject(fields + (step to put(fields[step], steps, at + 1, value, setting)))
     }
 
+    /** One that the scenario could have can be begun; of one that no scenario has, the name may be mistyped. */
+    private fun noList(here: String, step: String, isAbsent: Boolean): String {
+        val problem = "$here is not a list in this scenario, so it has no $step"
+        return when {
+            !isAbsent || '.' in here -> problem
+            here in LISTS -> "$problem; ${addition(here)}"
+            else -> "$problem; ${Nearest.question(here, LISTS).trim()}".removeSuffix("; ")
+        }
+    }
+
+    private fun addition(list: String) = if (list in LISTS) "$list$NEW={…} adds one" else "$list$NEW adds one"
+
     private fun entries(n: Int) = when (n) {
         0 -> "no entry"
         1 -> "1 entry, [0]"
         else -> "$n entries, [0] to [${n - 1}]"
     }
 
+    /** The lists of a scenario that it can do without. */
+    private val LISTS = listOf("forces", "bodies")
     private const val SETTINGS = "settings"
     private const val OUTPUT = "output."
     private const val UNTIL = "until"

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
@@ -18,7 +19,10 @@ internal class StartCheck(
     private val boundary: BoundaryConditions,
     private val check: ValueCheck,
 ) {
-    fun check(timeStep: TimeStep) {
+    /** @param isPlaced false where spheres placed at random are not where they will be */
+    fun check(timeStep: TimeStep, isPlaced: Boolean = true) {
+        // A length of step that follows from speeds is not known before the flow at the places is in them.
+        val isKnown = isPlaced || timeStep is FixedTimeStep
         val box = boundary.box
         val largest = population.radius.max()
         for (axis in 0..2) {
@@ -30,7 +34,7 @@ internal class StartCheck(
                         "must exceed the diameter of the largest sphere, ${2 * largest}, " +
                             "or it would touch its own image"
                     }
-                    checkCrossings(axis, largest, timeStep)
+                    if (isKnown) checkCrossings(axis, largest, timeStep)
                 }
                 ContactFaces.WALL -> check.that(key, length, length > 2 * largest) {
                     "must exceed the diameter of the largest sphere, ${2 * largest}"
@@ -43,8 +47,11 @@ internal class StartCheck(
             }
             if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)
         }
-        checkSlide(timeStep)
-        checkSatellites(timeStep)
+        if (isKnown) {
+            checkSlide(timeStep)
+            checkSatellites(timeStep)
+        }
+        if (!isPlaced) return
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
         val overlap = computable("box") {
             Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)

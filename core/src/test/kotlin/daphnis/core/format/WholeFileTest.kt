@@ -35,6 +35,20 @@ class WholeFileTest {
     }
 
     @Test
+    fun `text and bytes replace a file by another, so that who reads the old one reads it to its end`() {
+        val file = Files.writeString(home.resolve("a"), "before")
+        val held = Files.createLink(home.resolve("held"), file)
+        WholeFile.write(file, "text φ")
+        assertEquals("text φ", Files.readString(file))
+        WholeFile.write(file, byteArrayOf(7))
+        assertEquals(listOf<Byte>(7), Files.readAllBytes(file).asList())
+        WholeFile.write(file) { Files.writeString(it, "after") }
+        assertEquals("after", Files.readString(file))
+        assertEquals("before", Files.readString(held))
+        assertEquals(setOf(file, held), home.listDirectoryEntries().toSet())
+    }
+
+    @Test
     fun `a link stays one, and what is no file is not replaced`() {
         val file = Files.writeString(home.resolve("a"), "before")
         val link = Files.createSymbolicLink(home.resolve("link"), file)

@@ -80,7 +80,12 @@ class NewRunTest {
         val notes = Files.createDirectories(directory.resolve("plots/mine")).resolve("notes")
         Files.writeString(notes, "1")
         val text = Files.writeString(directory.resolve("snapshots/readme.txt"), "1")
+        val unfinished = listOf("report.html.part", "plots/run.svg.part", "tables/numbers.csv.part").map {
+            Files.createDirectories(directory.resolve(it).parent)
+            Files.writeString(directory.resolve(it), "1")
+        }
         startIn(directory, force = true).toStep(7)
+        assertEquals(emptyList<Path>(), unfinished.filter { Files.exists(it) })
         assertTrue(Files.exists(notes) && Files.exists(text))
     }
 

@@ -31,7 +31,12 @@ class HostileScenarioTest {
         assertTrue(message.length < 1000) { message }
         assertFalse(message.any { it.isISOControl() }) { message }
         for (part in parts) assertTrue(part in message) { "'$part' is not in: $message" }
+        val before = assertThrows(InputException::class.java, { check(*settings.toTypedArray()) }) { message }
+        assertEquals(message, before.message)
     }
+
+    private fun check(vararg settings: String) =
+        ScenarioSetup.check(ScenarioJson.parse(gas, "my.json", settings.asList()), "my.json")
 
     private val slab = "box.lengths=[100,100,10]"
     private val powerLaw = """{"type":"power-law","minimum":0.1,"maximum":1,"exponent":3}"""

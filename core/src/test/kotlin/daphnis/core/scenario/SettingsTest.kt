@@ -19,8 +19,10 @@ class SettingsTest {
 
     private fun with(vararg settings: String) = ScenarioJson.parse(text, "s", settings.toList())
 
-    private fun assertRefused(setting: String, vararg parts: String) {
+    /** @param end whether the last of [parts] ends the message */
+    private fun assertRefused(setting: String, vararg parts: String, end: Boolean = false) {
         val e = assertThrows(InputException::class.java) { with(setting) }
+        if (end) assertTrue(e.message.orEmpty().endsWith(parts.last())) { e.message.orEmpty() }
         for (part in parts) assertTrue(part in e.message.orEmpty()) { "'$part' is not in ${e.message}" }
         assertFalse('\n' in e.message.orEmpty())
     }
@@ -75,15 +77,18 @@ class SettingsTest {
             "settings: ",
             "forces[2].constant=1",
             "forces has 2 entries, [0] to [1]",
-            "forces[+] adds one",
+            "forces[+]={…} adds one",
             "[2]",
         )
         assertRefused("forces[0].acceleration[3]=1", "forces[0].acceleration has 3 entries")
-        assertRefused("bodies[0].radius=1", "bodies is not a list", "[0]")
+        assertRefused("bodies[0].radius=1", "bodies is not a list", "it has no [0]; bodies[+]={…} adds one")
+        assertRefused("bodies[0]={}", "it has no [0]; bodies[+]={…} adds one")
+        assertRefused("forcs[0].x=1", "forcs is not a list", "it has no [0]; did you mean 'forces'?")
         assertRefused("box[0]=1", "box is not a list")
         assertRefused("forces[99999999999].constant=1", "2 entries")
         assertRefused("forces.constant=1", "forces is a list", "forces[0]")
-        assertRefused("until[0]=1", "until is not a list")
+        assertRefused("until[0]=1", "until is not a list in this scenario, so it has no [0]", end = true)
+        assertRefused("output[0]=1", "output is not a list in this scenario, so it has no [0]", end = true)
     }
 
     @Test

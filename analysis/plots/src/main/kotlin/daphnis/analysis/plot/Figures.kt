@@ -1,5 +1,6 @@
 package daphnis.analysis.plot
 
+import daphnis.core.format.WholeFile
 import org.apache.batik.transcoder.SVGAbstractTranscoder
 import org.apache.batik.transcoder.TranscoderInput
 import org.apache.batik.transcoder.TranscoderOutput
@@ -50,8 +51,8 @@ internal object Figures {
     fun write(figure: Figure, directory: Path, name: String, width: Int, height: Int): String {
         val svg = svg(figure)
         Files.createDirectories(directory)
-        Files.writeString(directory.resolve("$name.svg"), svg)
-        Files.write(directory.resolve("$name.png"), png(svg, width, height))
+        WholeFile.write(directory.resolve("$name.svg"), svg)
+        WholeFile.write(directory.resolve("$name.png"), png(svg, width, height))
         return svg
     }
 

@@ -2,6 +2,7 @@ package daphnis.analysis.plot
 
 import daphnis.analysis.insitu.PlaneImages
 import daphnis.analysis.insitu.State
+import daphnis.core.format.WholeFile
 import java.awt.Color
 import java.awt.Graphics2D
 import java.awt.RenderingHints
@@ -49,8 +50,8 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         val discs = discs(window).sortedBy { it.depth }
         val png = png(discs, window)
         Files.createDirectories(directory)
-        Files.write(directory.resolve("$name.png"), png)
-        Files.writeString(directory.resolve("$name.svg"), svg(discs, window, png))
+        WholeFile.write(directory.resolve("$name.png"), png)
+        WholeFile.write(directory.resolve("$name.svg"), svg(discs, window, png))
         return png
     }
 

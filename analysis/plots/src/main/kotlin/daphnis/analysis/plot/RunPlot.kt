@@ -2,6 +2,7 @@ package daphnis.analysis.plot
 
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
+import daphnis.core.format.WholeFile
 import daphnis.core.run.SeriesColumns
 import java.io.IOException
 import java.nio.file.Files
@@ -30,8 +31,8 @@ public object RunPlot {
             "the time series has no granular temperature and no two rows at different times"
         }
         Files.createDirectories(directory)
-        Files.writeString(directory.resolve("run.svg"), svg(charts))
-        Files.write(directory.resolve("run.png"), png(charts))
+        WholeFile.write(directory.resolve("run.svg"), svg(charts))
+        WholeFile.write(directory.resolve("run.png"), png(charts))
     }
 
     /**

@@ -1,11 +1,11 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.core.format.WholeFile
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -52,7 +52,7 @@ public class Analysis @JvmOverloads constructor(
         val page = ReportPage(input.name)
         sections.write(page)
         progress.next(all - 1, all, "report")
-        Files.writeString(directory.resolve("report.html"), page.html(subtitle(study)))
+        WholeFile.write(directory.resolve("report.html"), page.html(subtitle(study)))
         progress.next(all, all, "done")
     }
 

@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.core.format.WholeFile
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -33,7 +34,10 @@ internal class NumbersSection(private val study: Study, private val others: List
             "${checkNotNull(it.key) { it.name }},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
         }
         val header = "quantity,value,standard_error,unit,reference,remark"
-        Files.write(study.tables.resolve("numbers.csv"), listOf(header) + lines)
+        WholeFile.write(
+            study.tables.resolve("numbers.csv"),
+            (listOf(header) + lines).joinToString("\n", postfix = "\n"),
+        )
     }
 
     /** Whether the averages are over a steady time, in sentences. */

@@ -1,7 +1,7 @@
 package daphnis.analysis.sweep
 
+import daphnis.core.format.WholeFile
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** The numbers of a [sweep] as CSV. NaN is an empty cell; one with a comma or a quotation mark is in quotation marks. */
@@ -41,7 +41,7 @@ public class SweepTables(private val sweep: Sweep) {
 
     private fun write(path: Path, header: List<String>, rows: List<List<String>>) {
         val lines = (listOf(header) + rows).map { row -> row.joinToString(",") { quoted(it) } }
-        Files.writeString(path, lines.joinToString("\n", postfix = "\n"))
+        WholeFile.write(path, lines.joinToString("\n", postfix = "\n"))
     }
 
     private fun text(value: Double) = if (value.isNaN()) "" else "$value"

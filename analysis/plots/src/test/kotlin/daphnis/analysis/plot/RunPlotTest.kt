@@ -1,5 +1,6 @@
 package daphnis.analysis.plot
 
+import daphnis.analysis.requireReplacedWhole
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.core.format.FormatException
@@ -32,6 +33,12 @@ class RunPlotTest {
     private fun svg(file: Path, scale: PlotScale): String {
         RunPlot.write(file, home.resolve("plots"), "my run", scale)
         return Files.readString(home.resolve("plots/run.svg"))
+    }
+
+    @Test
+    fun `pictures are replaced whole`() {
+        val file = series(50) { 1.0 / (1 + it) }
+        requireReplacedWhole(home.resolve("plots"), files = 2) { svg(file, gas) }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.requireReplacedWhole
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
@@ -393,8 +394,18 @@ class AnalysisTest {
         }
         val out = directory.resolve("out")
         Files.createDirectories(out)
-        Analysis(AnalysisInput.ofFile(bin, null, "")).write(out)
+        requireReplacedWhole(out, files = 10) { Analysis(AnalysisInput.ofFile(bin, null, "")).write(out) }
         assertTrue(Files.size(out.resolve("report.html")) > 10_000)
+    }
+
+    @Test
+    fun `that the last line of a text has no end is a notice`() {
+        val whole = "x,y,z,radius\n0,0,0,0.5\n3,0,0,0.25\n"
+        val file = Files.writeString(directory.resolve("a.csv"), whole)
+        assertEquals(emptyList<String>(), AnalysisInput.ofFile(file, null, "").notices)
+        Files.writeString(file, whole.dropLast(2))
+        val notice = AnalysisInput.ofFile(file, null, "").notices.single()
+        assertTrue("$file: the last line has no end" in notice) { notice }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package daphnis.analysis.sweep
 
 import daphnis.analysis.report.ReportNumber
+import daphnis.analysis.requireReplacedWhole
 import daphnis.core.initial.SeededRandom
 import org.jetbrains.letsPlot.intern.toSpec
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -64,6 +65,17 @@ class SweepTest {
         assertEquals("1,depth,m^2/s,3.0,1.0,2,", lines[1])
         assertEquals("10,depth,m^2/s,7.0,,1,\"seed 2 failed: no place, \"\"none\"\"\"", lines[2])
         assertEquals(3, lines.size)
+    }
+
+    @Test
+    fun `tables and plots are replaced whole`() {
+        val place = folder.resolve("sweep")
+        requireReplacedWhole(place, files = 4) {
+            Files.createDirectories(place)
+            SweepTables(oneKey()).writeMeans(place.resolve("means.csv"))
+            SweepTables(oneKey()).writeRuns(place.resolve("runs.csv"))
+            SweepPlots(oneKey()).write(place.resolve("plots"))
+        }
     }
 
     @Test
