@@ -18,6 +18,7 @@ class StartableTest {
     fun `a step that is long only without the flow at the places of spheres is not refused`() {
         val settings = listOf(
             "particles.count=50",
+            "placement.type=random",
             "velocities={\"type\":\"rest\",\"shearProfile\":true}",
             "timeStep={\"type\":\"cell-crossing\",\"longest\":1000}",
         )
