@@ -87,7 +87,7 @@ public class RegionActorEngine @JvmOverloads constructor(
      * [advance] for a coroutine that may be cancelled. When it is cancelled, this ends soon with a
      * [CancellationException] and the population as before, unless the population is being written already. In that
      * case the step is finished and this returns. One caller at a time. The coordinator's share of the work, and that
-     * of the first region, is done on [Dispatchers.IO], since it may wait for the other regions.
+     * of the first region, is done on [Dispatchers.IO], on threads that regions there do not need.
      */
     public suspend fun advanceSuspending(step: CollisionStep) {
         currentCoroutineContext().ensureActive()
@@ -95,7 +95,7 @@ public class RegionActorEngine @JvmOverloads constructor(
         // Twice, since a change of dispatcher checks on return whether the job around it is cancelled, and would
         // discard a step that is done.
         withContext(NonCancellable) {
-            withContext(Dispatchers.IO) {
+            withContext(COORDINATORS) {
                 val news = Channel<Unit>(Channel.CONFLATED)
                 steps.take(step, { news.trySend(Unit) }, { caller?.isActive != false }) {
                     withTimeoutOrNull(TimeUnit.NANOSECONDS.toMillis(StepExchange.SLICE)) { news.receive() }
@@ -109,6 +109,9 @@ public class RegionActorEngine @JvmOverloads constructor(
     }
 
     private companion object {
+        /** They block while they wait for regions, so they must not take the threads of a user's dispatcher. */
+        val COORDINATORS = Dispatchers.IO.limitedParallelism(64)
+
         fun newPool(threads: Int): ExecutorService {
             val number = AtomicInteger()
             return Executors.newFixedThreadPool(threads) {

@@ -13,14 +13,14 @@ import java.util.concurrent.CancellationException
  * The thread that calls [run] is the coordinator's. It does one region's share itself and waits until all regions have
  * answered, whatever one of them has thrown, so nothing is written any more when [run] has ended. An interrupt does not
  * end the wait; [endStep] sets the flag again.
+ *
+ * @param workers among how many of the regions loops are shared
  */
-internal class RegionLoop(private val exchange: StepExchange) : RangeLoop {
-    override val workers: Int = exchange.coordinator.regions.size
-
+internal class RegionLoop(private val exchange: StepExchange, override val workers: Int) : RangeLoop {
     private var isWanted: () -> Boolean = { true }
     private var isInterrupted = false
 
-    /** Whether a region has thrown something in this step, or regions were lost, or it was cancelled. */
+    /** Whether a loop did not come to its end in this step, or it was cancelled. */
     var isBroken = false
         private set
 
@@ -29,6 +29,18 @@ internal class RegionLoop(private val exchange: StepExchange) : RangeLoop {
         this.isWanted = isWanted
         isInterrupted = false
         isBroken = false
+    }
+
+    /**
+     * Asked before each loop, and before the population is written: much may happen on this thread alone.
+     *
+     * @throws CancellationException when the step was cancelled
+     */
+    fun requireWanted() {
+        if (!isWanted()) exchange.coordinator.cancel()
+        if (!exchange.coordinator.isCancelled) return
+        isBroken = true
+        throw CancellationException("the step was cancelled")
     }
 
     fun endStep() {
@@ -43,18 +55,25 @@ internal class RegionLoop(private val exchange: StepExchange) : RangeLoop {
      */
     override fun run(size: Int, grain: Int, body: RangeBody) {
         if (size <= 0) return
+        requireWanted()
         if (size <= grain) {
             body.run(0, 0, size)
             return
         }
         val loop = SharedLoop(body)
         isBroken = true
-        exchange.share(size, loop)
-        while (!exchange.turn()) {
-            exchange.serveOwn()
-            exchange.awaitNews()
-            if (Thread.interrupted()) isInterrupted = true
-            if (!isWanted()) exchange.coordinator.cancel()
+        try {
+            exchange.share(size, loop)
+            while (!exchange.turn()) {
+                exchange.serveOwn()
+                exchange.awaitNews()
+                if (Thread.interrupted()) isInterrupted = true
+                if (!isWanted()) exchange.coordinator.cancel()
+            }
+        } catch (e: Throwable) {
+            // The coordinator's own part, out of memory or stack for example.
+            exchange.abandon(loop)
+            throw e
         }
         if (exchange.lost != null) exchange.abandon(loop)
         exchange.throwFailure()

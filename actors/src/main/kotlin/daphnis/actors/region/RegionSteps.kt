@@ -120,10 +120,12 @@ internal class RegionSteps(
         exchange.wakeWith { LockSupport.unpark(thread) }
         exchange.loop.beginStep(isWanted)
         try {
-            if (!exchange.horizon.take(step)) return false
+            if (!exchange.horizon.take(step, exchange.loop::requireWanted)) return false
         } catch (e: Throwable) {
             if (!exchange.loop.isBroken) throw e
             conclude(exchange, step)
+            // Only after a failure of a region was the step taken.
+            if (exchange.coordinator.failure == null) throw e
         } finally {
             exchange.loop.endStep()
         }
@@ -151,8 +153,9 @@ internal class RegionSteps(
         for (region in coordinator.regions) probe?.let { region.probe = it }
         val answers = Answers(coordinator.regions.size)
         val host = open(coordinator.regions, answers)
+        val workers = minOf(coordinator.regions.size, maxOf(threads, MOST_SHARES))
         try {
-            return StepExchange(coordinator, answers, host, patience) { HorizonSteps(it, fewest, tuning) }
+            return StepExchange(coordinator, answers, host, patience, workers) { HorizonSteps(it, fewest, tuning) }
         } catch (e: Throwable) {
             host.stop()
             throw e
@@ -212,6 +215,11 @@ internal class RegionSteps(
     }
 
     private companion object {
+        /**
+         * Most regions among which loops of epochs are shared where threads are fewer: groups of spheres keep lists for
+         * one another, so many take much memory.
+         */
+        const val MOST_SHARES = 32
         const val CLOSED = "the engine is closed"
     }
 }

@@ -81,20 +81,20 @@ public class StepCoordinator @JvmOverloads constructor(
     }
 
     /**
-     * Shares the indices 0 until [size] of [loop] among the regions, in order, for a step that is taken in an epoch. It
-     * [isFinished] when all have answered.
+     * Shares the indices 0 until [size] of [loop] among the first [parts] regions, in order, for a step that is taken in
+     * an epoch. It [isFinished] when all have answered.
      */
-    internal fun share(size: Int, loop: SharedLoop) {
+    internal fun share(size: Int, loop: SharedLoop, parts: Int = map.count) {
         check(outstanding == 0) { "a step is under way" }
         isFinished = false
         phase = Phase.SHARE
-        for (region in 0 until map.count) {
-            send(RegionCommand(region, Share(loop, startOf(region, size), startOf(region + 1, size))))
+        val indices = size.toLong()
+        for (region in 0 until parts) {
+            val from = (indices * region / parts).toInt()
+            val to = (indices * (region + 1) / parts).toInt()
+            send(RegionCommand(region, Share(loop, from, to)))
         }
     }
-
-    /** The first of the indices 0 until [size] that belongs to [region]. */
-    private fun startOf(region: Int, size: Int): Int = (size.toLong() * region / map.count).toInt()
 
     /** Begins [step] by islands, after [renew]. */
     internal fun beginGrowing(step: CollisionStep) {

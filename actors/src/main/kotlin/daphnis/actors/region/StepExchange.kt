@@ -16,6 +16,7 @@ import java.util.concurrent.locks.LockSupport
  * Then the step ends as [lost].
  *
  * @param patience in nanoseconds of waiting; time in which the process itself was stopped does not count
+ * @param workers among how many regions the loops of epochs are shared
  * @param epochs makes the steps in epochs, whose loop is that of the regions
  */
 internal class StepExchange(
@@ -23,6 +24,7 @@ internal class StepExchange(
     private val answers: Answers,
     private val host: RegionHost,
     private val patience: Long,
+    workers: Int,
     epochs: (RangeLoop) -> HorizonSteps,
 ) {
     private val out = arrayOfNulls<RegionCommand>(coordinator.regions.size)
@@ -52,7 +54,7 @@ internal class StepExchange(
     val hasNews: Boolean get() = answers.count != seen
 
     /** The epochs of these regions. */
-    val loop = RegionLoop(this)
+    val loop = RegionLoop(this, workers)
     val horizon = epochs(loop)
 
     /** [waker] wakes the thread or coroutine that waits between two turns from now on. */
@@ -69,7 +71,7 @@ internal class StepExchange(
     /** Begins [loop], see [StepCoordinator.share]. */
     fun share(size: Int, loop: SharedLoop) {
         startWatch()
-        coordinator.share(size, loop)
+        coordinator.share(size, loop, this.loop.workers)
     }
 
     private fun startWatch() {
@@ -171,7 +173,7 @@ internal class StepExchange(
         }
     }
 
-    /** Waits until no region is at work on [loop], which is [lost]; none begins any more. */
+    /** Waits until no region is at work on [loop], which does not come to its end; none begins any more. */
     fun abandon(loop: SharedLoop) {
         loop.isAbandoned = true
         // A region is at work before it looks whether the loop is abandoned.

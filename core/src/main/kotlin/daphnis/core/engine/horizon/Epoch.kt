@@ -124,9 +124,10 @@ internal class Epoch(
      * Carries the population through [step], which has been measured.
      *
      * @param fixed how epochs are laid out; null for what should be quickest
+     * @param beforeWriting called before the population is written
      * @return false when the step is to be taken in another way; then nothing has changed
      */
-    fun carry(step: CollisionStep, fixed: HorizonTuning?): Boolean {
+    fun carry(step: CollisionStep, fixed: HorizonTuning?, beforeWriting: () -> Unit): Boolean {
         prepared.prepareWithoutGrid()
         val wasOpen = isOpen
         isOpen = false
@@ -156,6 +157,7 @@ internal class Epoch(
             takeStep(step, columns, order, tracks)
         }
         if (!isDone) return false
+        beforeWriting()
         population.take(columns)
         step.record?.sort()
         val before = step.counters.collisions

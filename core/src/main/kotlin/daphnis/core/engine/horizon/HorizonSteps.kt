@@ -50,10 +50,13 @@ public class HorizonSteps internal constructor(
     /**
      * Takes [step], if that should be quicker here.
      *
+     * @param beforeWriting called when all is known and nothing has been written; what it throws leaves the population
+     *   as before
      * @return false when it is to be taken in another way; then nothing has changed
      * @throws IllegalArgumentException when the step is refused
      */
-    public fun take(step: CollisionStep): Boolean {
+    @JvmOverloads
+    public fun take(step: CollisionStep, beforeWriting: () -> Unit = {}): Boolean {
         before = step.counters.collisions
         val size = step.population.size
         if (size < maxOf(fewest, 1) || tuning == null && epoch.rests()) {
@@ -61,7 +64,7 @@ public class HorizonSteps internal constructor(
             return false
         }
         prepared.measure(step, loop)
-        if (!epoch.carry(step, tuning)) return false
+        if (!epoch.carry(step, tuning, beforeWriting)) return false
         steps++
         return true
     }

@@ -2,7 +2,8 @@ package daphnis.core.engine.horizon
 
 /** A list of pairs of slots, each with the image of the second line. */
 internal class PairList {
-    private var data = IntArray(INITIAL * WIDTH)
+    // Empty at first, since groups have many lists, most of which stay so.
+    private var data = IntArray(0)
     var size = 0
         private set
 
@@ -12,7 +13,7 @@ internal class PairList {
 
     fun add(i: Int, j: Int, code: Int) {
         val p = size * WIDTH
-        if (p == data.size) data = data.copyOf(data.size * 2)
+        if (p == data.size) data = data.copyOf(maxOf(INITIAL * WIDTH, data.size * 2))
         data[p] = i
         data[p + 1] = j
         data[p + 2] = code
