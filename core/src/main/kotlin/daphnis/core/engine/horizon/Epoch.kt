@@ -206,13 +206,8 @@ internal class Epoch(
     /** The epoch ends before the present step. */
     private fun ended(isBroken: Boolean) {
         val sphereSteps = spheres.toDouble() * frame.step
-        countListed()
-        plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, listed / sphereSteps, isBroken)
-    }
-
-    /** Entries of roamers that searches have looked at are counted by window. */
-    private fun countListed() {
         listed += searches.listed
+        plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, listed / sphereSteps, isBroken)
     }
 
     private fun searchAll() {
@@ -242,7 +237,8 @@ internal class Epoch(
         whole.begin(step.population, firstOrder, tracks, keepsPaths = false)
         for (window in 0 until frame.windows) {
             if (window > 0) {
-                countListed()
+                // Entries of roamers that searches have looked at are counted by window.
+                listed += searches.listed
                 frame.openWindow(window)
                 cells.sort(columns, tuning, frame.duration)
                 cells.invert(spheres)
