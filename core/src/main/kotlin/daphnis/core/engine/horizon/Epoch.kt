@@ -127,7 +127,7 @@ internal class Epoch(
      * @param beforeWriting called before the population is written
      * @return false when the step is to be taken in another way; then nothing has changed
      */
-    fun carry(step: CollisionStep, fixed: HorizonTuning?, beforeWriting: () -> Unit): Boolean {
+    fun carry(step: CollisionStep, fixed: HorizonTuning?, beforeWriting: Runnable): Boolean {
         prepared.prepareWithoutGrid()
         val wasOpen = isOpen
         isOpen = false
@@ -157,7 +157,7 @@ internal class Epoch(
             takeStep(step, columns, order, tracks)
         }
         if (!isDone) return false
-        beforeWriting()
+        beforeWriting.run()
         population.take(columns)
         step.record?.sort()
         val before = step.counters.collisions

@@ -56,7 +56,7 @@ public class HorizonSteps internal constructor(
      * @throws IllegalArgumentException when the step is refused
      */
     @JvmOverloads
-    public fun take(step: CollisionStep, beforeWriting: () -> Unit = {}): Boolean {
+    public fun take(step: CollisionStep, beforeWriting: Runnable = Runnable {}): Boolean {
         before = step.counters.collisions
         val size = step.population.size
         if (size < maxOf(fewest, 1) || tuning == null && epoch.rests()) {
