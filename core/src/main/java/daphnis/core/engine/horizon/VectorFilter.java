@@ -22,12 +22,12 @@ final class VectorFilter implements LineFilter {
 
     @Override
     public double getPerRun() {
-        return IS_QUICK ? 13 : 16;
+        return IS_QUICK ? 21 : 24;
     }
 
     @Override
     public double getPerLine() {
-        return IS_QUICK ? 0.8 : 1.2;
+        return IS_QUICK ? 0.85 : 1.7;
     }
 
     @Override

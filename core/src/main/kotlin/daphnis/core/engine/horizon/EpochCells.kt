@@ -65,6 +65,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private val sorted = CellOrder()
     private var imageOfIndex = IntArray(0)
     private val perLength = DoubleArray(AXES)
+    private val width = DoubleArray(AXES)
 
     /** Of velocities, by part of the spheres and axis: sum of squares, and greatest. */
     private var sums = DoubleArray(0)
@@ -145,11 +146,14 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
             val k = (0 until AXES).maxBy { count[it] }
             count[k] = maxOf(1, (count[k] * SHRINKING).toInt())
         }
-        for (k in 0 until AXES) perLength[k] = if (frame.length[k] > 0) count[k] / frame.length[k] else 1.0
+        for (k in 0 until AXES) {
+            perLength[k] = if (frame.length[k] > 0) count[k] / frame.length[k] else 1.0
+            width[k] = 1 / perLength[k]
+        }
         if (flow.size < count[2]) flow = DoubleArray(count[2])
-        for (c in 0 until count[2]) flow[c] = frame.flowRate * (frame.low[2] + (c + 0.5) / perLength[2])
+        for (c in 0 until count[2]) flow[c] = frame.flowRate * middleOf(c, 2)
         // Within a layer the flow differs from that of its middle.
-        bound[0] += abs(frame.flowRate) / (2 * perLength[2])
+        bound[0] += abs(frame.flowRate) * width[2] / 2
         for (k in 0 until AXES) reach[k] = bound[k] * frame.halfLength
     }
 
@@ -185,8 +189,12 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     }
 
     /** How many boxes away from the box [position] along axis [k] is. */
-    private fun boxes(position: Double, k: Int): Int =
-        if (frame.isPeriodic[k]) floor((position - frame.low[k]) / frame.length[k]).toInt() else 0
+    private fun boxes(position: Double, k: Int): Int {
+        val offset = position - frame.low[k]
+        // Nearly always within the box: no division then.
+        if (offset >= 0 && offset < frame.length[k] || !frame.isPeriodic[k]) return 0
+        return floor(offset / frame.length[k]).toInt()
+    }
 
     /** Makes [slots], the reverse of [order]. */
     fun invert(spheres: Int) {
@@ -210,28 +218,28 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     }
 
     /** The same, counted on beyond the faces along a periodic axis. */
-    fun cellToward(position: Double, k: Int): Int {
-        val c = floor((position - frame.low[k]) * perLength[k])
-        return if (frame.isPeriodic[k]) {
-            c.toInt()
-        } else if (c >= count[k]) {
-            count[k] - 1
-        } else if (c < 0) {
-            0
-        } else {
-            c.toInt()
-        }
-    }
+    fun cellToward(position: Double, k: Int): Int =
+        if (frame.isPeriodic[k]) floor((position - frame.low[k]) * perLength[k]).toInt() else cellAt(position, k)
 
     /** The middle of cell [c] along axis [k]. */
-    private fun middleOf(c: Int, k: Int): Double = frame.low[k] + (c + 0.5) / perLength[k]
+    private fun middleOf(c: Int, k: Int): Double = frame.low[k] + (c + 0.5) * width[k]
 
     /** Whether [slot] has a cell, so that searches that look at the cell meet it. */
     fun hasCell(slot: Int): Boolean = cellOf[slot] < cells
 
     /** The boxes by which the line in [slot] is to be moved back to be near its cell at the middle of the epoch. */
-    fun imageAtCell(slot: Int): Int = imageOf(lines, slot) { position, k ->
-        Math.rint((position - middleOf(coordinate(slot, k), k)) / frame.length[k]).toInt()
+    fun imageAtCell(slot: Int): Int = coordinates(cellOf[slot]) { c0, c1, c2 ->
+        imageOf(lines, slot) { position, k ->
+            val offset = position - middleOf(if (k == 0) c0 else if (k == 1) c1 else c2, k)
+            if (abs(offset) <= frame.length[k] / 2) 0 else Math.rint(offset / frame.length[k]).toInt()
+        }
+    }
+
+    /** Calls [use] with the numbers of [cell] along the axes. */
+    private inline fun <T> coordinates(cell: Int, use: (c0: Int, c1: Int, c2: Int) -> T): T {
+        val row = cell / count[0]
+        val layer = row / count[1]
+        return use(cell - row * count[0], row - layer * count[1], layer)
     }
 
     /** The boxes by which the line in [slot] of [lines] is to be moved back to be in the box at that time. */
@@ -252,28 +260,19 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         return if ((along or middle or slow) == 0) 0 else frame.code(along, middle, slow)
     }
 
-    /** The number along axis [k] of the cell of [slot]. */
-    fun coordinate(slot: Int, k: Int): Int = when (k) {
-        0 -> cellOf[slot] % count[0]
-        1 -> cellOf[slot] / count[0] % count[1]
-        else -> cellOf[slot] / (count[0] * count[1])
+    /** Whether the line in [slot] is within [reach] of its cell from time [from] to the end of the epoch. */
+    fun holds(slot: Int, from: Double): Boolean = hasCell(slot) && coordinates(cellOf[slot]) { c0, c1, c2 ->
+        holds(slot, 0, c0, flow[c2], from) && holds(slot, 1, c1, 0.0, from) && holds(slot, 2, c2, 0.0, from)
     }
 
-    /** Whether the line in [slot] is within [reach] of its cell from time [from] to the end of the epoch. */
-    fun holds(slot: Int, from: Double): Boolean {
-        if (!hasCell(slot)) return false
-        for (k in 0 until AXES) {
-            val c = coordinate(slot, k)
-            val drift = if (k == 0) flow[coordinate(slot, 2)] else 0.0
-            val axis = frame.axes[k]
-            if (!isNear(lines.at(slot, axis, from) - drift * (from - frame.middle), c, k)) return false
-            if (!isNear(lines.at(slot, axis, frame.end) - drift * (frame.end - frame.middle), c, k)) return false
-        }
-        return true
+    private fun holds(slot: Int, k: Int, c: Int, drift: Double, from: Double): Boolean {
+        val axis = frame.axes[k]
+        return isNear(lines.at(slot, axis, from) - drift * (from - frame.middle), c, k) &&
+            isNear(lines.at(slot, axis, frame.end) - drift * (frame.end - frame.middle), c, k)
     }
 
     private fun isNear(position: Double, c: Int, k: Int): Boolean {
-        val room = reach[k] + 0.5 / perLength[k]
+        val room = reach[k] + 0.5 * width[k]
         val offset = position - middleOf(c, k)
         // The cells at the ends of an axis without images have all that is beyond.
         val isAbove = offset <= room || !frame.isPeriodic[k] && c == count[k] - 1

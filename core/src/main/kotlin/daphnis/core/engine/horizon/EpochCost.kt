@@ -28,6 +28,9 @@ internal class EpochCost(
     private val density = spheres / (length[0] * length[1] * length[2])
     private val collisions = if (seen.collisions >= 0) seen.collisions else seen.crowding * ofGas()
 
+    /** How many times as long a collision takes as in a system that fits the cache. */
+    private val distance = maxOf(1.0, Math.pow(spheres / CACHED, GROWTH))
+
     /** Lines that the search for all tests per sphere, with the numbers that were asked for last. */
     var testsAhead = 0.0
         private set
@@ -56,9 +59,11 @@ internal class EpochCost(
         look(time, along, across) { own + classBound * cells.rmsAtLeast(it) * time / 2 }
         testsAhead = tests / 2
         val all = filter.perRun * rows + filter.perLine * tests
-        val ahead = SEARCH + all / 2
-        val around = SEARCH + ROAMERS + FAR * all
-        val impacts = collisions * (COLLISION + LINES) + (2 * collisions + seen.strays) * around + ROAMER * seen.roamers
+        val met = collisions * steps / windows
+        val ahead = SEARCH + all / 2 + FILED * met
+        val around = SEARCH + ROAMERS + FAR * all + FOUND * met
+        val searched = (2 * collisions + seen.strays) * around
+        val impacts = distance * (collisions * (COLLISION + LINES) + searched) + ROAMER * seen.roamers
         val byGroups = impacts * GROUPS / threads + seen.entanglement * joining(collisions)
         sharesCollisions = threads > 1 && windows == 1 && byGroups < impacts
         val begun = ((EPOCH + ahead) / threads + SORT) * windows / steps
@@ -79,8 +84,8 @@ internal class EpochCost(
     fun otherwise(): Double {
         look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.fastest[it] * dt }
         val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
-        val around = SEARCH + FAR * (ROW * rows + TEST * tests)
-        val serial = SERIAL_PASS + ahead + collisions * (COLLISION + 2 * around)
+        val around = SEARCH + SERIAL_FAR * (ROW * rows + TEST * tests)
+        val serial = SERIAL_PASS + ahead + distance * collisions * (SERIAL_COLLISION + 2 * around)
         return if (threads == 1) serial else serial * ISLANDS / threads
     }
 
@@ -118,19 +123,32 @@ internal class EpochCost(
         private const val TEST = 1.6
 
         /** For searches all over memory, in units of searches one after the other. */
-        private const val FAR = 1.6
-        private const val ROAMERS = 50.0
+        private const val FAR = 1.4
+        private const val SERIAL_FAR = 1.6
+        private const val ROAMERS = 20.0
         private const val ROAMER = 6.0
-        private const val COLLISION = 250.0
+        private const val COLLISION = 120.0
+        private const val SERIAL_COLLISION = 250.0
 
         /** What an epoch does more at a collision: two lines are drawn, and pairs filed. */
-        private const val LINES = 120.0
+        private const val LINES = 60.0
+
+        /**
+         * For each collision that a sphere will have in the epoch, or window: of filing it at the start, and of the
+         * lines that a search finds, among them those of members that were thrown out of their places.
+         */
+        private const val FILED = 35.0
+        private const val FOUND = 130.0
+
+        /** Spheres of a system that fits the cache, and how the time of a collision grows beyond. */
+        private const val CACHED = 2e4
+        private const val GROWTH = 0.3
 
         /** Of the passes over all in a step, and of those at the start of an epoch. */
-        private const val PASS = 18.0
-        private const val EPOCH = 40.0
+        private const val PASS = 25.0
+        private const val EPOCH = 30.0
         private const val SORT = 10.0
-        private const val SERIAL_PASS = 35.0
+        private const val SERIAL_PASS = 55.0
 
         /** What groups cost more than one thread before threads share it. */
         private const val GROUPS = 1.15

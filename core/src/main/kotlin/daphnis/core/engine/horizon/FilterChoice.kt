@@ -8,13 +8,16 @@ package daphnis.core.engine.horizon
  * @param always whether it is used from the beginning
  */
 internal class FilterChoice(private val quick: LineFilter, private val always: Boolean) {
-    private var asked = 0L
+    private var carried = 0L
+
+    /** Told of each step of [spheres] spheres, in an epoch or not. */
+    fun passed(spheres: Int) {
+        carried += spheres
+    }
 
     /** The filter for an epoch of [spheres] spheres. */
-    fun choose(spheres: Int): LineFilter {
-        asked += spheres
-        return if (always || spheres >= LARGE || asked >= LONG) quick else ScalarFilter
-    }
+    fun choose(spheres: Int): LineFilter =
+        if (always || spheres >= LARGE || carried >= LONG) quick else ScalarFilter
 
     private companion object {
         const val LARGE = 20_000

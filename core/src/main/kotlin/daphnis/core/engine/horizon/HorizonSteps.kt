@@ -38,7 +38,8 @@ public class HorizonSteps internal constructor(
 
     private val isEager = fewest == 0
     private val loop: RangeLoop = if (isEager) FineLoop(loop) else loop
-    internal val epoch = Epoch(prepared, this.loop, FilterChoice(filter, always = isEager), isEager)
+    private val filters = FilterChoice(filter, always = isEager)
+    internal val epoch = Epoch(prepared, this.loop, filters, isEager)
 
     /** Steps taken here since the start. */
     public var steps: Long = 0
@@ -59,6 +60,7 @@ public class HorizonSteps internal constructor(
     public fun take(step: CollisionStep, beforeWriting: Runnable = Runnable {}): Boolean {
         before = step.counters.collisions
         val size = step.population.size
+        filters.passed(size)
         if (size < maxOf(fewest, 1) || tuning == null && epoch.rests()) {
             epoch.drop()
             return false

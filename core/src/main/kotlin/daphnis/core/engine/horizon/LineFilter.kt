@@ -49,8 +49,8 @@ internal interface LineFilter {
 
 /** One line after the other. */
 internal object ScalarFilter : LineFilter {
-    override val perRun: Double get() = 8.0
-    override val perLine: Double get() = 1.6
+    override val perRun: Double get() = 16.0
+    override val perLine: Double get() = 2.4
 
     override fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: IntArray): Int {
         val x = query.x

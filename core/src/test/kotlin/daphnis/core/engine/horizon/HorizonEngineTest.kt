@@ -168,6 +168,24 @@ class HorizonEngineTest {
     }
 
     @Test
+    fun `a small system gets the quick filter after so many steps, however long its epochs are`() {
+        var asked = 0
+        val quick = object : LineFilter by ScalarFilter {
+            override fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: IntArray): Int {
+                asked++
+                return ScalarFilter.near(state, query, first, end, into)
+            }
+        }
+        val engine = HorizonEngine(FixedPool(1), fewest = 1, tuning = HorizonTuning(16), filter = quick)
+        val simulation = gas(engine)
+        val spheres = simulation.population.size
+        while (simulation.step * spheres < 1_900_000) simulation.advance()
+        assertEquals(0, asked)
+        while (simulation.step * spheres < 2_100_000) simulation.advance()
+        assertTrue(asked > spheres) { "$asked searches" }
+    }
+
+    @Test
     fun `without a fixed layout a dilute gas is taken in epochs of several steps, and a dense one serially`() {
         val dilute = HorizonEngine(FixedPool(1), fewest = 0)
         val simulation = gas(dilute)
