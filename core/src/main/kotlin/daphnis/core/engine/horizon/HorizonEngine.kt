@@ -3,6 +3,8 @@ package daphnis.core.engine.horizon
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.lists.ListSteps
+import daphnis.core.engine.lists.ListTuning
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
@@ -35,6 +37,7 @@ public class HorizonEngine internal constructor(
     private val fewest: Int,
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
+    listTuning: ListTuning = if (fewest > 0 && tuning == null) ListTuning.BEST else ListTuning.NEVER,
 ) : CollisionEngine {
     @JvmOverloads
     public constructor(
@@ -56,6 +59,7 @@ public class HorizonEngine internal constructor(
         if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
     private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared)
     private val epoch = steps.epoch
+    internal val lists = ListSteps(prepared, if (threads == 1) listTuning else ListTuning.NEVER, gate)
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
@@ -75,6 +79,10 @@ public class HorizonEngine internal constructor(
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
+        if (lists.take(step)) {
+            epoch.drop()
+            return
+        }
         if (steps.take(step)) return
         other.advance(step)
         steps.tookAnother(step)
