@@ -37,7 +37,7 @@ public class HorizonEngine internal constructor(
     private val fewest: Int,
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
-    listTuning: ListTuning = if (fewest > 0 && tuning == null) ListTuning.BEST else ListTuning.NEVER,
+    lists: ListTuning = if (fewest > 0 && tuning == null) ListTuning.best(handler.threads) else ListTuning.NEVER,
 ) : CollisionEngine {
     @JvmOverloads
     public constructor(
@@ -59,7 +59,9 @@ public class HorizonEngine internal constructor(
         if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
     private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared)
     private val epoch = steps.epoch
-    internal val lists = ListSteps(prepared, if (threads == 1) listTuning else ListTuning.NEVER, gate)
+
+    /** How dense steps of few spheres are taken. */
+    internal val lists = ListSteps(prepared, lists, gate)
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun

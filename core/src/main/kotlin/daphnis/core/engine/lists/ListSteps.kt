@@ -9,7 +9,7 @@ import daphnis.core.step.PreparedStep
 
 /**
  * Takes steps with [NeighbourLists] that are kept from step to step, in dense systems small enough for the cache, for
- * an engine that takes its other steps in another way. The cost of a collision does hardly depend on the length of a
+ * an engine that takes its other steps in another way. The cost of a collision hardly depends on the length of a
  * step then.
  *
  * ```
@@ -54,6 +54,10 @@ internal class ListSteps(
     var built = 0L
         private set
 
+    /** Steps given up in the middle since the start: lists were too short, or a sphere went very far. */
+    var voided = 0L
+        private set
+
     /** Lists made anew one by one, spheres found changed and found wrapped, since the start. */
     val refreshed: Long get() = lists.refreshed
     val changed: Long get() = comparison.changes
@@ -69,7 +73,7 @@ internal class ListSteps(
         val wasOpen = isOpen
         isOpen = false
         val population = step.population
-        if (population.size !in maxOf(tuning.fewest, 1)..tuning.most) return false
+        if (!tuning.suits(population.size)) return false
         if (!wasOpen && rest > 0) {
             rest--
             return false
@@ -83,8 +87,8 @@ internal class ListSteps(
         if (!goesOn && !begin(step, fastest)) return rests()
         impact.begin(step.record)
         if (!process()) {
-            // Lists were too short, or a sphere went very far.
             lists.widen()
+            voided++
             return false
         }
         expected = events.calendar.taken
@@ -104,7 +108,7 @@ internal class ListSteps(
     }
 
     private fun isWorth(step: CollisionStep): Boolean =
-        tuning.leastFilling == 0.0 || ListSpace.fillingFactor(step.population, step.boundary) >= tuning.leastFilling
+        tuning.suits(step.population.size, ListSpace.fillingFactor(step.population, step.boundary))
 
     /** Takes over the population where nothing much has happened to it. @return false when all is to be made anew */
     private fun goOn(step: CollisionStep, fastest: Double): Boolean {

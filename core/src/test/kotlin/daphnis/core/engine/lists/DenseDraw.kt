@@ -30,7 +30,7 @@ class DenseDraw(private val seed: Long) {
     private val unit = if (random.nextInt(4) == 0) 10.0.pow(random.nextInt(9) - 4) else 1.0
 
     /** Distance of neighbours on the lattice of the start, in diameters. */
-    private val apart = if (random.nextInt(8) == 0) 1.0 else random.nextDouble(1.0, 1.5)
+    private val apart = if (random.nextInt(40) == 0) 1.0 else random.nextDouble(1.0, 1.5)
     private val isLattice = random.nextInt(5) == 0
     private val isMixed = random.nextInt(3) == 0
     private val lower = unit * if (random.nextInt(3) == 0) random.nextDouble(-100.0, 100.0) else 0.0
@@ -44,7 +44,7 @@ class DenseDraw(private val seed: Long) {
         2 -> Periodic(box, periodicY = false, periodicZ = random.nextInt(2) == 0)
         else -> Periodic(box)
     }
-    private val dt = 10.0.pow(random.nextDouble(-3.0, 1.0))
+    private val dt = 10.0.pow(random.nextDouble(-3.0, 0.6))
     private val guard: CollapseGuard = when (random.nextInt(4)) {
         0 -> ContactDurationGuard(1e-3 * dt)
         1 -> FloorSpeedGuard(0.05 * unit)
