@@ -60,7 +60,8 @@ internal class Comparison(
             val u = state[p + VX]
             val v = state[p + VX + 1]
             val w = state[p + VX + 2]
-            val isThere = x[k] == state[p] + u * rest && y[k] == state[p + 1] + v * rest && z[k] == state[p + 2] + w * rest
+            val isThere =
+                x[k] == state[p] + u * rest && y[k] == state[p + 1] + v * rest && z[k] == state[p + 2] + w * rest
             val isSame = u == vx[k] && v == vy[k] && w == vz[k] && radius[k] == state[p + RADIUS]
             if (isThere && isSame) continue
             val isWrapped = !isThere && wrap(population, k, rest)

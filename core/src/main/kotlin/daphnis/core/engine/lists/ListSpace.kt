@@ -62,7 +62,12 @@ internal class ListSpace {
      *
      * @return false when there cannot be lists
      */
-    fun layOut(spheres: SphereColumns, boundary: BoundaryConditions, bounds: StepBounds, shellInRadii: Double): Boolean {
+    fun layOut(
+        spheres: SphereColumns,
+        boundary: BoundaryConditions,
+        bounds: StepBounds,
+        shellInRadii: Double,
+    ): Boolean {
         largestRadius = bounds.largestRadius
         shell = largestRadius * shellInRadii
         reach = 2 * shell + largestRadius * REACH_SLACK

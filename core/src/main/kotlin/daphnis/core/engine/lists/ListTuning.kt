@@ -6,10 +6,7 @@ package daphnis.core.engine.lists
  * @param shell radius of a shell, in units of the largest radius of a sphere
  * @param suits whether lists are asked for that number of spheres at this filling factor
  */
-internal class ListTuning(
-    val shell: Double,
-    private val suits: (spheres: Int, fillingFactor: Double) -> Boolean,
-) {
+internal class ListTuning(val shell: Double, private val suits: (spheres: Int, fillingFactor: Double) -> Boolean) {
     /** Whether so many [spheres] may suit, however dense they are. */
     fun suits(spheres: Int): Boolean = spheres > 0 && suits(spheres, MOST_FILLING)
 
@@ -21,7 +18,7 @@ internal class ListTuning(
         private const val MOST_FILLING = 1.0
         private const val FEWEST = 100
 
-        /** Rows and lists of more no longer fit into a cache of a MiB; one thread gains less where the gas is thinner. */
+        /** Of more, rows and lists no longer fit the cache; the thinner the gas, the less is gained. */
         private const val FEW = 6000
         private const val MANY = 12_000
         private const val DENSE = 0.38

@@ -2,7 +2,6 @@ package daphnis.core.engine.lists
 
 import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
@@ -43,11 +42,7 @@ internal class NextEvents(
     private var receding = 0.0
     private var fastest = 0.0
 
-    // Of the scan: those that may touch.
-    private var kept = IntArray(0)
-    private var keptB = DoubleArray(0)
-    private var keptC = DoubleArray(0)
-    private var keptDiscriminant = DoubleArray(0)
+    private val near = Approaching(rows, lists, images)
 
     fun reserve(spheres: Int) {
         calendar.reserve(spheres)
@@ -56,12 +51,7 @@ internal class NextEvents(
             others = DoubleArray(spheres)
         }
         data.fill(0, 0, 4 * spheres)
-        if (kept.size < lists.stride) {
-            keptB = DoubleArray(lists.stride)
-            keptC = DoubleArray(lists.stride)
-            keptDiscriminant = DoubleArray(lists.stride)
-            kept = IntArray(lists.stride)
-        }
+        near.reserve()
     }
 
     /** Begins a step of [duration] in which no sphere is faster than [fastest] at first. */
@@ -115,17 +105,17 @@ internal class NextEvents(
 
     /** Finds the next event of [i] from time [now] on, at which it follows the path that it has. */
     fun scan(i: Int, now: Double) {
-        val count = filter(i, now)
+        val count = near.find(i, now, space.margin, receding)
         var first = FAR
         var second = FAR
         var next = NONE
         for (l in 0 until count) {
-            val c = keptC[l]
-            val t = if (c <= 0.0) 0.0 else c / (sqrt(keptDiscriminant[l]) - keptB[l])
+            val c = near.c[l]
+            val t = if (c <= 0.0) 0.0 else c / (sqrt(near.discriminant[l]) - near.b[l])
             if (t < first) {
                 second = first
                 first = t
-                next = kept[l]
+                next = near.entries[l]
             } else if (t < second) {
                 second = t
             }
@@ -144,85 +134,26 @@ internal class NextEvents(
         if (time <= duration && time < others[i]) putUnlessExit(i, now, time, j) else scanAll(i, now)
     }
 
-    /**
-     * Looks through the list of [i] for those that may touch it on their present paths.
-     *
-     * @return how many there are
-     */
-    private fun filter(i: Int, now: Double): Int {
-        val state = rows.state
-        val entries = lists.entries
-        val codes = lists.codes
-        val kept = kept
-        val keptB = keptB
-        val keptC = keptC
-        val keptDiscriminant = keptDiscriminant
-        val receding = receding
-        val margin = space.margin
-        val p = i * STRIDE
-        val vx = state[p + VX]
-        val vy = state[p + VX + 1]
-        val vz = state[p + VX + 2]
-        val elapsed = now - state[p + TIME]
-        val x = state[p] + vx * elapsed
-        val y = state[p + 1] + vy * elapsed
-        val z = state[p + 2] + vz * elapsed
-        val radius = state[p + RADIUS] + margin
-        val from = i * lists.stride + 1
-        val to = from + entries[from - 1]
-        var count = 0
-        for (k in from until to) {
-            val e = entries[k]
-            val q = (e and NeighbourLists.SPHERE) * STRIDE
-            val past = now - state[q + TIME]
-            val wx = state[q + VX]
-            val wy = state[q + VX + 1]
-            val wz = state[q + VX + 2]
-            var dx = state[q] + wx * past - x
-            var dy = state[q + 1] + wy * past - y
-            var dz = state[q + 2] + wz * past - z
-            if (e < 0) {
-                val code = codes[k]
-                dx += images.shift(code, 0)
-                dy += images.shift(code, 1)
-                dz += images.shift(code, 2)
-            }
-            val ux = wx - vx
-            val uy = wy - vy
-            val uz = wz - vz
-            val s = radius + state[q + RADIUS]
-            val b = dx * ux + dy * uy + dz * uz
-            val c = dx * dx + dy * dy + dz * dz - s * s
-            val discriminant = b * b - (ux * ux + uy * uy + uz * uz) * c
-            keptB[count] = b
-            keptC[count] = c
-            keptDiscriminant[count] = discriminant
-            kept[count] = k
-            // One more if b is small enough and the discriminant is not negative. A branch would be wrong too often.
-            val isKept = (b - receding).toRawBits() and discriminant.toRawBits().inv()
-            count += (isKept ushr SIGN).toInt()
-        }
-        return count
-    }
-
     /** The same as [scan] by asking for the exact time of each: where two are too near each other to tell otherwise. */
     private fun scanAll(i: Int, now: Double) {
-        val count = filter(i, now)
+        val count = near.find(i, now, space.margin, receding)
         var best = FAR
         var partner = BOUND
         var image = 0
         var bound = FAR
         for (l in 0 until count) {
-            val k = kept[l]
+            val k = near.entries[l]
             val j = lists.entries[k] and NeighbourLists.SPHERE
             val code = if (lists.entries[k] < 0) lists.codes[k] else 0
             val time = contactTime(rows, i, j, code, images)
             if (time > duration) {
                 // Whatever is predicted, they do not touch in this step.
-                val t = if (keptC[l] <= 0.0) 0.0 else now + keptC[l] / (sqrt(keptDiscriminant[l]) - keptB[l])
+                val t = if (near.c[l] <= 0.0) 0.0 else now + near.c[l] / (sqrt(near.discriminant[l]) - near.b[l])
                 if (t < bound) bound = t
-            } else if (partner < 0 || time < best ||
-                time == best && compareTied(rows.id, i, j, code, i, partner, image) < 0
+            } else if (partner < 0 ||
+                time < best ||
+                time == best &&
+                compareTied(rows.id, i, j, code, i, partner, image) < 0
             ) {
                 best = time
                 partner = j
@@ -327,6 +258,5 @@ internal class NextEvents(
         const val HINT = -3
         const val FAR = 1e300
         const val NEVER_ASKED = -1.0
-        const val SIGN = 63
     }
 }

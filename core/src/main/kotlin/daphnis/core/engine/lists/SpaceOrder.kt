@@ -2,7 +2,7 @@ package daphnis.core.engine.lists
 
 import daphnis.core.population.SphereColumns
 
-/** An order in which spheres near each other come one soon after the other: along a curve through small cubes (Morton). */
+/** An order in which spheres near each other come one soon after the other: Morton's curve through small cubes. */
 internal class SpaceOrder {
     private var keys = LongArray(0)
 

@@ -36,7 +36,12 @@ class DenseDraw(private val seed: Long) {
     private val lower = unit * if (random.nextInt(3) == 0) random.nextDouble(-100.0, 100.0) else 0.0
     private val pitch = 2 * unit * apart
     private val box = Box(
-        lower, lower, lower, lower + pitch * nx, lower + pitch * ny, lower + pitch * nz,
+        lower,
+        lower,
+        lower,
+        lower + pitch * nx,
+        lower + pitch * ny,
+        lower + pitch * nz,
     )
     val boundary: BoundaryConditions = when (random.nextInt(8)) {
         0 -> Open
@@ -44,7 +49,7 @@ class DenseDraw(private val seed: Long) {
         2 -> Periodic(box, periodicY = false, periodicZ = random.nextInt(2) == 0)
         else -> Periodic(box)
     }
-    private val dt = 10.0.pow(random.nextDouble(-3.0, 0.6))
+    private val dt = 10.0.pow(random.nextDouble(-3.0, 0.4))
     private val guard: CollapseGuard = when (random.nextInt(4)) {
         0 -> ContactDurationGuard(1e-3 * dt)
         1 -> FloorSpeedGuard(0.05 * unit)
@@ -64,7 +69,9 @@ class DenseDraw(private val seed: Long) {
         val x = DoubleArray(n) { at(it % nx) }
         val y = DoubleArray(n) { at(it / nx % ny) }
         val z = DoubleArray(n) { at(it / nx / ny) }
-        fun speeds() = DoubleArray(n) { if (isLattice) unit * (random.nextInt(3) - 1) else unit * random.nextGaussian() }
+        fun speeds() = DoubleArray(n) {
+            if (isLattice) unit * (random.nextInt(3) - 1) else unit * random.nextGaussian()
+        }
         val radii = DoubleArray(n) { unit * if (isMixed) random.nextDouble(0.4, 1.0) else 1.0 }
         return Population(x, y, z, speeds(), speeds(), speeds(), radii, DoubleArray(n) { radii[it].pow(3) })
     }
@@ -112,8 +119,18 @@ class DenseDraw(private val seed: Long) {
     private fun visitor(id: Int): Population {
         fun one(v: Double) = doubleArrayOf(v)
         val at = lower + pitch
+        val place = List(3) { one(at) }
+        val speed = List(3) { one(unit - it) }
         return Population(
-            one(at), one(at), one(at), one(unit), one(-unit), one(0.5 * unit), one(0.4 * unit), one(0.1), intArrayOf(id),
+            place[0],
+            place[1],
+            place[2],
+            speed[0],
+            speed[1],
+            speed[2],
+            one(0.4 * unit),
+            one(0.1),
+            intArrayOf(id),
         )
     }
 
@@ -126,6 +143,7 @@ class DenseDraw(private val seed: Long) {
         p.orderChanged()
     }
 
-    override fun toString() = "seed $seed: ${start.size} spheres, ${boundary.javaClass.simpleName}, $apart apart, dt $dt" +
-        (if (isLattice) ", lattice" else "") + (if (isMixed) ", mixed" else "") + ", unit $unit"
+    override fun toString() =
+        "seed $seed: ${start.size} spheres, ${boundary.javaClass.simpleName}, $apart apart, dt $dt" +
+            (if (isLattice) ", lattice" else "") + (if (isMixed) ", mixed" else "") + ", unit $unit"
 }

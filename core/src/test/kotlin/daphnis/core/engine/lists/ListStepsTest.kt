@@ -9,14 +9,12 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.Restitution
+import daphnis.core.engine.CoreEngines
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
 import daphnis.core.engine.horizon.HorizonEngine
-import daphnis.core.engine.horizon.HorizonSteps
-import daphnis.core.engine.horizon.ScalarFilter
 import daphnis.core.initial.SeededRandom
-import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -57,8 +55,9 @@ class ListStepsTest {
             wrapped += lists.wrapped
             engine.close()
         }
-        println("$collisions collisions, $steps steps, $built built, $refreshed refreshed, $changed changed, $wrapped wrapped")
-        assertTrue(collisions > 500 * DRAWS) { "$collisions collisions" }
+        println("$collisions collisions, $steps steps, $built built, $refreshed refreshed")
+        println("$changed changed, $wrapped wrapped")
+        assertTrue(collisions > 300 * DRAWS) { "$collisions collisions" }
         assertTrue(steps > STEPS * DRAWS / 3) { "$steps steps" }
         assertTrue(built < steps / 3) { "$built built" }
         assertTrue(refreshed > 100 * DRAWS) { "$refreshed refreshed" }
@@ -85,7 +84,7 @@ class ListStepsTest {
             }
             engine.close()
         }
-        assertTrue(thrown > DRAWS / 3) { "$thrown thrown" }
+        assertTrue(thrown > DRAWS / 4) { "$thrown thrown" }
     }
 
     /** Throws at one collision in so many, whoever asks how often. */
@@ -128,6 +127,7 @@ class ListStepsTest {
         val x = place()
         val y = place()
         val z = place()
+
         // All fly to the middle, slowly at its edge.
         fun inward(a: DoubleArray) = DoubleArray(n) { -a[it] + 0.1 * random.nextGaussian() }
         val radii = DoubleArray(n) { if (it % 50 == 0) 0.4 else 0.14 }
@@ -181,26 +181,7 @@ class ListStepsTest {
         assertEquals(1L, engine.lists.built)
     }
 
-    /** 512 spheres near the sites of a cubic lattice. */
-    private fun crowd(apart: Double = 1.05): Population {
-        val random = SeededRandom(3)
-        val n = 512
-        fun gauss() = DoubleArray(n) { random.nextGaussian() }
-        fun at(c: Int) = apart * (c - 3.5) + random.nextDouble(-0.01, 0.01)
-        return Population(
-            DoubleArray(n) { at(it % 8) },
-            DoubleArray(n) { at(it / 8 % 8) },
-            DoubleArray(n) { at(it / 64) },
-            gauss(),
-            gauss(),
-            gauss(),
-            DoubleArray(n) { 0.5 },
-            DoubleArray(n) { 1.0 },
-        )
-    }
-
-    private fun engine() =
-        HorizonEngine(FixedPool(1), HorizonSteps.WORTH_SPHERES, null, ScalarFilter, ListTuning.ALWAYS)
+    private fun engine() = CoreEngines.lists()
 
     private fun assertSameLastCollisions(expected: Simulation, actual: Simulation, story: String) {
         fun times(s: Simulation) = s.population.run { (0 until size).associate { id[it] to lastCollision[it] } }
@@ -208,7 +189,7 @@ class ListStepsTest {
     }
 
     private companion object {
-        val DRAWS = if (System.getProperty("daphnis.long") == "true") 3000L else 150L
+        val DRAWS = if (System.getProperty("daphnis.long") == "true") 3000L else 300L
         const val STEPS = 20
         val CUBE = Box.centred(8.4, 8.4, 8.4)
         val BOX = Periodic(CUBE)
