@@ -1,6 +1,10 @@
 package daphnis.core.engine
 
 import daphnis.core.Engines
+import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.horizon.HorizonSteps
+import daphnis.core.engine.horizon.LineFilter
+import daphnis.core.engine.lists.ListTuning
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
@@ -22,4 +26,10 @@ internal object CoreEngines : TestedEngines(Engines) {
         }
         else -> super.make(name, settings)
     }
+
+    override fun others(settings: EngineSettings): List<CollisionEngine> = super.others(settings) + lists()
+
+    /** `horizon` as it takes dense steps of few spheres, wherever that is possible. */
+    fun lists(): HorizonEngine =
+        HorizonEngine(FixedPool(1), HorizonSteps.WORTH_SPHERES, null, LineFilter.BEST, ListTuning.ALWAYS)
 }

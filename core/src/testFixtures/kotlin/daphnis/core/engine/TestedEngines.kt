@@ -38,7 +38,7 @@ open class TestedEngines(val registry: EngineFactory) {
     }
 
     /** One of each but the serial one, which the others are compared with. */
-    fun others(settings: EngineSettings): List<CollisionEngine> =
+    open fun others(settings: EngineSettings): List<CollisionEngine> =
         registry.names.filter { it != "serial" }.map { make(it, settings) }
 
     private companion object {

@@ -3,6 +3,8 @@ package daphnis.core.engine.horizon
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.lists.ListSteps
+import daphnis.core.engine.lists.ListTuning
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
@@ -35,6 +37,7 @@ public class HorizonEngine internal constructor(
     private val fewest: Int,
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
+    lists: ListTuning = if (fewest > 0 && tuning == null) ListTuning.best(handler.threads) else ListTuning.NEVER,
 ) : CollisionEngine {
     @JvmOverloads
     public constructor(
@@ -57,6 +60,9 @@ public class HorizonEngine internal constructor(
     private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared)
     private val epoch = steps.epoch
 
+    /** How dense steps of few spheres are taken. */
+    internal val lists = ListSteps(prepared, lists, gate)
+
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
     public val epochSteps: Long get() = steps.steps
@@ -75,6 +81,10 @@ public class HorizonEngine internal constructor(
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
+        if (lists.take(step)) {
+            epoch.drop()
+            return
+        }
         if (steps.take(step)) return
         other.advance(step)
         steps.tookAnother(step)
