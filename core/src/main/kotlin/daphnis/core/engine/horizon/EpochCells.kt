@@ -230,7 +230,12 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     /** The boxes by which the line in [slot] is to be moved back to be near its cell at the middle of the epoch. */
     fun imageAtCell(slot: Int): Int = coordinates(cellOf[slot]) { c0, c1, c2 ->
         imageOf(lines, slot) { position, k ->
-            val offset = position - middleOf(if (k == 0) c0 else if (k == 1) c1 else c2, k)
+            val c = when (k) {
+                0 -> c0
+                1 -> c1
+                else -> c2
+            }
+            val offset = position - middleOf(c, k)
             if (abs(offset) <= frame.length[k] / 2) 0 else Math.rint(offset / frame.length[k]).toInt()
         }
     }
@@ -261,9 +266,10 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     }
 
     /** Whether the line in [slot] is within [reach] of its cell from time [from] to the end of the epoch. */
-    fun holds(slot: Int, from: Double): Boolean = hasCell(slot) && coordinates(cellOf[slot]) { c0, c1, c2 ->
-        holds(slot, 0, c0, flow[c2], from) && holds(slot, 1, c1, 0.0, from) && holds(slot, 2, c2, 0.0, from)
-    }
+    fun holds(slot: Int, from: Double): Boolean = hasCell(slot) &&
+        coordinates(cellOf[slot]) { c0, c1, c2 ->
+            holds(slot, 0, c0, flow[c2], from) && holds(slot, 1, c1, 0.0, from) && holds(slot, 2, c2, 0.0, from)
+        }
 
     private fun holds(slot: Int, k: Int, c: Int, drift: Double, from: Double): Boolean {
         val axis = frame.axes[k]

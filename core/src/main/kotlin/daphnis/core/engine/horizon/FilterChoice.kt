@@ -16,8 +16,7 @@ internal class FilterChoice(private val quick: LineFilter, private val always: B
     }
 
     /** The filter for an epoch of [spheres] spheres. */
-    fun choose(spheres: Int): LineFilter =
-        if (always || spheres >= LARGE || carried >= LONG) quick else ScalarFilter
+    fun choose(spheres: Int): LineFilter = if (always || spheres >= LARGE || carried >= LONG) quick else ScalarFilter
 
     private companion object {
         const val LARGE = 20_000

@@ -14,7 +14,8 @@ internal class ListImpact(prepared: PreparedStep, rows: StepRows, private val ev
     }
 
     override fun outrun(first: Int, second: Int): Boolean {
-        prepared.widen(rows, first, second)
+        // Until it holds both, or there is no more room, as the serial engine finds when it redoes the step.
+        do prepared.widen(rows, first, second) while (prepared.isOutrun(rows, first) || prepared.isOutrun(rows, second))
         return true
     }
 

@@ -84,7 +84,8 @@ internal class ListSteps(
         if (!(fastest * step.duration <= MOST_RADII * prepared.reach.largestRadius)) return rests()
         prepared.prepareWithoutGrid()
         val goesOn = wasOpen && age < MOST_AGE && space.isOf(step.boundary) && goOn(step, fastest)
-        if (!goesOn && !begin(step, fastest)) return rests()
+        // What is spread out by now gets no new lists.
+        if (!goesOn && (wasOpen && !isWorth(step) || !begin(step, fastest))) return rests()
         impact.begin(step.record)
         if (!process()) {
             lists.widen()

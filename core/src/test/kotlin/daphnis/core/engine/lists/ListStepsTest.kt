@@ -30,7 +30,7 @@ class ListStepsTest {
         var refreshed = 0L
         var changed = 0L
         var wrapped = 0L
-        for (seed in 1..DRAWS) {
+        for (seed in (1..DRAWS) + FASTER_THAN_ALLOWED) {
             val draw = DenseDraw(seed)
             val engine = engine()
             val serial = draw.simulation(SerialEngine())
@@ -164,6 +164,13 @@ class ListStepsTest {
     }
 
     @Test
+    fun `a gas that has spread out gets no new lists`() {
+        val engine = HorizonEngine(1)
+        simulationOf(crowd(), Open, 0.05, engine = engine).use { s -> repeat(1100) { s.advance() } }
+        assertTrue(engine.lists.steps in 5..1000) { "${engine.lists.steps} steps" }
+    }
+
+    @Test
     fun `a wrap keeps all lists, a kick needs none, and a sphere put elsewhere one`() {
         val engine = engine()
         val simulation = simulationOf(crowd(), BOX, 5e-3, engine = engine)
@@ -191,6 +198,9 @@ class ListStepsTest {
     private companion object {
         val DRAWS = if (System.getProperty("daphnis.long") == "true") 3000L else 300L
         const val STEPS = 20
+
+        /** A draw in which a collision makes a sphere too fast for the step. */
+        const val FASTER_THAN_ALLOWED = 2864L
         val CUBE = Box.centred(8.4, 8.4, 8.4)
         val BOX = Periodic(CUBE)
     }
