@@ -37,8 +37,17 @@ public class HorizonEngine internal constructor(
     private val fewest: Int,
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
-    lists: ListTuning = if (fewest > 0 && tuning == null) ListTuning.best(handler.threads) else ListTuning.NEVER,
+    lists: ListTuning,
 ) : CollisionEngine {
+    internal constructor(handler: ThreadHandler, fewest: Int, tuning: HorizonTuning?, filter: LineFilter) :
+        this(
+            handler,
+            fewest,
+            tuning,
+            filter,
+            if (fewest > 0 && tuning == null) ListTuning.best(handler.threads) else ListTuning.NEVER,
+        )
+
     @JvmOverloads
     public constructor(
         handler: ThreadHandler,
