@@ -27,7 +27,7 @@ final class VectorFilter implements LineFilter {
 
     @Override
     public double getPerLine() {
-        return IS_QUICK ? 0.85 : 1.7;
+        return IS_QUICK ? 0.85 : 1.3;
     }
 
     @Override

@@ -29,7 +29,7 @@ internal class EpochCost(
     private val collisions = if (seen.collisions >= 0) seen.collisions else seen.crowding * ofGas()
 
     /** How many times as long a collision takes as in a system that fits the cache. */
-    private val distance = maxOf(1.0, Math.pow(spheres / CACHED, GROWTH))
+    private val remoteness = maxOf(1.0, Math.pow(spheres / CACHED, GROWTH))
 
     /** Lines that the search for all tests per sphere, with the numbers that were asked for last. */
     var testsAhead = 0.0
@@ -63,7 +63,7 @@ internal class EpochCost(
         val ahead = SEARCH + all / 2 + FILED * met
         val around = SEARCH + ROAMERS + FAR * all + FOUND * met
         val searched = (2 * collisions + seen.strays) * around
-        val impacts = distance * (collisions * (COLLISION + LINES) + searched) + ROAMER * seen.roamers
+        val impacts = remoteness * (collisions * (COLLISION + LINES) + searched) + ROAMER * seen.roamers
         val byGroups = impacts * GROUPS / threads + seen.entanglement * joining(collisions)
         sharesCollisions = threads > 1 && windows == 1 && byGroups < impacts
         val begun = ((EPOCH + ahead) / threads + SORT) * windows / steps
@@ -85,7 +85,7 @@ internal class EpochCost(
         look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.fastest[it] * dt }
         val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
         val around = SEARCH + SERIAL_FAR * (ROW * rows + TEST * tests)
-        val serial = SERIAL_PASS + ahead + distance * collisions * (SERIAL_COLLISION + 2 * around)
+        val serial = SERIAL_PASS + ahead + remoteness * collisions * (SERIAL_COLLISION + 2 * around)
         return if (threads == 1) serial else serial * ISLANDS / threads
     }
 

@@ -15,6 +15,7 @@ import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.exchange
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.initial.SeededRandom
@@ -132,15 +133,6 @@ class DenseDraw(private val seed: Long) {
             one(0.1),
             intArrayOf(id),
         )
-    }
-
-    /** Exchanges the entries of two spheres in all arrays. */
-    private fun exchange(p: Population, a: Int, b: Int) {
-        for (column in listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision)) {
-            column[a] = column[b].also { column[b] = column[a] }
-        }
-        p.id[a] = p.id[b].also { p.id[b] = p.id[a] }
-        p.orderChanged()
     }
 
     override fun toString() =

@@ -1,0 +1,12 @@
+package daphnis.core.engine
+
+import daphnis.core.population.Population
+
+/** Exchanges the entries [a] and [b] of [p] in all arrays. */
+internal fun exchange(p: Population, a: Int, b: Int) {
+    for (column in listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision)) {
+        column[a] = column[b].also { column[b] = column[a] }
+    }
+    p.id[a] = p.id[b].also { p.id[b] = p.id[a] }
+    p.orderChanged()
+}
