@@ -5,6 +5,7 @@ import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 import daphnis.core.population.firstNotFinite
 import java.util.function.Supplier
@@ -57,7 +58,7 @@ public class StepPhases(
     /** Brings back or removes the spheres that are beyond the boundary at the [end] of the step. */
     public fun applyBoundary(end: Double) {
         if (boundary is PerSphereBoundary) {
-            loop.run(population.size) { _, from, to -> boundary.endStep(population, end, from, to) }
+            loop.runLight(population.size) { _, from, to -> boundary.endStep(population, end, from, to) }
         } else {
             boundary.endStep(population, end)
         }

@@ -4,6 +4,7 @@ import daphnis.core.force.Drift
 import daphnis.core.force.PerSphereEnergy
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 import kotlin.math.abs
 
@@ -60,12 +61,12 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     /** @throws IllegalArgumentException for a step of more than a quarter of an orbit or of a vertical oscillation */
     override fun beforeDrift(population: Population, start: Double, duration: Double) {
         prepare(duration)
-        loop.run(population.size) { _, from, to -> toChord(population, from, to) }
+        loop.runLight(population.size) { _, from, to -> toChord(population, from, to) }
     }
 
     override fun afterDrift(population: Population, end: Double, duration: Double) {
         prepare(duration)
-        loop.run(population.size) { _, from, to -> fromChord(population, from, to) }
+        loop.runLight(population.size) { _, from, to -> fromChord(population, from, to) }
     }
 
     /**

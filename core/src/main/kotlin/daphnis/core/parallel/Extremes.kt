@@ -14,22 +14,30 @@ public class Extremes {
 
     /** Looks through the first [size] entries of [a]. */
     public fun measure(a: DoubleArray, size: Int, loop: RangeLoop): Extremes {
+        clear()
+        loop.run(size, RangeLoop.GRAIN * 4) { _, from, to -> include(a, from, to) }
+        return this
+    }
+
+    /** As if nothing had been looked at. */
+    internal fun clear() {
         least = Double.POSITIVE_INFINITY
         greatest = Double.NEGATIVE_INFINITY
-        loop.run(size, RangeLoop.GRAIN * 4) { _, from, to ->
-            var low = Double.POSITIVE_INFINITY
-            var high = Double.NEGATIVE_INFINITY
-            // These branches are nearly always predicted; Math.min and Math.max would depend on each other.
-            for (k in from until to) {
-                val v = a[k]
-                if (v < low) low = v
-                if (v > high) high = v
-            }
-            synchronized(this) {
-                if (low < least) least = low
-                if (high > greatest) greatest = high
-            }
+    }
+
+    /** Looks at the entries [from] until [to] of [a] as well. Any number of threads may call. */
+    internal fun include(a: DoubleArray, from: Int, to: Int) {
+        var low = Double.POSITIVE_INFINITY
+        var high = Double.NEGATIVE_INFINITY
+        // These branches are nearly always predicted; Math.min and Math.max would depend on each other.
+        for (k in from until to) {
+            val v = a[k]
+            if (v < low) low = v
+            if (v > high) high = v
         }
-        return this
+        synchronized(this) {
+            if (low < least) least = low
+            if (high > greatest) greatest = high
+        }
     }
 }

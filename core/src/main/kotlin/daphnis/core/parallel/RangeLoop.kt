@@ -17,13 +17,21 @@ public interface RangeLoop {
     }
 
     public companion object {
-        /** Indices per piece: some ten microseconds of light work. */
+        /** Indices per piece: some ten microseconds of work. */
         public const val GRAIN: Int = 2048
+
+        /** Indices of a light loop which takes as long as it takes to begin it on several threads. */
+        internal const val FEW: Int = 4 * GRAIN
 
         /** [InlineLoop], for Java. */
         @JvmStatic
         public fun inline(): RangeLoop = InlineLoop
     }
+}
+
+/** [RangeLoop.run] for a loop of some nanoseconds an index, which threads share only where it is worth waking them. */
+internal fun RangeLoop.runLight(size: Int, body: RangeBody) {
+    run(size, if (size <= RangeLoop.FEW) RangeLoop.FEW else RangeLoop.GRAIN, body)
 }
 
 /** The body of a loop over a range. */

@@ -4,6 +4,7 @@ package daphnis.core.population
 
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.runLight
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
@@ -14,15 +15,27 @@ import java.util.concurrent.atomic.AtomicBoolean
 @JvmOverloads
 public fun SphereColumns.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
     val suspect = AtomicBoolean()
-    loop.run(size) { _, from, to ->
-        var sum = 0.0
-        for (k in from until to) {
-            sum += x[k] * 0.0 + y[k] * 0.0 + z[k] * 0.0 + vx[k] * 0.0 + vy[k] * 0.0 + vz[k] * 0.0
-            sum += radius[k] * 0.0 + mass[k] * 0.0
-        }
-        if (sum != 0.0) suspect.set(true)
-    }
+    loop.runLight(size) { _, from, to -> if (!isFinite(from, to)) suspect.set(true) }
     return if (suspect.get()) nameNotFinite() else null
+}
+
+private fun SphereColumns.isFinite(from: Int, to: Int): Boolean {
+    val x = x
+    val y = y
+    val z = z
+    val vx = vx
+    val vy = vy
+    val vz = vz
+    val radius = radius
+    val mass = mass
+    var sum = 0.0
+    for (k in from until to) {
+        // Nothing here depends on the sphere before but for one addition.
+        val place = x[k] * 0.0 + y[k] * 0.0 + z[k] * 0.0
+        val velocity = vx[k] * 0.0 + vy[k] * 0.0 + vz[k] * 0.0
+        sum += place + velocity + (radius[k] * 0.0 + mass[k] * 0.0)
+    }
+    return sum == 0.0
 }
 
 private fun SphereColumns.nameNotFinite(): String? {

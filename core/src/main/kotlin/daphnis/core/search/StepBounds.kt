@@ -3,6 +3,7 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.runLight
 import daphnis.core.population.SphereColumns
 
 /**
@@ -10,7 +11,9 @@ import daphnis.core.population.SphereColumns
  * in any order. Arrays are indexed by x, y, z.
  */
 internal class StepBounds {
-    private val extremes = Extremes()
+    private val speeds = List(AXES) { Extremes() }
+    private val places = List(AXES) { Extremes() }
+    private val radii = Extremes()
 
     /** Greatest speed along each axis; 0 without spheres. */
     val fastest = DoubleArray(AXES)
@@ -35,17 +38,24 @@ internal class StepBounds {
     /** Measures [spheres], their positions along periodic axes only unless [everywhere]. */
     fun measure(spheres: SphereColumns, boundary: BoundaryConditions, everywhere: Boolean, loop: RangeLoop) {
         for (axis in 0 until AXES) {
-            fastest[axis] = extremes.measure(spheres.velocity(axis), spheres.size, loop).magnitude
-            lowest[axis] = Double.POSITIVE_INFINITY
-            highest[axis] = Double.NEGATIVE_INFINITY
-            if (!everywhere && !boundary.hasImages(axis)) continue
-            extremes.measure(spheres.position(axis), spheres.size, loop)
-            lowest[axis] = extremes.least
-            highest[axis] = extremes.greatest
+            speeds[axis].clear()
+            places[axis].clear()
         }
-        extremes.measure(spheres.radius, spheres.size, loop)
-        leastRadius = extremes.least
-        largestRadius = extremes.magnitude
+        radii.clear()
+        loop.runLight(spheres.size) { _, from, to ->
+            for (axis in 0 until AXES) {
+                speeds[axis].include(spheres.velocity(axis), from, to)
+                if (everywhere || boundary.hasImages(axis)) places[axis].include(spheres.position(axis), from, to)
+            }
+            radii.include(spheres.radius, from, to)
+        }
+        for (axis in 0 until AXES) {
+            fastest[axis] = speeds[axis].magnitude
+            lowest[axis] = places[axis].least
+            highest[axis] = places[axis].greatest
+        }
+        leastRadius = radii.least
+        largestRadius = radii.magnitude
     }
 
     /** Everything as numbers of which the greatest count, for [take]. */

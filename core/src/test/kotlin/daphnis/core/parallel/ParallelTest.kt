@@ -6,6 +6,8 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.Executors
+import java.util.concurrent.atomic.AtomicBoolean
+import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicIntegerArray
 
 @Timeout(60)
@@ -140,6 +142,27 @@ class ParallelTest {
             }
             closer.join()
             for (worker in 0..2) assertEquals(runs, count[worker])
+        }
+    }
+
+    @Test
+    fun `a light loop runs on the caller's thread up to a size, and in pieces from there on`() {
+        FixedPool(2).use { pool ->
+            val loop = ParallelLoop(pool, LoopStrategy.DYNAMIC)
+            for ((size, count) in listOf(0 to 0, 1 to 1, 8192 to 1, 8193 to 5)) {
+                val pieces = AtomicInteger()
+                val seen = AtomicIntegerArray(size)
+                val isOwn = AtomicBoolean(true)
+                val caller = Thread.currentThread()
+                loop.runLight(size) { _, from, to ->
+                    pieces.incrementAndGet()
+                    if (Thread.currentThread() !== caller) isOwn.set(false)
+                    for (k in from until to) seen.incrementAndGet(k)
+                }
+                assertEquals(count, pieces.get()) { "$size" }
+                assertTrue((0 until size).all { seen[it] == 1 })
+                assertTrue(size > 8192 || isOwn.get())
+            }
         }
     }
 

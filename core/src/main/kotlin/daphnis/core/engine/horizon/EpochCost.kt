@@ -86,7 +86,7 @@ internal class EpochCost(
         val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
         val around = SEARCH + SERIAL_FAR * (ROW * rows + TEST * tests)
         val serial = SERIAL_PASS + ahead + remoteness * collisions * (SERIAL_COLLISION + 2 * around)
-        return if (threads == 1) serial else serial * ISLANDS / threads
+        return if (threads == 1 || spheres < ISLANDS_FROM) serial else serial * ISLANDS / threads
     }
 
     private inline fun look(time: Double, along: Double, across: Double, margin: (k: Int) -> Double) {
@@ -155,6 +155,9 @@ internal class EpochCost(
 
         /** What islands cost more than the serial engine before threads share it. */
         private const val ISLANDS = 1.2
+
+        /** Spheres from which on that is so. With fewer, islands gain little in gases in which epochs may pay. */
+        private const val ISLANDS_FROM = 20_000
 
         /** Cells in the length that a pair can bridge, in the serial engine's grid. */
         private const val SERIAL_ALONG = 4.0

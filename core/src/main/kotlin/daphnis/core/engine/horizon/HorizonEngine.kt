@@ -68,7 +68,11 @@ public class HorizonEngine internal constructor(
 
     private val prepared = PreparedStep()
     private val other: CollisionEngine =
-        if (threads == 1) SerialEngine(prepared = prepared) else IslandsEngine(handler, fewest)
+        when {
+            threads == 1 -> SerialEngine(prepared = prepared)
+            fewest == 0 -> IslandsEngine(handler, 0)
+            else -> IslandsEngine(handler)
+        }
     private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared)
     private val epoch = steps.epoch
 

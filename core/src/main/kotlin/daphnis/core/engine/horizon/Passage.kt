@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 
@@ -107,7 +108,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
         isOver = false
         for (strays in found) strays.count = 0
         val most = population.size / PART + FEW
-        loop.run(population.size) { worker, from, to ->
+        loop.runLight(population.size) { worker, from, to ->
             var k = from
             while (k < to && !isOver) {
                 val end = minOf(k + BLOCK, to)

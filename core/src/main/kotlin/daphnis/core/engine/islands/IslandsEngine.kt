@@ -167,12 +167,14 @@ public class IslandsEngine @JvmOverloads constructor(
         handler.close()
     }
 
-    private companion object {
-        const val LATE = -1
-        const val WORTH_SPHERES = 20_000
-        const val SPHERES_A_PIECE = 512
-        const val LEAST_IN_PARALLEL = 64
-        const val PIECES_A_THREAD = 8
-        const val MOST_A_PIECE = 64
+    internal companion object {
+        private const val LATE = -1
+
+        /** Spheres from which on islands can pay. */
+        const val WORTH_SPHERES = 10_000
+        private const val SPHERES_A_PIECE = 512
+        private const val LEAST_IN_PARALLEL = 64
+        private const val PIECES_A_THREAD = 8
+        private const val MOST_A_PIECE = 64
     }
 }

@@ -19,7 +19,11 @@ import org.junit.jupiter.api.Test
 
 class EpochPlanTest {
     private val space = EpochSpace(InlineLoop)
-    private val start = gas()
+    private var size = 0
+
+    init {
+        gas()
+    }
 
     @Test
     fun `groups are not asked where it is expected, or was seen, that joining their work is more than it saves`() {
@@ -55,6 +59,7 @@ class EpochPlanTest {
 
     @Test
     fun `groups are asked again also where nothing but groups would make epochs pay`() {
+        gas(edge = 28)
         val plan = plan()
         plan.observe(SOME)
         assertNotNull(choose(plan))
@@ -102,38 +107,59 @@ class EpochPlanTest {
         assertFalse(EpochPlan(2).also { choose(it) }.sharesCollisions)
     }
 
+    @Test
+    fun `two threads make epochs of few spheres too, since islands do not pay there`() {
+        // From 20,000 spheres on it is islands that an epoch has to beat.
+        for ((edge, isChosen) in listOf(27 to true, 28 to false)) {
+            gas(edge = edge)
+            val plan = plan()
+            plan.observe(MANY / 2)
+            plan.joined(MANY / 2, anew = MANY, compared = 300 * MANY)
+            assertEquals(isChosen, choose(plan) != null) { "$size spheres" }
+        }
+    }
+
+    @Test
+    fun `the larger the system, the shorter its epochs, since searches go farther over memory`() {
+        val steps = listOf(16, 64).map { edge ->
+            gas(edge = edge)
+            EpochPlan(1).also { it.observe(SOME) }.let { choose(it)!!.steps }
+        }
+        assertTrue(steps[0] > steps[1]) { "$steps" }
+    }
+
     private fun plan() = EpochPlan(2)
 
-    private fun choose(plan: EpochPlan): HorizonTuning? =
-        plan.choose(start.size, space.frame, space.cells, ScalarFilter)
+    private fun choose(plan: EpochPlan): HorizonTuning? = plan.choose(size, space.frame, space.cells, ScalarFilter)
 
-    /** A gas at a filling factor of 0.03, measured. */
-    private fun gas(dt: Double = 0.1): Population {
-        val n = 16 * 16 * 16
+    /** Measures a gas at a filling factor of 0.03, of so many spheres along each [edge] of its box. */
+    private fun gas(dt: Double = 0.1, edge: Int = 16) {
+        val n = edge * edge * edge
+        size = n
         val random = SeededRandom(1)
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
         val p = Population(
-            DoubleArray(n) { 2.6 * (it % 16 - 7.5) },
-            DoubleArray(n) { 2.6 * (it / 16 % 16 - 7.5) },
-            DoubleArray(n) { 2.6 * (it / 256 - 7.5) },
+            DoubleArray(n) { SPACING * (it % edge + 0.5) },
+            DoubleArray(n) { SPACING * (it / edge % edge + 0.5) },
+            DoubleArray(n) { SPACING * (it / (edge * edge) + 0.5) },
             gauss(),
             gauss(),
             gauss(),
             DoubleArray(n) { 0.5 },
             DoubleArray(n) { 1.0 },
         )
+        val box = Box(0.0, 0.0, 0.0, edge * SPACING, edge * SPACING, edge * SPACING)
         val law = CollisionLaw(ConstantRestitution(1.0))
-        val step = CollisionStep(p, Periodic(Box.centred(EDGE, EDGE, EDGE)), law, CollisionCounters())
+        val step = CollisionStep(p, Periodic(box), law, CollisionCounters())
         step.duration = dt
         val prepared = PreparedStep()
         prepared.measure(step, InlineLoop)
         space.frame.takeOver(step, prepared.reach, InlineLoop)
         space.cells.measure(p)
-        return p
     }
 
     private companion object {
-        const val EDGE = 16 * 2.6
+        const val SPACING = 2.6
 
         /** Collisions per sphere and step. */
         const val FEW = 0.03
