@@ -42,7 +42,7 @@ public class StepPhases(
 
     /** Forces act for the first half of a step that begins at [start]. */
     public fun kick(start: Double, duration: Double) {
-        if (forces.isNotEmpty()) undo.keepVelocities()
+        if (forces.isNotEmpty()) undo.keepVelocities(loop)
         for (k in forces.indices) forces[k].beforeDrift(population, start, duration)
     }
 

@@ -1,6 +1,8 @@
 package daphnis.core
 
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 
 /**
@@ -26,17 +28,17 @@ internal class StepUndo(private val population: Population, private val counters
      * To be called before forces change velocities. Allocates when the size of the population has changed since the
      * last time.
      */
-    fun keepVelocities() {
-        vx = copy(population.vx, vx)
-        vy = copy(population.vy, vy)
-        vz = copy(population.vz, vz)
+    fun keepVelocities(loop: RangeLoop) {
+        val size = population.size
+        if (vx.size != size) vx = DoubleArray(size)
+        if (vy.size != size) vy = DoubleArray(size)
+        if (vz.size != size) vz = DoubleArray(size)
+        loop.runLight(size) { _, from, to ->
+            population.vx.copyInto(vx, from, from, to)
+            population.vy.copyInto(vy, from, from, to)
+            population.vz.copyInto(vz, from, from, to)
+        }
         hasVelocities = true
-    }
-
-    private fun copy(from: DoubleArray, into: DoubleArray): DoubleArray = if (into.size == from.size) {
-        from.copyInto(into)
-    } else {
-        from.copyOf()
     }
 
     /** The step stands. */

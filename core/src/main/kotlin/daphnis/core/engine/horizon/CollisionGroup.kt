@@ -261,16 +261,35 @@ internal class CollisionGroup(
     }
 
     /** The line in [slot] is new from time [from] on. @return whether its cell holds it */
-    fun settle(slot: Int, from: Double): Boolean {
-        lines.version[slot] = ++lastVersion * numbers + number
+    private fun settle(slot: Int, from: Double): Boolean {
+        val isMember = settleInCell(slot, from, takeVersions(1))
+        if (!isMember) roam(slot)
+        return isMember
+    }
+
+    /** Versions for [count] new lines. @return the first */
+    fun takeVersions(count: Int): Int {
+        val first = lastVersion + 1
+        lastVersion += count
+        return first
+    }
+
+    /**
+     * The first half of [settle]: gives the line its [version] and looks whether the cell of its sphere holds it. If
+     * not, [roam] follows. Threads may call this for different slots.
+     */
+    fun settleInCell(slot: Int, from: Double, version: Int): Boolean {
+        lines.version[slot] = version * numbers + number
         if (lines.isLost) return true
-        if (cells.hasCell(slot)) {
-            lines.moveBack(slot, cells.imageAtCell(slot))
-            if (cells.holds(slot, from)) return true
-        }
+        if (!cells.hasCell(slot)) return false
+        lines.moveBack(slot, cells.imageAtCell(slot))
+        return cells.holds(slot, from)
+    }
+
+    /** The sphere in [slot], whose line is new, has left its cell. */
+    fun roam(slot: Int) {
         lines.moveBack(slot, cells.imageInBox(lines, slot))
         if (sight.group == Sight.ALL) space.addRoamer(slot, isFinal = !keepsPaths) else newRoamers.add(slot)
-        return false
     }
 
     override fun lookOut(slot: Int, place: Int, except: Int): Boolean {

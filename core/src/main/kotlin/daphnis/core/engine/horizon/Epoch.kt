@@ -171,7 +171,7 @@ internal class Epoch(
     private fun layOut(step: CollisionStep, fixed: HorizonTuning?): Boolean {
         frame.takeOver(step, prepared.reach, loop)
         cells.measure(step.population)
-        frame.memberRadius = sizes.choose(step.population, frame, cells.rms)
+        frame.memberRadius = sizes.choose(step.population, frame, cells.rms, loop)
         filter = filters.choose(step.population.size)
         val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter) ?: return false
         if (!frame.begin(tuning)) return false

@@ -19,6 +19,9 @@ internal class EpochSearches(
     private val lines = space.lines
     private val searches = workers.map { it.search }
 
+    /** Which of the spheres off their lines are still in their cells. */
+    private var hasCell = BooleanArray(0)
+
     /** Lines tested, and entries of roamers looked at, since the window began. */
     val tested: Long get() = searches.sumOf { it.tested }
     val listed: Long get() = searches.sumOf { it.listed }
@@ -39,14 +42,24 @@ internal class EpochSearches(
     /** Gives the spheres that [passage] found off their lines new ones, and searches along these. */
     fun changed(population: Population, passage: Passage, whole: CollisionGroup) {
         val t = frame.stepStart
-        for (k in 0 until passage.changed) {
-            val slot = passage.slots[k]
-            val p = population
-            lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
-            whole.settle(slot, t)
-            space.settleLine(slot)
+        val count = passage.changed
+        if (hasCell.size < count) hasCell = BooleanArray(2 * count)
+        val version = whole.takeVersions(count)
+        loop.run(count, LINES_A_PIECE) { _, from, to ->
+            for (k in from until to) {
+                val slot = passage.slots[k]
+                val p = population
+                lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
+                hasCell[k] = whole.settleInCell(slot, t, version + k)
+                if (hasCell[k]) space.settleLine(slot)
+            }
         }
         if (lines.isLost) return
+        for (k in 0 until count) {
+            if (hasCell[k]) continue
+            whole.roam(passage.slots[k])
+            space.settleLine(passage.slots[k])
+        }
         loop.run(passage.changed, SEARCHES_A_PIECE) { worker, from, to ->
             for (k in from until to) {
                 searches[worker].around(passage.slots[k], t, NOBODY)
@@ -60,6 +73,9 @@ internal class EpochSearches(
 
         /** Rows of cells that a worker takes at a time. */
         const val ROWS_A_PIECE = 16
+
+        /** Spheres to which a worker gives new lines at a time. */
+        const val LINES_A_PIECE = 256
 
         /** Spheres that a worker searches for at a time. */
         const val SEARCHES_A_PIECE = 64

@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 
 /**
@@ -9,47 +10,78 @@ import daphnis.core.population.SphereColumns
  */
 internal class MemberSizes {
     /** Spheres by how many octaves smaller than the largest they are, and the largest radius there. */
-    private val counts = IntArray(OCTAVES)
-    private val largest = DoubleArray(OCTAVES)
+    private class Octaves {
+        val counts = IntArray(OCTAVES)
+        val largest = DoubleArray(OCTAVES)
+        var sum = 0.0
+
+        fun clear() {
+            counts.fill(0)
+            largest.fill(0.0)
+            sum = 0.0
+        }
+
+        fun add(other: Octaves) {
+            for (octave in 0 until OCTAVES) {
+                counts[octave] += other.counts[octave]
+                largest[octave] = maxOf(largest[octave], other.largest[octave])
+            }
+            sum += other.sum
+        }
+    }
+
+    private val all = Octaves()
+
+    /** Of parts of the same length each time, so that sums are the same with any number of threads. */
+    private val parts = ArrayList<Octaves>()
 
     /**
      * The largest radius of a member: that of which least work is expected.
      *
      * @param rms root mean square of the velocities along row axis, middle axis and slow axis
      */
-    fun choose(spheres: SphereColumns, frame: EpochFrame, rms: DoubleArray): Double {
-        val mean = measure(spheres, frame.largestRadius)
+    fun choose(spheres: SphereColumns, frame: EpochFrame, rms: DoubleArray, loop: RangeLoop): Double {
+        measure(spheres, frame.largestRadius, loop)
+        val mean = all.sum / spheres.size
         var best = frame.largestRadius
         var least = Double.POSITIVE_INFINITY
         var giants = 0
         for (octave in 0 until OCTAVES) {
-            val radius = largest[octave]
-            if (counts[octave] == 0) continue
+            val radius = all.largest[octave]
+            if (all.counts[octave] == 0) continue
             if (radius < frame.leastMemberRadius && octave > 0) break
             val work = work(spheres.size, giants, mean, radius, frame, rms)
             if (work < least) {
                 least = work
                 best = radius
             }
-            giants += counts[octave]
+            giants += all.counts[octave]
         }
         return best
     }
 
-    /** @return the mean radius */
-    private fun measure(spheres: SphereColumns, largestRadius: Double): Double {
-        counts.fill(0)
-        largest.fill(0.0)
+    private fun measure(spheres: SphereColumns, largestRadius: Double, loop: RangeLoop) {
+        val count = (spheres.size - 1) / RangeLoop.GRAIN + 1
+        while (parts.size < count) parts.add(Octaves())
+        loop.run(count, PARTS_A_PIECE) { _, from, to ->
+            for (part in from until to) measure(spheres, largestRadius, part)
+        }
+        all.clear()
+        for (part in 0 until count) all.add(parts[part])
+    }
+
+    private fun measure(spheres: SphereColumns, largestRadius: Double, part: Int) {
+        val octaves = parts[part]
+        octaves.clear()
         val top = Math.getExponent(largestRadius)
-        var sum = 0.0
-        for (i in 0 until spheres.size) {
+        val from = part * RangeLoop.GRAIN
+        for (i in from until minOf(from + RangeLoop.GRAIN, spheres.size)) {
             val r = spheres.radius[i]
             val octave = minOf(top - Math.getExponent(r), OCTAVES - 1)
-            counts[octave]++
-            if (r > largest[octave]) largest[octave] = r
-            sum += r
+            octaves.counts[octave]++
+            if (r > octaves.largest[octave]) octaves.largest[octave] = r
+            octaves.sum += r
         }
-        return sum / spheres.size
     }
 
     /** Lines that a search looks at, on average, if members have a radius of at most [radius]; in units of a line. */
@@ -83,6 +115,7 @@ internal class MemberSizes {
     private companion object {
         const val AXES = 3
         const val OCTAVES = 16
+        const val PARTS_A_PIECE = 4
 
         /** An expected length of epochs. */
         const val STEPS = 4

@@ -67,7 +67,7 @@ internal class SharedCollisions(
 
     /** Divides the spheres of an epoch among the groups. */
     fun divide(spheres: Int) {
-        space.shares.divide(groups.size, space.cells, spheres)
+        space.shares.divide(groups.size, space.cells, spheres, loop)
         places.reserve(spheres)
     }
 

@@ -1,5 +1,7 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.parallel.RangeLoop
+
 /**
  * Which group of an epoch has which spheres: neighbouring rows of cells, about as many spheres in each group. Spheres
  * that had no cell at the start of the epoch belong to the group in whose rows they are at its middle.
@@ -16,7 +18,7 @@ internal class Shares {
     private val members: Int get() = first[count]
 
     /** Divides the spheres of an epoch, whose cells and lines are laid out, into [groups]. */
-    fun divide(groups: Int, cells: EpochCells, spheres: Int) {
+    fun divide(groups: Int, cells: EpochCells, spheres: Int, loop: RangeLoop) {
         if (first.size < groups + 1) first = IntArray(groups + 1)
         count = groups
         first[groups] = cells.members
@@ -29,9 +31,11 @@ internal class Shares {
         }
         val others = spheres - cells.members
         if (groupOfOther.size < others) groupOfOther = IntArray(others + others / 2)
-        for (k in 0 until others) {
-            val row = cells.rowAtMiddle(cells.members + k)
-            groupOfOther[k] = if (cells.members == 0) 0 else ownerOfMember(cells.start[row * cells.count[0]])
+        loop.run(others) { _, from, to ->
+            for (k in from until to) {
+                val row = cells.rowAtMiddle(cells.members + k)
+                groupOfOther[k] = if (cells.members == 0) 0 else ownerOfMember(cells.start[row * cells.count[0]])
+            }
         }
     }
 

@@ -63,7 +63,7 @@ class MemberSizesTest {
         prepared.measure(step, InlineLoop)
         space.frame.takeOver(step, prepared.reach, InlineLoop)
         space.cells.measure(p)
-        val limit = MemberSizes().choose(p, space.frame, space.cells.rms)
+        val limit = MemberSizes().choose(p, space.frame, space.cells.rms, InlineLoop)
         space.frame.memberRadius = limit
         val tuning = HorizonTuning(2)
         assertTrue(space.frame.begin(tuning))
