@@ -32,8 +32,8 @@ import java.util.concurrent.atomic.AtomicInteger
 @Timeout(120)
 class SimulationFaultsTest : FaultKit() {
     /** So many that the loops of a step are shared out. */
-    private val wide = Periodic(Box.centred(40.0, 40.0, 40.0))
-    private val large = randomSpheres(5000, wide, 1, 1.0) { 0.4 }
+    private val wide = Periodic(Box.centred(49.0, 49.0, 49.0))
+    private val large = randomSpheres(9000, wide, 1, 1.0) { 0.4 }
 
     @Test
     fun `an executor that rejects any one task leaves the population as it was or the step is done`() {

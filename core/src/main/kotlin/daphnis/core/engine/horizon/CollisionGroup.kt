@@ -20,8 +20,8 @@ internal class CollisionGroup(
     private val space: EpochSpace,
     private val calendar: PairCalendar,
     places: SlotPlaces,
-    private val number: Int,
-    private val numbers: Int,
+    number: Int,
+    numbers: Int,
 ) : EpochImpact.Course,
     LineSearch.Found {
     /** Says which spheres other groups have changed, so that this one leaves them alone. */
@@ -40,6 +40,7 @@ internal class CollisionGroup(
     /** Spheres that have become roamers in this step, of which only this group knows yet. */
     val newRoamers = Roamers(frame, lines)
     val sight = Sight(lines, space.before, space.shares)
+    val newLines = NewLines(space, sight, newRoamers, number, numbers)
     val search = LineSearch(frame, cells, space.roamers, space.giants, newRoamers, sight, this)
     val bodies = EpochBodies(places)
     val impact = EpochImpact(prepared, bodies, this)
@@ -64,7 +65,6 @@ internal class CollisionGroup(
     /** Whether an exception ended the work. */
     var hasFailed = false
         private set
-    private var lastVersion = 0
 
     /** Pieces of other groups that were compared with pieces of this one, in this step. */
     var compared = 0L
@@ -72,7 +72,7 @@ internal class CollisionGroup(
 
     /** Begins an epoch, in which [filter] dismisses lines. */
     fun beginEpoch(filter: LineFilter) {
-        lastVersion = 0
+        newLines.begin()
         newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         search.begin(filter)
         rest()
@@ -262,34 +262,14 @@ internal class CollisionGroup(
 
     /** The line in [slot] is new from time [from] on. @return whether its cell holds it */
     private fun settle(slot: Int, from: Double): Boolean {
-        val isMember = settleInCell(slot, from, takeVersions(1))
-        if (!isMember) roam(slot)
-        return isMember
-    }
-
-    /** Versions for [count] new lines. @return the first */
-    fun takeVersions(count: Int): Int {
-        val first = lastVersion + 1
-        lastVersion += count
-        return first
-    }
-
-    /**
-     * The first half of [settle]: gives the line its [version] and looks whether the cell of its sphere holds it. If
-     * not, [roam] follows. Threads may call this for different slots.
-     */
-    fun settleInCell(slot: Int, from: Double, version: Int): Boolean {
-        lines.version[slot] = version * numbers + number
-        if (lines.isLost) return true
-        if (!cells.hasCell(slot)) return false
-        lines.moveBack(slot, cells.imageAtCell(slot))
-        return cells.holds(slot, from)
+        if (newLines.settleInCell(slot, from, newLines.takeVersions(1))) return true
+        roam(slot)
+        return false
     }
 
     /** The sphere in [slot], whose line is new, has left its cell. */
     fun roam(slot: Int) {
-        lines.moveBack(slot, cells.imageInBox(lines, slot))
-        if (sight.group == Sight.ALL) space.addRoamer(slot, isFinal = !keepsPaths) else newRoamers.add(slot)
+        newLines.roam(slot, isFinal = !keepsPaths)
     }
 
     override fun lookOut(slot: Int, place: Int, except: Int): Boolean {

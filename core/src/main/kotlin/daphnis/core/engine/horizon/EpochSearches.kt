@@ -44,13 +44,13 @@ internal class EpochSearches(
         val t = frame.stepStart
         val count = passage.changed
         if (hasCell.size < count) hasCell = BooleanArray(2 * count)
-        val version = whole.takeVersions(count)
+        val version = whole.newLines.takeVersions(count)
         loop.run(count, LINES_A_PIECE) { _, from, to ->
             for (k in from until to) {
                 val slot = passage.slots[k]
                 val p = population
                 lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
-                hasCell[k] = whole.settleInCell(slot, t, version + k)
+                hasCell[k] = whole.newLines.settleInCell(slot, t, version + k)
                 if (hasCell[k]) space.settleLine(slot)
             }
         }
