@@ -30,8 +30,9 @@ internal class EpochPlan(private val threads: Int) {
     private var best: HorizonTuning? = null
     private var least = 0.0
 
-    /** Steps to come that are left to the other engine without asking. */
+    /** Steps to come that are left to the other engine without asking, and how many when an epoch does not pay. */
     private var rest = 0
+    private var nextRest = 1
 
     /** Whether the next step is to be left to the other engine without asking. */
     fun rests(): Boolean {
@@ -57,8 +58,12 @@ internal class EpochPlan(private val threads: Int) {
         for (steps in STEPS) if (steps <= mostSteps) consider(cost, steps, 1, deviation)
         if ((best?.steps ?: 1) == 1) considerWindows(cost, deviation)
         if (best == null) {
-            rest = REST
+            // What is known of the first steps is a guess, and soon they are over.
+            rest = nextRest
+            nextRest = minOf(2 * nextRest, REST)
             seen.roamers *= CALMING
+        } else {
+            nextRest = 1
         }
         return best
     }

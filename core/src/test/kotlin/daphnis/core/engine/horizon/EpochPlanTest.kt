@@ -92,8 +92,16 @@ class EpochPlanTest {
         assertFalse(plan.sharesCollisions)
         assertFalse(plan.rests())
         plan.observe(20 * MANY)
+        // The more often they have not paid, the longer, up to a limit, and from the beginning once one has paid.
+        for (rest in listOf(1, 2, 4, 8, 16, 16)) {
+            assertNull(choose(plan))
+            assertEquals(rest, generateSequence { plan.rests() }.takeWhile { it }.count())
+        }
+        plan.observe(FEW)
+        assertNotNull(choose(plan))
+        plan.observe(20 * MANY)
         assertNull(choose(plan))
-        assertEquals(16, generateSequence { plan.rests() }.takeWhile { it }.count())
+        assertEquals(1, generateSequence { plan.rests() }.takeWhile { it }.count())
     }
 
     @Test
