@@ -8,12 +8,16 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Kick
 import daphnis.core.force.UniformAcceleration
+import daphnis.core.hill.HillFrame
+import daphnis.core.hill.HillSheet
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.Pieces
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class StepPhasesTest {
@@ -121,6 +125,35 @@ class StepPhasesTest {
         assertEquals(listOf(1, 1, 1), pieces.filter { it > 1000 }.map { 1 })
         val parts = timeStep.combine(timeStep.measure(gas, 99, 300), timeStep.measure(gas, 0, 99))
         assertEquals(timeStep.next(gas), timeStep.next(parts))
+    }
+
+    @Test
+    fun `what threads share of a step comes out the same in small pieces, in any order`() {
+        val sheet = HillSheet(Box.centred(12.0, 12.0, 12.0), 1.0)
+        val digests = listOf(InlineLoop, Pieces).map { loop ->
+            val p = gas.copy()
+            val hill = HillFrame(1.0).also { it.useLoop(loop) }
+            val phases = StepPhases(p, sheet, forcing(), listOf(hill), loop)
+            phases.begin()
+            phases.kick(0.0, 0.5)
+            phases.drift(0.0, 0.5)
+            phases.takeBack()
+            assertEquals(stateDigest(gas), stateDigest(p))
+            phases.begin()
+            phases.kick(0.0, 0.5)
+            phases.drift(0.0, 0.5)
+            phases.applyBoundary(0.5)
+            phases.kickAgain(0.5, 0.5)
+            phases.checkFinite { "nothing" }
+            p.mass[p.size - 1] = Double.POSITIVE_INFINITY
+            val words = assertThrows(IllegalStateException::class.java) { phases.checkFinite { "it" } }.message!!
+            assertTrue("mass of particle" in words) { words }
+            p.mass[p.size - 1] = 1.0
+            phases.commit()
+            stateDigest(p)
+        }
+        assertEquals(digests[0], digests[1])
+        assertNotEquals(stateDigest(gas), digests[0])
     }
 
     @Test

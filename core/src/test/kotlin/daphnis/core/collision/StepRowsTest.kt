@@ -4,8 +4,7 @@ import daphnis.core.Sphere
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
-import daphnis.core.parallel.RangeBody
-import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.Pieces
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -144,15 +143,6 @@ class StepRowsTest {
             assertEquals(listOf(4, 1), listOf(rows.rank(1), rows.streak(1)))
             assertEquals(if (tracks) 0.5 else 0.0, rows.lastCollision[1])
             assertEquals(others, listOf(0, 2).map { rows.everything(it) })
-        }
-    }
-
-    /** Pieces of two at most, the last first. */
-    private object Pieces : RangeLoop {
-        override val workers: Int get() = 1
-
-        override fun run(size: Int, grain: Int, body: RangeBody) {
-            for (from in (0 until size step 2).reversed()) body.run(0, from, minOf(from + 2, size))
         }
     }
 

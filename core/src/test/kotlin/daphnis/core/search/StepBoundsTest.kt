@@ -5,7 +5,9 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.Pieces
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -22,6 +24,22 @@ class StepBoundsTest {
 
     private fun bounds(p: Population, boundary: BoundaryConditions, everywhere: Boolean) =
         StepBounds().apply { measure(p, boundary, everywhere, InlineLoop) }
+
+    @Test
+    fun `in pieces the same is found, and nothing is left of another measurement`() {
+        val random = SeededRandom(3)
+        val many = populationOf(
+            *Array(9) {
+                fun any() = random.nextDouble(-3.0, 3.0)
+                Sphere(any(), any(), any(), any(), any(), any(), r = random.nextDouble(0.1, 0.3))
+            },
+        )
+        val found = StepBounds().apply { measure(populationOf(a, b), thin, true, Pieces) }
+        for (everywhere in listOf(true, false)) {
+            found.measure(many, thin, everywhere, Pieces)
+            assertEquals(bounds(many, thin, everywhere).numbers().toList(), found.numbers().toList())
+        }
+    }
 
     @Test
     fun `speeds, places and radii of two spheres, along open axes only if asked for`() {

@@ -105,6 +105,8 @@ internal class EpochPlan(private val threads: Int) {
     fun searched(tests: Double) {
         if (expectedTests <= 0) return
         seen.crowding = (seen.crowding * tests / expectedTests).coerceIn(LEAST_CROWDING, MOST_CROWDING)
+        // The next window is expected to be as this one was.
+        expectedTests = tests
     }
 
     /**

@@ -128,6 +128,20 @@ class EpochPlanTest {
     }
 
     @Test
+    fun `a search in each of many windows tells no more than one`() {
+        gas(dt = 8.0)
+        val (once, often) = listOf(1, 12).map { searches ->
+            val plan = EpochPlan(1)
+            assertTrue(choose(plan)!!.windows > 4)
+            // More than was expected, as where spheres are in clumps.
+            repeat(searches) { plan.searched(30.0) }
+            choose(plan)!!
+        }
+        assertEquals(once.windows, often.windows)
+        assertEquals(once.cellsAcross, often.cellsAcross)
+    }
+
+    @Test
     fun `the larger the system, the shorter its epochs, since searches go farther over memory`() {
         val steps = listOf(16, 64).map { edge ->
             gas(edge = edge)
