@@ -32,6 +32,10 @@ internal class MemberSizes {
 
     private val all = Octaves()
 
+    /** Mean radius of the spheres that were measured last. */
+    var mean = 0.0
+        private set
+
     /** Of parts of the same length each time, so that sums are the same with any number of threads. */
     private val parts = ArrayList<Octaves>()
 
@@ -42,7 +46,7 @@ internal class MemberSizes {
      */
     fun choose(spheres: SphereColumns, frame: EpochFrame, rms: DoubleArray, loop: RangeLoop): Double {
         measure(spheres, frame.largestRadius, loop)
-        val mean = all.sum / spheres.size
+        mean = all.sum / spheres.size
         var best = frame.largestRadius
         var least = Double.POSITIVE_INFINITY
         var giants = 0
@@ -50,7 +54,7 @@ internal class MemberSizes {
             val radius = all.largest[octave]
             if (all.counts[octave] == 0) continue
             if (radius < frame.leastMemberRadius && octave > 0) break
-            val work = work(spheres.size, giants, mean, radius, frame, rms)
+            val work = work(spheres.size, giants, radius, frame, rms)
             if (work < least) {
                 least = work
                 best = radius
@@ -85,14 +89,7 @@ internal class MemberSizes {
     }
 
     /** Lines that a search looks at, on average, if members have a radius of at most [radius]; in units of a line. */
-    private fun work(
-        spheres: Int,
-        giants: Int,
-        mean: Double,
-        radius: Double,
-        frame: EpochFrame,
-        rms: DoubleArray,
-    ): Double {
+    private fun work(spheres: Int, giants: Int, radius: Double, frame: EpochFrame, rms: DoubleArray): Double {
         val members = (spheres - giants).toDouble()
         val near = members * share(mean + radius, frame, rms)
         if (giants == 0) return near

@@ -7,6 +7,8 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.Pieces
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
@@ -50,7 +52,27 @@ class MemberSizesTest {
         assertEquals(0.4, choose(radii, middle = 100.0))
     }
 
-    private fun choose(radii: DoubleArray, middle: Double = 0.0, half: Double = 100.0): Double {
+    @Test
+    fun `the largest and the mean are found wherever large spheres are, in pieces too`() {
+        val random = SeededRandom(4)
+        for (last in listOf(n - 1, n / 2, 0)) {
+            val radii = DoubleArray(n) { if (it == last) 1.1 else random.nextDouble(0.9, 1.0) }
+            assertEquals(1.1, choose(radii))
+            for (loop in listOf(InlineLoop, Pieces)) {
+                val sizes = MemberSizes()
+                assertEquals(1.1, choose(radii, sizes = sizes, loop = loop))
+                assertEquals(radii.average(), sizes.mean, 1e-12)
+            }
+        }
+    }
+
+    private fun choose(
+        radii: DoubleArray,
+        middle: Double = 0.0,
+        half: Double = 100.0,
+        sizes: MemberSizes = MemberSizes(),
+        loop: RangeLoop = InlineLoop,
+    ): Double {
         val random = SeededRandom(3)
         fun column() = DoubleArray(n) { middle + random.nextDouble(-half, half) }
         fun speeds() = DoubleArray(n) { 0.1 * random.nextGaussian() }
@@ -63,7 +85,7 @@ class MemberSizesTest {
         prepared.measure(step, InlineLoop)
         space.frame.takeOver(step, prepared.reach, InlineLoop)
         space.cells.measure(p)
-        val limit = MemberSizes().choose(p, space.frame, space.cells.rms, InlineLoop)
+        val limit = sizes.choose(p, space.frame, space.cells.rms, loop)
         space.frame.memberRadius = limit
         val tuning = HorizonTuning(2)
         assertTrue(space.frame.begin(tuning))
