@@ -2,14 +2,9 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.CollisionCounters
-import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
-import daphnis.core.step.CollisionStep
-import daphnis.core.step.PreparedStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
@@ -171,13 +166,7 @@ class EpochPlanTest {
             DoubleArray(n) { 1.0 },
         )
         val box = Box(0.0, 0.0, 0.0, edge * SPACING, edge * SPACING, edge * SPACING)
-        val law = CollisionLaw(ConstantRestitution(1.0))
-        val step = CollisionStep(p, Periodic(box), law, CollisionCounters())
-        step.duration = dt
-        val prepared = PreparedStep()
-        prepared.measure(step, InlineLoop)
-        space.frame.takeOver(step, prepared.reach, InlineLoop)
-        space.cells.measure(p)
+        space.measure(p, Periodic(box), dt)
     }
 
     private companion object {

@@ -2,16 +2,11 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.CollisionCounters
-import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.Pieces
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
-import daphnis.core.step.CollisionStep
-import daphnis.core.step.PreparedStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -78,13 +73,8 @@ class MemberSizesTest {
         fun speeds() = DoubleArray(n) { 0.1 * random.nextGaussian() }
         val p = Population(column(), column(), column(), speeds(), speeds(), speeds(), radii, radii)
         val box = middle.let { Box(it - half, it - half, it - half, it + half, it + half, it + half) }
-        val step = CollisionStep(p, Periodic(box), CollisionLaw(ConstantRestitution(1.0)), CollisionCounters())
-        step.duration = 0.1
         val space = EpochSpace(InlineLoop)
-        val prepared = PreparedStep()
-        prepared.measure(step, InlineLoop)
-        space.frame.takeOver(step, prepared.reach, InlineLoop)
-        space.cells.measure(p)
+        space.measure(p, Periodic(box), 0.1)
         val limit = sizes.choose(p, space.frame, space.cells.rms, loop)
         space.frame.memberRadius = limit
         val tuning = HorizonTuning(2)

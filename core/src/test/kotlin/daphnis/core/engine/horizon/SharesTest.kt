@@ -2,15 +2,10 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.CollisionCounters
-import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.Pieces
 import daphnis.core.population.Population
-import daphnis.core.step.CollisionStep
-import daphnis.core.step.PreparedStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -42,13 +37,8 @@ class SharesTest {
         val ones = DoubleArray(N) { 1.0 }
         val p = Population(places(), places(), places(), speeds(), speeds(), speeds(), ones, ones.copyOf())
         val box = Periodic(Box.centred(2 * HALF, 2 * HALF, 2 * HALF))
-        val step = CollisionStep(p, box, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters())
-        step.duration = 0.1
         val space = EpochSpace(InlineLoop)
-        val prepared = PreparedStep()
-        prepared.measure(step, InlineLoop)
-        space.frame.takeOver(step, prepared.reach, InlineLoop)
-        space.cells.measure(p)
+        space.measure(p, box, 0.1)
         space.frame.memberRadius = 1.0
         val tuning = HorizonTuning(2)
         assertTrue(space.frame.begin(tuning))
