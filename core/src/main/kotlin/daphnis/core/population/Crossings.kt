@@ -2,22 +2,19 @@ package daphnis.core.population
 
 /**
  * How many boxes each sphere of a population has gone through along each axis, by [IdPlaces]. The counts are allocated
- * when the first sphere crosses a face. Within a step the first crossing keeps the counts of before. So a step without
- * a crossing costs nothing, and taking a step back is an exchange of references.
+ * when the first sphere crosses a face. The crossings of a step are kept in a list, by which the step can be taken back.
+ * So a sphere that does not cross costs nothing.
  */
 internal class Crossings(val places: IdPlaces) {
     @Volatile
     private var counts: Array<IntArray>? = null
-
-    /** The [counts] before the step, once the step has changed them; else a table to be reused, or none. */
-    private var kept: Array<IntArray>? = null
     private var isTransaction = false
 
-    /** Whether a sphere has crossed in the step under way. */
-    @Volatile
-    private var isChanged = false
+    /** The crossings of the step under way: place, axis and boxes of each, [listed] numbers in all. */
+    private var list = IntArray(0)
+    private var listed = 0
 
-    /** Whether any sphere has ever crossed. */
+    /** Whether no sphere has crossed yet. */
     private val isEmpty: Boolean get() = counts == null
 
     /** Adds the counts of the spheres with these [ids] to [other]. */
@@ -35,14 +32,25 @@ internal class Crossings(val places: IdPlaces) {
 
     /** Threads may call this at the same time for different spheres. */
     fun add(id: Int, axis: Int, boxes: Int) {
-        if (!isChanged && (isTransaction || isEmpty)) prepare()
+        if (isTransaction) return addToStep(places.of(id), axis, boxes)
+        if (isEmpty) prepare()
         counts!![axis][places.of(id)] += boxes
     }
 
-    /** Takes the memory that [add] may need, outside a step. */
-    fun reserve() {
-        if (isEmpty) prepare()
+    /** Memory that is missing is taken before anything changes. */
+    @Synchronized
+    private fun addToStep(place: Int, axis: Int, boxes: Int) {
+        prepare()
+        if (list.size < listed + ENTRY) list = list.copyOf(maxOf(FIRST * ENTRY, 2 * listed))
+        counts!![axis][place] += boxes
+        list[listed] = place
+        list[listed + 1] = axis
+        list[listed + 2] = boxes
+        listed += ENTRY
     }
+
+    /** Takes the memory that [add] may need, outside a step. */
+    fun reserve(): Unit = prepare()
 
     /** Hands every count that is not 0 to [take], and makes it 0. */
     fun drain(take: (id: Int, axis: Int, boxes: Int) -> Unit) {
@@ -56,47 +64,34 @@ internal class Crossings(val places: IdPlaces) {
         }
     }
 
-    /** No thread writes counts before this is done, and none after [begin] without it. */
+    /** No thread writes counts before they are there. */
     @Synchronized
     private fun prepare() {
-        if (isChanged) return
-        val now = counts
-        if (now == null) {
-            kept = null
-            counts = table()
-        } else if (isTransaction) {
-            val copy = kept ?: table()
-            for (axis in 0 until AXES) now[axis].copyInto(copy[axis])
-            kept = now
-            counts = copy
-        }
-        isChanged = isTransaction
+        if (isEmpty) counts = Array(AXES) { IntArray(places.count) }
     }
-
-    private fun table() = Array(AXES) { IntArray(places.count) }
 
     /** From now on [takeBack] is possible. */
     fun begin() {
         isTransaction = true
-        isChanged = false
+        listed = 0
     }
 
     fun commit() {
         isTransaction = false
-        isChanged = false
+        listed = 0
     }
 
     /** Restores the counts of [begin]. Allocates nothing. */
     fun takeBack() {
-        if (isChanged) {
-            val failed = counts
-            counts = kept
-            kept = failed
-        }
+        for (k in 0 until listed step ENTRY) counts!![list[k + 1]][list[k]] -= list[k + 2]
         commit()
     }
 
     private companion object {
         const val AXES = 3
+
+        /** Numbers of an entry of the list, and entries for which there is room at first. */
+        const val ENTRY = 3
+        const val FIRST = 64
     }
 }
