@@ -55,8 +55,14 @@ internal class EpochPlan(private val threads: Int) {
         // Only groups that share collisions can tell whether they are less entangled now.
         if (!sharesCollisions) seen.entanglement = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
         sharesCollisions = false
-        for (steps in STEPS) if (steps <= mostSteps) consider(cost, steps, 1, deviation)
-        if ((best?.steps ?: 1) == 1) considerWindows(cost, deviation)
+        var possible = 0
+        for (steps in STEPS) {
+            // In a longer time spheres would go too far for lines.
+            if (steps > mostSteps || !frame.begin(HorizonTuning(steps, CLASS_BOUND, deviation))) break
+            consider(cost, steps, 1, deviation)
+            possible = steps
+        }
+        if (possible > 0 && (best?.steps ?: 1) == 1) considerWindows(cost, deviation)
         if (best == null) {
             // What is known of the first steps is a guess, and soon they are over.
             rest = nextRest
@@ -147,11 +153,11 @@ internal class EpochPlan(private val threads: Int) {
     }
 
     private companion object {
-        val STEPS = intArrayOf(1, 2, 3, 4, 5, 6, 8, 10, 12, 16)
+        val STEPS = intArrayOf(1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 24, 32, 48, 64)
         val WINDOWS = intArrayOf(2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128)
         val CELLS_ACROSS = doubleArrayOf(0.5, 0.7, 1.0, 1.4, 2.0, 2.8)
         val CELLS_ALONG = doubleArrayOf(1.0, 2.0, 4.0)
-        const val LONGEST = 16
+        const val LONGEST = 64
         const val CLASS_BOUND = 3.0
 
         /** In units of the largest radius of a member: for free flight, for weak forces, for curved paths. */

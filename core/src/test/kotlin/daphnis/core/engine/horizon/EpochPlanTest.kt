@@ -1,10 +1,12 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
+import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
@@ -145,6 +147,23 @@ class EpochPlanTest {
         assertTrue(steps[0] > steps[1]) { "$steps" }
     }
 
+    @Test
+    fun `very short steps make long epochs, but none in which spheres would go too far for lines`() {
+        gas(dt = 1e-4)
+        assertEquals(64, EpochPlan(1).also { it.observe(0.0) }.let { choose(it)!!.steps })
+        // One of them goes through a quarter of the box in each step.
+        val calm = Array(1000) { Sphere(it % 10 + 0.5, it / 10 % 10 + 0.5, it / 100 + 0.5, r = 0.1) }
+        size = calm.size
+        space.measure(populationOf(Sphere(0.2, 0.2, 0.2, vx = 2.5, r = 0.1), *calm), BOX, 1.0)
+        assertEquals(8, EpochPlan(1).also { it.observe(0.0) }.let { choose(it)!!.steps })
+        // Not even for one step: others take it, and the next ones too.
+        gas(dt = 30.0)
+        val plan = EpochPlan(1)
+        plan.observe(0.0)
+        assertNull(choose(plan))
+        assertTrue(plan.rests())
+    }
+
     private fun plan() = EpochPlan(2)
 
     private fun choose(plan: EpochPlan): HorizonTuning? = plan.choose(size, space.frame, space.cells, ScalarFilter)
@@ -171,6 +190,7 @@ class EpochPlanTest {
 
     private companion object {
         const val SPACING = 2.6
+        val BOX = Periodic(Box(0.0, 0.0, 0.0, 10.0, 10.0, 10.0))
 
         /** Collisions per sphere and step. */
         const val FEW = 0.03
