@@ -18,9 +18,6 @@ internal class ListTuning(val shell: Double, private val suits: (spheres: Int, f
         private const val MOST_FILLING = 1.0
         private const val FEWEST = 100
 
-        /** Of more, rows and lists no longer fit the cache; the thinner the gas, the less is gained. */
-        private const val FEW = 6000
-        private const val MANY = 12_000
         private const val DENSE = 0.38
         private const val VERY_DENSE = 0.45
 
@@ -30,13 +27,20 @@ internal class ListTuning(val shell: Double, private val suits: (spheres: Int, f
         /** Wherever there can be lists. */
         val ALWAYS = ListTuning(SHELL) { _, _ -> true }
 
-        /** Where they were found to pay on so many [threads]: others share work among two, from some thousand on. */
+        /**
+         * Where they were found to pay on so many [threads]. Of more spheres, rows and lists no longer fit the cache; the
+         * thinner the gas, the less is gained. Others share work among threads, from 10,000 spheres on. With three and
+         * more threads they were compared with one thread only.
+         */
         fun best(threads: Int): ListTuning = when (threads) {
-            1 -> ListTuning(SHELL) { n, filling ->
-                n in FEWEST..FEW && filling >= DENSE || n in FEW..MANY && filling >= VERY_DENSE
-            }
-            2 -> ListTuning(SHELL) { n, filling -> n in FEWEST..FEW && filling >= DENSE }
-            else -> NEVER
+            1 -> upTo(12_000, 24_000)
+            2 -> upTo(10_000, 16_000)
+            else -> upTo(6000, 6000)
+        }
+
+        /** Up to so many spheres where they are [dense] or [veryDense]. */
+        private fun upTo(dense: Int, veryDense: Int) = ListTuning(SHELL) { n, filling ->
+            n in FEWEST..dense && filling >= DENSE || n in FEWEST..veryDense && filling >= VERY_DENSE
         }
     }
 }
