@@ -5,9 +5,11 @@ import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.forEachPiece
 import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 import daphnis.core.population.firstNotFinite
+import daphnis.core.population.isFinite
 import java.util.function.Supplier
 
 /**
@@ -28,8 +30,13 @@ public class StepPhases(
 ) {
     private val undo = StepUndo(population, collisions?.counters)
 
+    /** Whether the state at the end of the step is known to be finite. */
+    @Volatile
+    private var isKnownFinite = false
+
     /** A step begins. */
     public fun begin() {
+        isKnownFinite = false
         undo.begin()
     }
 
@@ -57,10 +64,17 @@ public class StepPhases(
 
     /** Brings back or removes the spheres that are beyond the boundary at the [end] of the step. */
     public fun applyBoundary(end: Double) {
-        if (boundary is PerSphereBoundary) {
-            loop.runLight(population.size) { _, from, to -> boundary.endStep(population, end, from, to) }
-        } else {
+        if (boundary !is PerSphereBoundary) {
             boundary.endStep(population, end)
+            return
+        }
+        // Without forces nothing else is done to the spheres, which are in the cache here.
+        isKnownFinite = forces.isEmpty()
+        loop.runLight(population.size) { _, from, to ->
+            forEachPiece(from, to) { first, last ->
+                boundary.endStep(population, end, first, last)
+                if (isKnownFinite && !population.isFinite(first, last)) isKnownFinite = false
+            }
         }
     }
 
@@ -71,6 +85,7 @@ public class StepPhases(
 
     /** @throws IllegalStateException when the state is not finite; its message says [at] which step and time */
     public fun checkFinite(at: Supplier<String>) {
+        if (isKnownFinite) return
         population.firstNotFinite(loop)?.let { error("the state is no longer finite after ${at.get()}: $it") }
     }
 

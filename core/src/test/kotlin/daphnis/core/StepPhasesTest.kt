@@ -2,10 +2,12 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.threadpool.ThreadPoolEngine
+import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.hill.HillFrame
@@ -103,6 +105,54 @@ class StepPhasesTest {
         repeat(3) { simulation.advance() }
         assertEquals(304, simulation.population.size)
         assertEquals(7, simulation.population.boxesCrossed(1_000_000_301, 2))
+    }
+
+    @Test
+    fun `a state that is not finite at the end of a step is noticed, whoever made it so`() {
+        val fine = Kick { _, _, _ -> }
+        val late = object : Force by fine {
+            override fun afterDrift(population: Population, end: Double, duration: Double) {
+                population.vy[3] = Double.NaN
+            }
+        }
+        val carrying = object : PerSphereBoundary by boundary {
+            override fun endStep(population: Population, time: Double, from: Int, to: Int) {
+                boundary.endStep(population, time, from, to)
+                for (k in from until to) if (population.id[k] == 5) population.z[k] = Double.POSITIVE_INFINITY
+            }
+        }
+        // The same, from one call for all.
+        val whole = object : BoundaryConditions by carrying {
+            override fun endStep(population: Population, time: Double) {
+                carrying.endStep(population, time, 0, population.size)
+            }
+        }
+        val cases = listOf(
+            Triple(boundary, listOf(late), "vy of particle"),
+            Triple(carrying, emptyList(), "z of particle 5 is Infinity"),
+            Triple(carrying, listOf(fine), "z of particle 5 is Infinity"),
+            Triple(whole, emptyList(), "z of particle 5 is Infinity"),
+        )
+        for ((around, forces, said) in cases) {
+            val simulation = Simulation(gas.copy(), around, forcing(), FixedTimeStep(0.01), forces)
+            val digest = stateDigest(simulation.population)
+            val failure = assertThrows(IllegalStateException::class.java) { simulation.advance() }
+            assertTrue(said in failure.message!!) { failure.message }
+            assertEquals(digest, stateDigest(simulation.population))
+        }
+    }
+
+    @Test
+    fun `what one step knows of its end is not believed in the next`() {
+        val phases = StepPhases(gas.copy().also { it.vx[0] = 1.0 }, boundary, null, emptyList(), InlineLoop)
+        phases.begin()
+        phases.drift(0.0, 0.1)
+        phases.applyBoundary(0.1)
+        phases.checkFinite { "step 1" }
+        phases.commit()
+        phases.begin()
+        phases.drift(0.1, Double.POSITIVE_INFINITY)
+        assertThrows(IllegalStateException::class.java) { phases.checkFinite { "step 2" } }
     }
 
     @Test

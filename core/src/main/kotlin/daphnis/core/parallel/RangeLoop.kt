@@ -34,6 +34,19 @@ internal fun RangeLoop.runLight(size: Int, body: RangeBody) {
     run(size, if (size <= RangeLoop.FEW) RangeLoop.FEW else RangeLoop.GRAIN, body)
 }
 
+/**
+ * Calls [use] with pieces of the range [from] until [to] which are small enough to stay in the cache while several
+ * things are done with them.
+ */
+internal inline fun forEachPiece(from: Int, to: Int, use: (first: Int, end: Int) -> Unit) {
+    var first = from
+    while (first < to) {
+        val end = minOf(first + RangeLoop.GRAIN, to)
+        use(first, end)
+        first = end
+    }
+}
+
 /** The body of a loop over a range. */
 public fun interface RangeBody {
     /**

@@ -19,7 +19,8 @@ public fun SphereColumns.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
     return if (suspect.get()) nameNotFinite() else null
 }
 
-private fun SphereColumns.isFinite(from: Int, to: Int): Boolean {
+/** Whether all numbers of the spheres [from] until [to] are finite; false also where they are merely too many. */
+internal fun SphereColumns.isFinite(from: Int, to: Int): Boolean {
     val x = x
     val y = y
     val z = z
@@ -38,7 +39,8 @@ private fun SphereColumns.isFinite(from: Int, to: Int): Boolean {
     return sum == 0.0
 }
 
-private fun SphereColumns.nameNotFinite(): String? {
+/** What [firstNotFinite] says. */
+internal fun SphereColumns.nameNotFinite(): String? {
     val columns = listOf(
         "x" to x,
         "y" to y,

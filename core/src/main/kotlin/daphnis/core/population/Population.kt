@@ -7,7 +7,8 @@ package daphnis.core.population
  * in memory. Its **id** never changes. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not
  * copied: an analysis may read them between two calls of `advance()`, and a force may write the velocities. **Read them
  * anew after each `advance()`**: a step is written to a second set of arrays, which then becomes the population's. The
- * previous set is kept, so that the step can be taken back if it fails. Not thread-safe; during `advance()` the
+ * previous set is kept, so that the step can be taken back if it fails. Radii, masses and ids, which no step changes, may
+ * stay in the same arrays: change them, or the order, between steps only. Not thread-safe; during `advance()` the
  * population belongs to the engine.
  *
  * @param x positions, in the scenario's unit of length; likewise [y], [z]
@@ -29,14 +30,19 @@ public class Population @JvmOverloads constructor(
     mass: DoubleArray,
     id: IntArray = IntArray(x.size) { it },
 ) : SphereColumns {
-    private var now =
-        PopulationColumns(x, y, z, vx, vy, vz, radius, mass, id, DoubleArray(x.size) { Double.NEGATIVE_INFINITY })
-
-    /** The second set of columns, for the next step to be written to. */
-    private var spare: PopulationColumns? = null
-
-    /** The columns at the start of the step under way, while it can be taken back. */
-    private var before: PopulationColumns? = null
+    private val sets = ColumnSets(
+        PopulationColumns(
+            x,
+            y,
+            z,
+            vx,
+            vy,
+            vz,
+            BodyColumns(radius, mass, id),
+            DoubleArray(x.size) { Double.NEGATIVE_INFINITY },
+        ),
+    )
+    private val now: PopulationColumns get() = sets.now
 
     override val x: DoubleArray get() = now.x
     override val y: DoubleArray get() = now.y
@@ -150,7 +156,7 @@ public class Population @JvmOverloads constructor(
         var n = 0
         for (k in 0 until size) if (keep.accepts(k)) kept[n++] = k
         if (n == size) return
-        now = now.pick(kept.copyOf(n))
+        sets.replace(now.pick(kept.copyOf(n)))
         indexIsCurrent = false
     }
 
@@ -168,8 +174,8 @@ public class Population @JvmOverloads constructor(
         val places = IdPlaces(all.id.copyOf().apply { sort() })
         val counts = Crossings(places)
         for (population in listOf(this, others)) population.crossings.copyInto(counts, population.id)
-        if (before != null) counts.begin()
-        now = all
+        if (sets.isInStep) counts.begin()
+        sets.replace(all)
         idPlaces = places
         crossings = counts
         indexIsCurrent = false
@@ -218,32 +224,30 @@ public class Population @JvmOverloads constructor(
      *
      * @param tracksLastCollision whether the step writes [lastCollision]
      * @param count number of spheres after the step; other than [size] where spheres come from and go to other nodes
+     * @param keepsOrder whether index k stays that of the same sphere; then the columns have the population's
+     *   [radius], [mass] and [id], which are not to be written
      */
-    internal fun columnsToWrite(tracksLastCollision: Boolean, count: Int = size): PopulationColumns {
-        val columns = spare?.takeIf { it.size == count } ?: PopulationColumns(count, lastCollision)
-        spare = null
-        if (count != size) {
-            columns.ownLastCollision()
-        } else if (tracksLastCollision) {
-            columns.separateLastCollision(now)
-            before?.let { columns.separateLastCollision(it) }
-        } else {
-            columns.shareLastCollision(now)
-        }
-        return columns
+    internal fun columnsToWrite(
+        tracksLastCollision: Boolean,
+        count: Int = size,
+        keepsOrder: Boolean = false,
+    ): PopulationColumns = sets.toWrite(count, keepsOrder, tracksLastCollision)
+
+    /** To be called with [columnsToWrite] that are not written to any more and not taken. */
+    internal fun giveBack(columns: PopulationColumns) {
+        sets.giveBack(columns)
     }
 
     /** Makes [columns] the columns of the population. Cannot fail. */
     internal fun take(columns: PopulationColumns) {
-        if (now !== before) spare = now
-        now = columns
+        sets.take(columns)
         indexIsCurrent = false
     }
 
     /** Moves every sphere along its straight path, for a step without collisions. */
     internal fun drift(duration: Double) {
         val from = now
-        val to = columnsToWrite(tracksLastCollision = false)
+        val to = columnsToWrite(tracksLastCollision = false, keepsOrder = true)
         from.copyAllButPositionsInto(to)
         for (k in 0 until size) {
             to.x[k] = from.x[k] + from.vx[k] * duration
@@ -255,16 +259,14 @@ public class Population @JvmOverloads constructor(
 
     /** Begins a step that can be taken back until [commitStep]. */
     internal fun beginStep() {
-        before = now
+        sets.begin()
         crossingsBefore = crossings
         crossings.begin()
     }
 
     /** Keeps the step. Cannot fail. */
     internal fun commitStep() {
-        val old = before
-        if (old !== now) spare = old
-        before = null
+        sets.commit()
         crossingsBefore = crossings
         crossings.commit()
     }
@@ -274,10 +276,7 @@ public class Population @JvmOverloads constructor(
      * fail.
      */
     internal fun takeStepBack() {
-        now = before ?: return
-        // Not to be reused, since a late thread may still write to them.
-        spare = null
-        before = null
+        if (!sets.takeBack()) return
         indexIsCurrent = false
         crossings = crossingsBefore
         idPlaces = crossings.places

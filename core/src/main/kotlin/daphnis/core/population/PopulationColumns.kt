@@ -11,18 +11,26 @@ internal class PopulationColumns(
     override val vx: DoubleArray,
     override val vy: DoubleArray,
     override val vz: DoubleArray,
-    override val radius: DoubleArray,
-    override val mass: DoubleArray,
-    override val id: IntArray,
+    bodies: BodyColumns,
     lastCollision: DoubleArray,
 ) : SphereColumns {
     /** An empty set for [size] spheres, with the [lastCollision] of another set. */
     constructor(size: Int, lastCollision: DoubleArray) : this(
-        DoubleArray(size), DoubleArray(size), DoubleArray(size),
-        DoubleArray(size), DoubleArray(size), DoubleArray(size),
-        DoubleArray(size), DoubleArray(size), IntArray(size),
+        DoubleArray(size),
+        DoubleArray(size),
+        DoubleArray(size),
+        DoubleArray(size),
+        DoubleArray(size),
+        DoubleArray(size),
+        BodyColumns(size),
         lastCollision,
     )
+
+    /** What a step does not change: the same for both sets as long as spheres keep their order. */
+    var bodies: BodyColumns = bodies
+    override val radius: DoubleArray get() = bodies.radius
+    override val mass: DoubleArray get() = bodies.mass
+    override val id: IntArray get() = bodies.id
 
     /** One array for both sets as long as no step writes it. */
     override var lastCollision: DoubleArray = lastCollision
@@ -45,14 +53,11 @@ internal class PopulationColumns(
         lastCollision = DoubleArray(size) { Double.NEGATIVE_INFINITY }
     }
 
-    /** Copies all but positions to [to]. */
+    /** Copies all but positions to [to], which shares our [bodies]. */
     fun copyAllButPositionsInto(to: PopulationColumns) {
         vx.copyInto(to.vx)
         vy.copyInto(to.vy)
         vz.copyInto(to.vz)
-        radius.copyInto(to.radius)
-        mass.copyInto(to.mass)
-        id.copyInto(to.id)
         to.shareLastCollision(this)
     }
 
@@ -60,14 +65,33 @@ internal class PopulationColumns(
     fun pick(kept: IntArray): PopulationColumns {
         fun pick(a: DoubleArray) = DoubleArray(kept.size) { a[kept[it]] }
         return PopulationColumns(
-            pick(x), pick(y), pick(z), pick(vx), pick(vy), pick(vz), pick(radius), pick(mass),
-            IntArray(kept.size) { id[kept[it]] }, pick(lastCollision),
+            pick(x),
+            pick(y),
+            pick(z),
+            pick(vx),
+            pick(vy),
+            pick(vz),
+            BodyColumns(pick(radius), pick(mass), IntArray(kept.size) { id[kept[it]] }),
+            pick(lastCollision),
         )
     }
 
     /** New columns of these spheres and then those of [others]. */
     fun plus(others: PopulationColumns): PopulationColumns = PopulationColumns(
-        x + others.x, y + others.y, z + others.z, vx + others.vx, vy + others.vy, vz + others.vz,
-        radius + others.radius, mass + others.mass, id + others.id, lastCollision + others.lastCollision,
+        x + others.x,
+        y + others.y,
+        z + others.z,
+        vx + others.vx,
+        vy + others.vy,
+        vz + others.vz,
+        BodyColumns(radius + others.radius, mass + others.mass, id + others.id),
+        lastCollision + others.lastCollision,
     )
+}
+
+/** Radii, masses and ids of spheres. */
+internal class BodyColumns(val radius: DoubleArray, val mass: DoubleArray, val id: IntArray) {
+    constructor(size: Int) : this(DoubleArray(size), DoubleArray(size), IntArray(size))
+
+    val size: Int get() = id.size
 }

@@ -3,9 +3,10 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.StepRows
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
-import daphnis.core.population.firstNotFinite
+import daphnis.core.population.nameNotFinite
 import kotlin.math.abs
 
 /**
@@ -58,10 +59,19 @@ public class Reach {
      * makes that the bounds of all of them before it calls [apply].
      *
      * @param everywhere whether positions are measured along axes without images too
+     * @param along see [StepBounds.measure]
      */
-    internal fun look(spheres: SphereColumns, boundary: BoundaryConditions, everywhere: Boolean, loop: RangeLoop) {
-        spheres.firstNotFinite(loop)?.let { throw IllegalArgumentException("$it; it must be finite") }
-        measured.measure(spheres, boundary, everywhere, loop)
+    internal fun look(
+        spheres: SphereColumns,
+        boundary: BoundaryConditions,
+        everywhere: Boolean,
+        loop: RangeLoop,
+        along: RangeBody? = null,
+    ) {
+        measured.measure(spheres, boundary, everywhere, loop, along)
+        if (!measured.areFinite) {
+            spheres.nameNotFinite()?.let { throw IllegalArgumentException("$it; it must be finite") }
+        }
         measured.headroom = maxOf(LEAST_HEADROOM, headroom * DECAY)
     }
 

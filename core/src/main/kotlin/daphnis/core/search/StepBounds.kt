@@ -2,9 +2,12 @@ package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.Extremes
+import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.forEachPiece
 import daphnis.core.parallel.runLight
 import daphnis.core.population.SphereColumns
+import daphnis.core.population.isFinite
 
 /**
  * What has to be known of all spheres before a step: extremes, so those of parts of a population together are the same
@@ -35,19 +38,40 @@ internal class StepBounds {
 
     val isEmpty: Boolean get() = leastRadius == Double.POSITIVE_INFINITY
 
-    /** Measures [spheres], their positions along periodic axes only unless [everywhere]. */
-    fun measure(spheres: SphereColumns, boundary: BoundaryConditions, everywhere: Boolean, loop: RangeLoop) {
+    /** Whether all numbers of the spheres that were measured are finite. */
+    @Volatile
+    var areFinite = true
+        private set
+
+    /**
+     * Measures [spheres], their positions along periodic axes only unless [everywhere]. All but positions along other
+     * axes is meaningless unless [areFinite].
+     *
+     * @param along also called with each piece of some thousand spheres, after that has been read into the cache
+     */
+    fun measure(
+        spheres: SphereColumns,
+        boundary: BoundaryConditions,
+        everywhere: Boolean,
+        loop: RangeLoop,
+        along: RangeBody? = null,
+    ) {
+        areFinite = true
         for (axis in 0 until AXES) {
             speeds[axis].clear()
             places[axis].clear()
         }
         radii.clear()
-        loop.runLight(spheres.size) { _, from, to ->
-            for (axis in 0 until AXES) {
-                speeds[axis].include(spheres.velocity(axis), from, to)
-                if (everywhere || boundary.hasImages(axis)) places[axis].include(spheres.position(axis), from, to)
+        loop.runLight(spheres.size) { worker, from, to ->
+            forEachPiece(from, to) { first, end ->
+                if (!spheres.isFinite(first, end)) areFinite = false
+                for (axis in 0 until AXES) {
+                    speeds[axis].include(spheres.velocity(axis), first, end)
+                    if (everywhere || boundary.hasImages(axis)) places[axis].include(spheres.position(axis), first, end)
+                }
+                radii.include(spheres.radius, first, end)
+                along?.run(worker, first, end)
             }
-            radii.include(spheres.radius, from, to)
         }
         for (axis in 0 until AXES) {
             fastest[axis] = speeds[axis].magnitude

@@ -5,6 +5,7 @@ import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 import daphnis.core.queue.EventSink
@@ -68,6 +69,12 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     /** The images of this step. */
     internal val images: Images get() = grid.images
 
+    /** The same of [step] before it is measured. */
+    internal fun imagesOf(step: CollisionStep): Images {
+        images.prepare(step.boundary, step.start)
+        return images
+    }
+
     /**
      * Takes over [step] and bounds how far spheres can go in it.
      *
@@ -77,6 +84,17 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
         take(step, step.population, Grid.WHOLE)
         reach.measure(step.population, step.boundary, duration, loop)
+        stage = Stage.MEASURED
+    }
+
+    /**
+     * The same, and calls [along] with pieces of the spheres while they are in the cache. What that has done counts
+     * only when the step is not refused.
+     */
+    internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: RangeBody) {
+        take(step, step.population, Grid.WHOLE)
+        reach.look(step.population, step.boundary, everywhere = false, loop, along)
+        reach.apply(step.boundary, duration)
         stage = Stage.MEASURED
     }
 

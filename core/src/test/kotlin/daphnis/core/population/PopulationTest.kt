@@ -9,9 +9,12 @@ import daphnis.core.randomSpheres
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertNotSame
+import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import java.util.Collections
+import java.util.IdentityHashMap
 
 class PopulationTest {
     private val flow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = 1.0)
@@ -155,6 +158,66 @@ class PopulationTest {
         q.take(q.columnsToWrite(tracksLastCollision = true, count = 2))
         assertEquals(listOf(Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY), q.lastCollision.asList())
         assertNotSame(two, q.lastCollision)
+    }
+
+    @Test
+    fun `columns in the same order have the radii, masses and ids of the population, others have their own`() {
+        val q = populationOf(Sphere(r = 1.0, m = 2.0), Sphere(x = 9.0, r = 3.0, m = 4.0))
+        val radius = q.radius
+        fun bodies() = listOf<Any>(q.radius, q.mass, q.id)
+        fun write(columns: PopulationColumns, first: Int) {
+            for (k in 0..1) {
+                val from = if (k == 0) first else 1 - first
+                columns.radius[k] = q.radius[from]
+                columns.mass[k] = q.mass[from]
+                columns.id[k] = q.id[from]
+            }
+            q.take(columns)
+        }
+        q.take(q.columnsToWrite(false, keepsOrder = true))
+        assertSame(radius, q.radius)
+        // Two sets of them are all that there ever is.
+        val seen: MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap<Any, Boolean>())
+        repeat(6) { round ->
+            val reversed = q.columnsToWrite(false)
+            for (array in listOf(reversed.radius, reversed.mass, reversed.id)) {
+                assertTrue(bodies().none { it === array }) { "round $round" }
+            }
+            write(reversed, first = 1)
+            seen.addAll(bodies())
+            repeat(round % 3) {
+                val before = bodies()
+                q.take(q.columnsToWrite(false, keepsOrder = true))
+                assertTrue(before.zip(bodies()).all { (a, b) -> a === b })
+            }
+        }
+        assertEquals(6, seen.size)
+        assertEquals(listOf(listOf(1.0, 3.0), listOf(2.0, 4.0)), listOf(q.radius.asList(), q.mass.asList()))
+        assertEquals(listOf(0, 1), q.id.asList())
+    }
+
+    @Test
+    fun `a step in another order that is taken back has not written to the radii of the population`() {
+        val q = populationOf(Sphere(r = 1.0), Sphere(x = 9.0, r = 3.0))
+        repeat(2) { q.take(q.columnsToWrite(false, keepsOrder = true)) }
+        q.beginStep()
+        q.take(q.columnsToWrite(false, keepsOrder = true))
+        val other = q.columnsToWrite(false)
+        assertNotSame(q.radius, other.radius)
+        other.radius.fill(7.0)
+        q.take(other)
+        // The columns of the first time, which have the radii of before.
+        q.columnsToWrite(false).radius.fill(8.0)
+        q.takeStepBack()
+        assertEquals(listOf(1.0, 3.0), q.radius.asList())
+    }
+
+    @Test
+    fun `columns that were given back are used again`() {
+        val q = populationOf(Sphere(), Sphere(x = 9.0))
+        val columns = q.columnsToWrite(false)
+        q.giveBack(columns)
+        assertSame(columns, q.columnsToWrite(false))
     }
 
     @Test

@@ -42,6 +42,38 @@ class StepBoundsTest {
     }
 
     @Test
+    fun `what is done along with it is done once with each sphere, in pieces that fit the cache`() {
+        val many = populationOf(*Array(5000) { Sphere(it.toDouble()) })
+        val pieces = ArrayList<IntRange>()
+        val found = StepBounds()
+        found.measure(many, thin, true, InlineLoop) { worker, from, to ->
+            assertEquals(0, worker)
+            pieces += from until to
+        }
+        assertEquals(listOf(0..2047, 2048..4095, 4096..4999), pieces)
+        assertEquals(4999.0, found.highest[0])
+    }
+
+    @Test
+    fun `a number that is not finite is noticed wherever it is, and forgotten`() {
+        val found = StepBounds()
+        for (k in listOf(0, 2047, 2048, 4999)) {
+            val many = populationOf(*Array(5000) { Sphere() })
+            for (column in listOf(many.x, many.y, many.z, many.vx, many.vy, many.vz, many.radius, many.mass)) {
+                val old = column[k]
+                for (bad in listOf(Double.NaN, POSITIVE_INFINITY, NEGATIVE_INFINITY)) {
+                    column[k] = bad
+                    found.measure(many, Open, false, InlineLoop)
+                    assertFalse(found.areFinite)
+                }
+                column[k] = old
+            }
+            found.measure(many, Open, false, InlineLoop)
+            assertTrue(found.areFinite)
+        }
+    }
+
+    @Test
     fun `speeds, places and radii of two spheres, along open axes only if asked for`() {
         for (everywhere in listOf(true, false)) {
             val found = bounds(populationOf(a, b), thin, everywhere)

@@ -67,7 +67,7 @@ internal class Epoch(
     private val searches = EpochSearches(space, groups.ifEmpty { listOf(whole) }, loop)
     private val passage = Passage(space, loop)
 
-    private val plan = EpochPlan(loop.workers)
+    val plan = EpochPlan(loop.workers)
     private val sizes = MemberSizes()
     private var filter: LineFilter = ScalarFilter
     private lateinit var tuning: HorizonTuning
@@ -112,42 +112,35 @@ internal class Epoch(
         isOpen = false
     }
 
-    /** Whether the next step should be taken in another way, as the plan has it. */
-    fun rests(): Boolean = plan.rests()
-
-    /** Told that a step taken in another way had so many [collisions] per sphere. */
-    fun observe(collisions: Double) {
-        plan.observe(collisions)
-    }
-
     /**
-     * Carries the population through [step], which has been measured.
+     * Carries the population through [step].
      *
      * @param fixed how epochs are laid out; null for what should be quickest
      * @param beforeWriting called before the population is written
      * @return false when the step is to be taken in another way; then nothing has changed
+     * @throws IllegalArgumentException when the step is refused
      */
     fun carry(step: CollisionStep, fixed: HorizonTuning?, beforeWriting: Runnable): Boolean {
-        prepared.prepareWithoutGrid()
         val wasOpen = isOpen
         isOpen = false
         hasFailed = false
         val population = step.population
         frame.step++
-        var goesOn = wasOpen &&
+        val mayGoOn = wasOpen &&
             spheres == population.size &&
-            calendars.sumOf { it.size.toLong() } <= MOST_ENTRIES * spheres + FEW_ENTRIES &&
-            frame.continues(step, prepared.images)
-        if (wasOpen && !goesOn) ended(isBroken = false)
-        if (!goesOn && !layOut(step, fixed)) return false
+            !calendars.areFull(spheres) &&
+            frame.continues(step, prepared.imagesOf(step))
         val tracks = step.law.guard.needsLastCollision
-        val columns = population.columnsToWrite(tracks)
-        if (goesOn && !passage.next(population, columns)) {
-            goesOn = false
-            ended(isBroken = true)
+        var columns = if (mayGoOn) goOn(step, tracks) else null
+        val goesOn = columns != null
+        if (columns == null) {
+            if (!mayGoOn) prepared.measure(step, loop)
+            prepared.prepareWithoutGrid()
+            if (wasOpen) ended(isBroken = mayGoOn)
             if (!layOut(step, fixed)) return false
+            columns = population.columnsToWrite(tracks)
+            begin(population, columns)
         }
-        if (!goesOn) begin(population, columns)
         val order = if (goesOn) null else cells.order
         if (tracks) passage.age(population, columns, order)
         val isDone = if (frame.windows > 1) {
@@ -165,6 +158,18 @@ internal class Epoch(
         collisions += step.counters.collisions - before
         isOpen = true
         return true
+    }
+
+    /** Measures the next step of the epoch and writes where spheres fly. @return null when there is none */
+    private fun goOn(step: CollisionStep, tracks: Boolean): PopulationColumns? {
+        val columns = step.population.columnsToWrite(tracks, keepsOrder = true)
+        prepared.measureAlong(step, loop, passage.next(step.population, columns))
+        if (passage.hasNext()) {
+            prepared.prepareWithoutGrid()
+            return columns
+        }
+        step.population.giveBack(columns)
+        return null
     }
 
     /** @return whether there can be an epoch from [step] on, and it should be quicker than the serial engine */
@@ -289,10 +294,4 @@ internal class Epoch(
 
     private fun group(places: SlotPlaces, calendar: PairCalendar, number: Int) =
         CollisionGroup(prepared, space, calendar, places, number, loop.workers + 1)
-
-    private companion object {
-        /** Entries of the calendar per sphere, and some more, with which an epoch ends: they take memory. */
-        const val MOST_ENTRIES = 16L
-        const val FEW_ENTRIES = 4096
-    }
 }

@@ -19,7 +19,7 @@ import daphnis.core.step.PreparedStep
  * searches in every step. In a dilute system the search is most of the work. Threads share the search and the passes
  * over all spheres by ranges, and the collisions of a step by groups of spheres that lie side by side.
  *
- * In dense systems of few spheres it keeps neighbour lists from step to step instead, where there are one or two threads
+ * In dense systems of few spheres it keeps neighbour lists from step to step instead, on the caller's thread
  * ([ListSteps]).
  *
  * It takes the same collisions in the same order and fails at the same collision as the serial engine, with the same

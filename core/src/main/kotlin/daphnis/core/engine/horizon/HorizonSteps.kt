@@ -61,11 +61,10 @@ public class HorizonSteps internal constructor(
         before = step.counters.collisions
         val size = step.population.size
         filters.passed(size)
-        if (size < maxOf(fewest, 1) || tuning == null && epoch.rests()) {
+        if (size < maxOf(fewest, 1) || tuning == null && epoch.plan.rests()) {
             epoch.drop()
             return false
         }
-        prepared.measure(step, loop)
         if (!epoch.carry(step, tuning, beforeWriting)) return false
         steps++
         return true
@@ -75,7 +74,7 @@ public class HorizonSteps internal constructor(
     public fun tookAnother(step: CollisionStep) {
         if (epoch.hasFailed) step.counters.causalityReplays++
         val size = step.population.size
-        if (size > 0) epoch.observe((step.counters.collisions - before).toDouble() / size)
+        if (size > 0) epoch.plan.observe((step.counters.collisions - before).toDouble() / size)
     }
 
     /** A loop of small pieces. */

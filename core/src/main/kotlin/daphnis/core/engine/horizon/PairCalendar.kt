@@ -68,3 +68,10 @@ internal class PairCalendar(private val lines: Lines) {
         private const val INITIAL = 1024
     }
 }
+
+/** Whether these of an epoch of so many [spheres] have so many entries that it should end: they take memory. */
+internal fun List<PairCalendar>.areFull(spheres: Int): Boolean =
+    sumOf { it.size.toLong() } > MOST_ENTRIES * spheres + FEW_ENTRIES
+
+private const val MOST_ENTRIES = 16L
+private const val FEW_ENTRIES = 4096

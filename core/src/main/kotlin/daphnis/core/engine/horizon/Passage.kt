@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
@@ -39,6 +40,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     /** Whether a sphere is larger than its line has it, or so many have left that nobody needs to look further. */
     @Volatile
     private var isOver = false
+    private var most = 0
 
     /** The first step of an epoch: puts spheres into the order of [cells] and gives each its line. */
     fun first(population: Population, cells: EpochCells, columns: PopulationColumns) {
@@ -95,28 +97,29 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     fun age(population: Population, columns: PopulationColumns, order: IntArray?) {
         val from = population.lastCollision
         val to = columns.lastCollision
-        for (k in 0 until population.size) to[k] = from[if (order == null) k else order[k]] - frame.duration
+        val duration = frame.duration
+        loop.runLight(population.size) { _, first, end ->
+            for (k in first until end) to[k] = from[if (order == null) k else order[k]] - duration
+        }
     }
 
     /**
-     * A later step; slots are indices of [population].
-     *
-     * @return false when so many have left their lines, or a sphere has grown, that a new epoch is due
+     * A later step, in which slots are indices of [population]: gives the body of the loop over these. [hasNext] follows
+     * the loop.
      */
-    fun next(population: Population, columns: PopulationColumns): Boolean {
+    fun next(population: Population, columns: PopulationColumns): RangeBody {
         changed = 0
         isOver = false
         for (strays in found) strays.count = 0
-        val most = population.size / PART + FEW
-        loop.runLight(population.size) { worker, from, to ->
-            var k = from
-            while (k < to && !isOver) {
-                val end = minOf(k + BLOCK, to)
-                pass(population, columns, k, end, found[worker])
-                if (found[worker].count > most) isOver = true
-                k = end
-            }
+        most = population.size / PART + FEW
+        return RangeBody { worker, from, to ->
+            if (!isOver) pass(population, columns, from, to, found[worker])
+            if (found[worker].count > most) isOver = true
         }
+    }
+
+    /** @return false when so many have left their lines, or a sphere has grown, that a new epoch is due */
+    fun hasNext(): Boolean {
         if (isOver || found.sumOf { it.count } > most) return false
         for (strays in found) {
             if (slots.size < changed + strays.count) slots = slots.copyOf(2 * (changed + strays.count))
@@ -128,8 +131,6 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     private fun pass(population: Population, columns: PopulationColumns, from: Int, to: Int, strays: Strays) {
-        population.mass.copyInto(columns.mass, from, from, to)
-        population.id.copyInto(columns.id, from, from, to)
         val x = population.x
         val y = population.y
         val z = population.z
@@ -143,7 +144,6 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
         val toVx = columns.vx
         val toVy = columns.vy
         val toVz = columns.vz
-        val toRadius = columns.radius
         val line = lines.state
         val image = lines.image
         val dt = frame.duration
@@ -163,7 +163,6 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             toVy[k] = v
             toVz[k] = w
             val r = radius[k]
-            toRadius[k] = r
             val p = Lines.place(k)
             if (!(r <= line[p + Lines.RADIUS])) isOver = true
             val ex = x[k] - (line[p] + line[p + Lines.U] * t)
@@ -222,7 +221,6 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
 
     private companion object {
         const val INITIAL = 256
-        const val BLOCK = 512
 
         /** A new epoch is due when more than one in so many, and some more, have left their lines. */
         const val PART = 8

@@ -1,0 +1,80 @@
+package daphnis.core.population
+
+/**
+ * The two sets of columns of a population, which take turns: a step is written to the one that is not [now]. Within a
+ * step that can be taken back, neither are those from before it written.
+ */
+internal class ColumnSets(now: PopulationColumns) {
+    var now: PopulationColumns = now
+        private set
+
+    /** The second set, for the next step to be written to. */
+    private var spare: PopulationColumns? = null
+
+    /** Bodies of [spare] for a step that changes the order, while it has those of [now]. */
+    private var spareBodies: BodyColumns? = null
+
+    /** The columns at the start of the step under way, while it can be taken back. */
+    private var before: PopulationColumns? = null
+
+    /** Whether a step is under way that can be taken back. */
+    val isInStep: Boolean get() = before != null
+
+    /** See [Population.columnsToWrite]. */
+    fun toWrite(count: Int, keepsOrder: Boolean, tracksLastCollision: Boolean): PopulationColumns {
+        val columns = spare?.takeIf { it.size == count } ?: PopulationColumns(count, now.lastCollision)
+        spare = null
+        if (keepsOrder) {
+            if (columns.bodies !== now.bodies) spareBodies = columns.bodies
+            columns.bodies = now.bodies
+        } else if (columns.bodies === now.bodies || columns.bodies === before?.bodies) {
+            columns.bodies = spareBodies?.takeIf { it.size == count } ?: BodyColumns(count)
+            spareBodies = null
+        }
+        if (count != now.size) {
+            columns.ownLastCollision()
+        } else if (tracksLastCollision) {
+            columns.separateLastCollision(now)
+            before?.let { columns.separateLastCollision(it) }
+        } else {
+            columns.shareLastCollision(now)
+        }
+        return columns
+    }
+
+    /** Takes back columns [toWrite] that are not written to any more and not taken. */
+    fun giveBack(columns: PopulationColumns) {
+        spare = columns
+    }
+
+    /** Makes [columns] the present ones. */
+    fun take(columns: PopulationColumns) {
+        if (now !== before) spare = now
+        now = columns
+    }
+
+    /** Puts [columns] in place of the present ones, which are not used again but for taking a step back. */
+    fun replace(columns: PopulationColumns) {
+        now = columns
+    }
+
+    /** Begins a step that can be taken back until [commit]. */
+    fun begin() {
+        before = now
+    }
+
+    fun commit() {
+        val old = before
+        if (old !== now) spare = old
+        before = null
+    }
+
+    /** Goes back to the columns of [begin]. @return false when no step is under way */
+    fun takeBack(): Boolean {
+        now = before ?: return false
+        // Not to be reused, since a late thread may still write to them.
+        spare = null
+        before = null
+        return true
+    }
+}
