@@ -19,7 +19,7 @@ public fun SphereColumns.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
     return if (suspect.get()) nameNotFinite() else null
 }
 
-/** Whether all numbers of the spheres [from] until [to] are finite; false also where they are merely too many. */
+/** Whether all numbers of the spheres [from] until [to] are finite. */
 internal fun SphereColumns.isFinite(from: Int, to: Int): Boolean {
     val x = x
     val y = y
