@@ -48,7 +48,7 @@ public class HorizonEngine internal constructor(
             fewest,
             tuning,
             filter,
-            if (fewest > 0 && tuning == null) ListTuning.best(handler.threads) else ListTuning.NEVER,
+            HorizonSteps.listsFor(handler.threads, fewest, tuning),
         )
 
     @JvmOverloads
@@ -73,11 +73,11 @@ public class HorizonEngine internal constructor(
             fewest == 0 -> IslandsEngine(handler, 0)
             else -> IslandsEngine(handler)
         }
-    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared)
+    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists)
     private val epoch = steps.epoch
 
     /** How dense steps of few spheres are taken. */
-    internal val lists = ListSteps(prepared, lists, gate)
+    internal val lists: ListSteps get() = steps.lists
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.begun
@@ -97,10 +97,6 @@ public class HorizonEngine internal constructor(
 
     override fun advance(step: CollisionStep) {
         gate.requireOpen()
-        if (lists.take(step)) {
-            epoch.drop()
-            return
-        }
         if (steps.take(step)) return
         other.advance(step)
         steps.tookAnother(step)

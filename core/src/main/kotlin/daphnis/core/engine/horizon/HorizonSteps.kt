@@ -1,6 +1,8 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.api.EngineApi
+import daphnis.core.engine.lists.ListSteps
+import daphnis.core.engine.lists.ListTuning
 import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
@@ -9,7 +11,8 @@ import daphnis.core.step.PreparedStep
 /**
  * Takes steps in epochs, which look ahead over several of them, where that should be quicker, for an engine that takes
  * its other steps in another way. The work is shared among the workers of [loop]: searches and passes by ranges of
- * spheres, collisions by groups of spheres that lie side by side, one for each worker.
+ * spheres, collisions by groups of spheres that lie side by side, one for each worker. Steps of dense systems of few
+ * spheres are taken on the caller's thread, by neighbour lists that are kept from step to step.
  *
  * ```
  *   if (!horizon.take(step)) {
@@ -31,17 +34,19 @@ public class HorizonSteps internal constructor(
     private val tuning: HorizonTuning?,
     filter: LineFilter,
     internal val prepared: PreparedStep,
+    lists: ListTuning,
 ) {
     @JvmOverloads
     public constructor(loop: RangeLoop, fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null) :
-        this(loop, fewest, tuning, LineFilter.BEST, PreparedStep())
+        this(loop, fewest, tuning, LineFilter.BEST, PreparedStep(), listsFor(loop.workers, fewest, tuning))
 
     private val isEager = fewest == 0
     private val loop: RangeLoop = if (isEager) FineLoop(loop) else loop
     private val filters = FilterChoice(filter, always = isEager)
     internal val epoch = Epoch(prepared, this.loop, filters, isEager)
+    internal val lists = ListSteps(prepared, lists, this.loop)
 
-    /** Steps taken here since the start. */
+    /** Steps taken in epochs since the start. */
     public var steps: Long = 0
         private set
 
@@ -51,14 +56,18 @@ public class HorizonSteps internal constructor(
     /**
      * Takes [step], if that should be quicker here.
      *
-     * @param beforeWriting called when all is known and nothing has been written; what it throws leaves the population
-     *   as before
+     * @param beforeWriting called when all is known and nothing has been written, and now and then before; what it
+     *   throws leaves the population as before
      * @return false when it is to be taken in another way; then nothing has changed
      * @throws IllegalArgumentException when the step is refused
      */
     @JvmOverloads
     public fun take(step: CollisionStep, beforeWriting: Runnable = Runnable {}): Boolean {
         before = step.counters.collisions
+        if (lists.take(step, beforeWriting)) {
+            epoch.drop()
+            return true
+        }
         val size = step.population.size
         filters.passed(size)
         if (size < maxOf(fewest, 1) || tuning == null && epoch.plan.rests()) {
@@ -96,5 +105,9 @@ public class HorizonSteps internal constructor(
     public companion object {
         /** Spheres from which on epochs can pay. */
         public const val WORTH_SPHERES: Int = 256
+
+        /** Where lists are used unless somebody wants epochs. */
+        internal fun listsFor(threads: Int, fewest: Int, tuning: HorizonTuning?): ListTuning =
+            if (fewest > 0 && tuning == null) ListTuning.best(threads) else ListTuning.NEVER
     }
 }

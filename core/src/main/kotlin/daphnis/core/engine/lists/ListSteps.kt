@@ -66,10 +66,11 @@ internal class ListSteps(
     /**
      * Takes [step], if that should be quicker here.
      *
+     * @param onTheWay called now and then, at last before the population is written; what it throws leaves that as before
      * @return false when it is to be taken in another way; then nothing has changed
      * @throws IllegalArgumentException when the step is refused
      */
-    fun take(step: CollisionStep): Boolean {
+    fun take(step: CollisionStep, onTheWay: Runnable): Boolean {
         val wasOpen = isOpen
         isOpen = false
         val population = step.population
@@ -87,11 +88,12 @@ internal class ListSteps(
         // What is spread out by now gets no new lists.
         if (!goesOn && (wasOpen && !isWorth(step) || !begin(step, fastest))) return rests()
         impact.begin(step.record)
-        if (!process()) {
+        if (!process(onTheWay)) {
             lists.widen()
             voided++
             return false
         }
+        onTheWay.run()
         expected = events.calendar.taken
         rows.store(population, step.duration)
         step.record?.sort()
@@ -147,9 +149,10 @@ internal class ListSteps(
     }
 
     /** @return false when the step cannot be ended in this way */
-    private fun process(): Boolean {
+    private fun process(onTheWay: Runnable): Boolean {
         val calendar = events.calendar
         while (true) {
+            if (calendar.taken % EVENTS_ON_THE_WAY == 0) onTheWay.run()
             val i = calendar.next()
             if (i == SphereCalendar.NONE) return true
             val now = calendar.time[i]
@@ -177,6 +180,9 @@ internal class ListSteps(
     private companion object {
         /** Steps to the next question whether lists pay. */
         const val REST = 16
+
+        /** Events, some milliseconds of work, after which somebody may say that the step is not wanted any more. */
+        const val EVENTS_ON_THE_WAY = 8192
 
         /** Steps in which the rounding of positions stays far below [ListSpace.margin]. */
         const val MOST_AGE = 1000

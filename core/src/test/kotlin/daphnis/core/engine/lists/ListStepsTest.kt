@@ -8,15 +8,22 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
+import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CoreEngines
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
 import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.horizon.HorizonSteps
 import daphnis.core.initial.SeededRandom
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
+import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -161,6 +168,35 @@ class ListStepsTest {
         assertEquals(0L, listed(crowd(), LeesEdwards(CUBE, 0.1)))
         assertEquals(0L, listed(crowd().also { it.retain { k -> k < 90 } }, BOX))
         assertEquals(0L, listed(crowd().also { it.radius[7] *= 0.1 }, BOX))
+    }
+
+    @Test
+    fun `a long step asks on the way whether it is wanted, and is done again when it was not`() {
+        val population = crowd()
+        val law = CollisionLaw(ConstantRestitution(1.0))
+        val step = CollisionStep(population, BOX, law, CollisionCounters())
+        step.duration = 2.0
+        val expected = crowd()
+        SerialEngine().advance(CollisionStep(expected, BOX, law, CollisionCounters()).also { it.duration = 2.0 })
+        val before = stateDigest(population)
+        val steps = HorizonSteps(InlineLoop)
+        var asked = 0
+        while (true) {
+            var toGo = ++asked
+            val isWanted = Runnable { check(--toGo > 0) { "not wanted" } }
+            if (runCatching { assertTrue(steps.take(step, isWanted)) }.isSuccess) break
+            assertEquals(before, stateDigest(population))
+            assertEquals(0L, step.counters.collisions)
+        }
+        assertEquals(stateDigest(expected), stateDigest(population))
+        assertEquals(1L, steps.lists.steps)
+        // A short one at its beginning, and before it is written.
+        var times = 0
+        BOX.endStep(population, 0.0)
+        step.duration = 0.02
+        assertTrue(steps.take(step) { times++ })
+        assertEquals(2, times)
+        assertTrue(step.counters.collisions > 10_000 && asked in 3..12) { "${step.counters.collisions}, $asked" }
     }
 
     @Test
