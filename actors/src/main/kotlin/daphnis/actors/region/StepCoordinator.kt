@@ -81,8 +81,8 @@ public class StepCoordinator @JvmOverloads constructor(
     }
 
     /**
-     * Shares the indices 0 until [size] of [loop] among the first [parts] regions, in order, for a step that is taken in
-     * an epoch. It [isFinished] when all have answered.
+     * Shares the indices 0 until [size] of [loop] among the first [parts] regions, in order, for a step that is taken
+     * in an epoch. It [isFinished] when all have answered.
      */
     internal fun share(size: Int, loop: SharedLoop, parts: Int = map.count) {
         check(outstanding == 0) { "a step is under way" }

@@ -2,8 +2,8 @@ package daphnis.core.population
 
 /**
  * How many boxes each sphere of a population has gone through along each axis, by [IdPlaces]. The counts are allocated
- * when the first sphere crosses a face. The crossings of a step are kept in a list, by which the step can be taken back.
- * So a sphere that does not cross costs nothing.
+ * when the first sphere crosses a face. The crossings of a step are kept in a list, by which the step can be taken
+ * back. So a sphere that does not cross costs nothing.
  */
 internal class Crossings(val places: IdPlaces) {
     @Volatile

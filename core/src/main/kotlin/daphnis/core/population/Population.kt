@@ -7,8 +7,8 @@ package daphnis.core.population
  * in memory. Its **id** never changes. Address a sphere across steps by id, see [indexOf]. The arrays are shared, not
  * copied: an analysis may read them between two calls of `advance()`, and a force may write the velocities. **Read them
  * anew after each `advance()`**: a step is written to a second set of arrays, which then becomes the population's. The
- * previous set is kept, so that the step can be taken back if it fails. Radii, masses and ids, which no step changes, may
- * stay in the same arrays: change them, or the order, between steps only. Not thread-safe; during `advance()` the
+ * previous set is kept, so that the step can be taken back if it fails. Radii, masses and ids, which no step changes,
+ * may stay in the same arrays: change them, or the order, between steps only. Not thread-safe; during `advance()` the
  * population belongs to the engine.
  *
  * @param x positions, in the scenario's unit of length; likewise [y], [z]

@@ -82,16 +82,14 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
      */
     @JvmOverloads
     public fun measure(step: CollisionStep, loop: RangeLoop = InlineLoop) {
-        take(step, step.population, Grid.WHOLE)
-        reach.measure(step.population, step.boundary, duration, loop)
-        stage = Stage.MEASURED
+        measureAlong(step, loop, along = null)
     }
 
     /**
-     * The same, and calls [along] with pieces of the spheres while they are in the cache. What that has done counts
-     * only when the step is not refused.
+     * The same, and calls [along], if there is one, with pieces of the spheres while they are in the cache. What that
+     * has done counts only when the step is not refused.
      */
-    internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: RangeBody) {
+    internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: RangeBody?) {
         take(step, step.population, Grid.WHOLE)
         reach.look(step.population, step.boundary, everywhere = false, loop, along)
         reach.apply(step.boundary, duration)

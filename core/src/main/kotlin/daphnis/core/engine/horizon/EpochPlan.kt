@@ -55,14 +55,14 @@ internal class EpochPlan(private val threads: Int) {
         // Only groups that share collisions can tell whether they are less entangled now.
         if (!sharesCollisions) seen.entanglement = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
         sharesCollisions = false
-        var possible = 0
+        var isPossible = false
         for (steps in STEPS) {
             // In a longer time spheres would go too far for lines.
             if (steps > mostSteps || !frame.begin(HorizonTuning(steps, CLASS_BOUND, deviation))) break
             consider(cost, steps, 1, deviation)
-            possible = steps
+            isPossible = true
         }
-        if (possible > 0 && (best?.steps ?: 1) == 1) considerWindows(cost, deviation)
+        if (isPossible && (best?.steps ?: 1) == 1) considerWindows(cost, deviation)
         if (best == null) {
             // What is known of the first steps is a guess, and soon they are over.
             rest = nextRest

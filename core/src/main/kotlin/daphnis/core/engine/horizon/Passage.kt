@@ -104,8 +104,8 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /**
-     * A later step, in which slots are indices of [population]: gives the body of the loop over these. [hasNext] follows
-     * the loop.
+     * A later step, in which slots are indices of [population]: gives the body of the loop over these. [hasNext]
+     * follows the loop.
      */
     fun next(population: Population, columns: PopulationColumns): RangeBody {
         changed = 0

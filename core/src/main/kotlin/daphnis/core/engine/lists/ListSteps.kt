@@ -66,7 +66,8 @@ internal class ListSteps(
     /**
      * Takes [step], if that should be quicker here.
      *
-     * @param onTheWay called now and then, at last before the population is written; what it throws leaves that as before
+     * @param onTheWay called now and then, at last before the population is written; what it throws leaves that as it
+     *   was
      * @return false when it is to be taken in another way; then nothing has changed
      * @throws IllegalArgumentException when the step is refused
      */

@@ -28,9 +28,9 @@ internal class ListTuning(val shell: Double, private val suits: (spheres: Int, f
         val ALWAYS = ListTuning(SHELL) { _, _ -> true }
 
         /**
-         * Where they were found to pay on so many [threads]. Of more spheres, rows and lists no longer fit the cache; the
-         * thinner the gas, the less is gained. Others share work among threads, from 10,000 spheres on. With three and
-         * more threads they were compared with one thread only.
+         * Where they were found to pay on so many [threads]. Of more spheres, rows and lists no longer fit the cache;
+         * the thinner the gas, the less is gained. Others share work among threads, from 10,000 spheres on. With three
+         * and more threads they were compared with one thread only.
          */
         fun best(threads: Int): ListTuning = when (threads) {
             1 -> upTo(12_000, 24_000)
