@@ -7,6 +7,10 @@ import daphnis.actors.region.Phase
 import daphnis.actors.region.RegionCommand
 import daphnis.actors.region.RegionLayout
 import daphnis.core.Simulation
+import daphnis.core.Sphere
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
@@ -15,7 +19,10 @@ import daphnis.core.digests
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.horizon.HorizonTuning
+import daphnis.core.initial.SeededRandom
+import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.populationOf
 import daphnis.core.simulationOf
 import daphnis.core.step.CollisionStep
 import kotlinx.coroutines.CoroutineDispatcher
@@ -56,6 +63,20 @@ internal object FaultKit {
             simulation.advance()
             assertEquals(digest, stateDigest(simulation.population), about)
         }
+    }
+
+    /** A dense gas of few spheres, one that engines take by neighbour lists: a cubic lattice, set in motion. */
+    fun crowd(): Pair<Population, BoundaryConditions> {
+        val edge = 17
+        val distance = 1.05
+        val random = SeededRandom(2)
+        fun at(c: Int) = distance * (c - edge / 2)
+        val spheres = List(edge * edge * edge) { k ->
+            fun v() = random.nextGaussian()
+            Sphere(at(k % edge), at(k / edge % edge), at(k / (edge * edge)), v(), v(), v(), r = 0.5)
+        }
+        val length = distance * edge
+        return populationOf(*spheres.toTypedArray()) to Periodic(Box.centred(length, length, length))
     }
 
     fun setPatience(engine: CollisionEngine, nanos: Long) {

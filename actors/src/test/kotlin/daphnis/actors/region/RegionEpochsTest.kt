@@ -3,15 +3,12 @@ package daphnis.actors.region
 import daphnis.actors.FaultKit
 import daphnis.actors.coroutine.RegionActorEngine
 import daphnis.actors.pekko.PekkoEngine
-import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
-import daphnis.core.initial.SeededRandom
 import daphnis.core.population.stateDigest
-import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -62,16 +59,9 @@ class RegionEpochsTest {
 
     @Test
     fun `a dense gas of few spheres goes by neighbour lists, of which no region is told`() {
-        val edge = 17
-        val random = SeededRandom(2)
-        fun at(c: Int) = 1.05 * (c - edge / 2)
-        val spheres = List(edge * edge * edge) { k ->
-            fun v() = random.nextGaussian()
-            Sphere(at(k % edge), at(k / edge % edge), at(k / (edge * edge)), v(), v(), v(), r = 0.5)
-        }
-        val boundary = Periodic(Box.centred(1.05 * edge, 1.05 * edge, 1.05 * edge))
+        val (crowd, boundary) = FaultKit.crowd()
         fun simulation(e: CollisionEngine) =
-            simulationOf(populationOf(*spheres.toTypedArray()), boundary, 0.05, ConstantRestitution(1.0), engine = e)
+            simulationOf(crowd.copy(), boundary, 0.05, ConstantRestitution(1.0), engine = e)
         val serial = simulation(SerialEngine()).also { s -> repeat(STEPS) { s.advance() } }
         forEachEngine { engine, told ->
             simulation(engine).use { s ->

@@ -4,6 +4,7 @@ import daphnis.actors.FaultKit
 import daphnis.actors.coroutine.CoroutineRegions
 import daphnis.actors.coroutine.RegionActorEngine
 import daphnis.actors.pekko.PekkoEngine
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
@@ -11,6 +12,7 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.parallel.InlineLoop
+import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import daphnis.core.step.CollisionStep
@@ -95,24 +97,29 @@ class RegionSharesTest {
         }
     }
 
-    private fun step(spheres: Int, phi: Double, law: Restitution): CollisionStep {
+    private fun gas(spheres: Int, phi: Double): Pair<Population, BoundaryConditions> {
         val edge = Math.cbrt(spheres * Math.PI / 6 / phi)
         val boundary = Periodic(Box.centred(edge, edge, edge))
-        val p = randomSpheres(spheres, boundary, 1, 1.0) { 0.5 }
-        return CollisionStep(p, boundary, CollisionLaw(law), CollisionCounters()).also { it.duration = 0.3 }
+        return randomSpheres(spheres, boundary, 1, 1.0) { 0.5 } to boundary
     }
 
-    /** Ends a step from within its first collision, in gases where the coordinator's thread does all or much of it. */
+    /**
+     * Ends a step from within its first collision, in gases where the coordinator's thread does all or much of it, at
+     * last by neighbour lists.
+     */
     private fun assertEnds(engine: () -> CollisionEngine, advance: (CollisionEngine, CollisionStep, Ender) -> Unit) {
-        for ((spheres, phi) in listOf(300 to 0.01, 300 to 0.2, 1500 to 0.2, 5000 to 0.01)) {
+        val gases = listOf(gas(300, 0.01), gas(300, 0.2), gas(1500, 0.2), gas(5000, 0.01), FaultKit.crowd())
+        for ((population, boundary) in gases) {
             val ender = Ender()
-            val step = step(spheres, phi) {
+            val law = Restitution {
                 ender.end()
                 1.0
             }
-            val before = stateDigest(step.population)
+            val step = CollisionStep(population, boundary, CollisionLaw(law), CollisionCounters())
+            step.duration = 0.3
+            val before = stateDigest(population)
             engine().use { advance(it, step, ender) }
-            assertEquals(before, stateDigest(step.population)) { "$spheres spheres at $phi" }
+            assertEquals(before, stateDigest(population)) { "${population.size} spheres" }
             assertEquals(0, step.counters.collisions)
         }
     }
