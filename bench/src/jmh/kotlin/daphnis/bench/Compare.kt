@@ -13,9 +13,7 @@ fun main(args: Array<String>) {
     val workload = Workload.valueOf(args[0])
     val steps = args[1].toInt()
     val rounds = args[2].toInt()
-    val engines = listOf(EngineName.SERIAL to 1, EngineName.HORIZON to 1) +
-        listOf(EngineName.ISLANDS, EngineName.BRICKS, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO)
-            .flatMap { engine -> listOf(1, 2).map { engine to it } }
+    val engines = listOf(EngineName.SERIAL to 1) + PARALLEL.flatMap { engine -> listOf(1, 2).map { engine to it } }
     val best = DoubleArray(engines.size) { Double.POSITIVE_INFINITY }
     val digests = HashSet<String>()
     val start = workload.Start()
@@ -48,3 +46,12 @@ fun main(args: Array<String>) {
         )
     }
 }
+
+private val PARALLEL = listOf(
+    EngineName.HORIZON,
+    EngineName.ISLANDS,
+    EngineName.BRICKS,
+    EngineName.THREAD_POOL,
+    EngineName.ACTORS,
+    EngineName.PEKKO,
+)
