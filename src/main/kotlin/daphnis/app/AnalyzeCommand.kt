@@ -85,7 +85,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
-        writing(directory) {
+        writingLater(directory) {
             analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
         }
         println("report: ${directory.resolve("report.html")}")

@@ -60,7 +60,7 @@ class MovieCommand : CliktCommand(name = "movie") {
         val rate = fps ?: MovieOptions.rateFor(input.size)
         val file = target ?: path.resolve("plots").resolve("movie.gif")
         val movie = Movie(input, MovieOptions(view, colour, rate, width))
-        val frames = writing(file.toAbsolutePath().parent) {
+        val frames = writingLater(file.toAbsolutePath().parent) {
             try {
                 movie.write(file, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
             } catch (e: IllegalStateException) {

@@ -41,7 +41,7 @@ class RunCommand : CliktCommand(name = "run") {
     )
     private val threads by threadsOption("threads of the engine (default: one per core)")
     private val steps by option("--steps", help = "end after this many steps").long()
-    private val until by option("--until", help = "end at this time").double()
+    private val until by option("--until", help = "end at this time, in the scenario's unit of time").double()
     private val seed by option("--seed", help = "seed of the initial state").long()
     private val settings by option(
         "--set",

@@ -17,3 +17,13 @@ internal inline fun <T> writing(directory: Path, work: () -> T): T = try {
 } catch (e: IOException) {
     throw RunException("cannot write to $directory: ${reasonOf(e, directory)}")
 }
+
+/**
+ * The same for [work] that takes long before it writes: that [directory] can be written is known at once.
+ *
+ * @throws RunException as [writing]
+ */
+internal inline fun <T> writingLater(directory: Path, work: () -> T): T = writing(directory) {
+    Files.delete(Files.createTempFile(directory, ".daphnis", null))
+    work()
+}

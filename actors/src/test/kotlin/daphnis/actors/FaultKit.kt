@@ -65,9 +65,8 @@ internal object FaultKit {
         }
     }
 
-    /** A dense gas of few spheres, one that engines take by neighbour lists: a cubic lattice, set in motion. */
-    fun crowd(): Pair<Population, BoundaryConditions> {
-        val edge = 17
+    /** A dense gas that engines take by neighbour lists: a cubic lattice of [edge]³ spheres, set in motion. */
+    fun crowd(edge: Int = 17): Pair<Population, BoundaryConditions> {
         val distance = 1.05
         val random = SeededRandom(2)
         fun at(c: Int) = distance * (c - edge / 2)
