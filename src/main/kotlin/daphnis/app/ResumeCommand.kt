@@ -14,7 +14,10 @@ import daphnis.core.scenario.InputException
 /** `daphnis resume`. */
 class ResumeCommand : CliktCommand(name = "resume") {
     private val directory by argument("dir", help = "run directory", completionCandidates = Candidates.files)
-    private val until by option("--until", help = "end at this time instead of the scenario's, in its unit of time").double()
+    private val until by option(
+        "--until",
+        help = "end at this time instead of the scenario's, in its unit of time",
+    ).double()
     private val acceptLoss by option(
         "--accept-loss",
         help = "continue with damaged tables as they are, and report what is lost",

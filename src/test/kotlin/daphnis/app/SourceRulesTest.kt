@@ -41,6 +41,23 @@ class SourceRulesTest {
         assertTrue(sources("src/main/kotlin").any { file -> file.readLines().any { flag.containsMatchIn(it) } })
     }
 
+    @Test
+    fun `no line of prose is longer than 120 characters`() {
+        val folders = listOf("docs", "docs/adr").map { Repository.root.resolve(it) }
+        val pages = folders.flatMap { folder ->
+            Files.list(folder).use { it.filter { f -> f.extension == "md" }.toList() }
+        }
+        val long = (pages + listOf("README.md", "CHANGELOG.md").map { Repository.root.resolve(it) }).flatMap { page ->
+            var isCode = false
+            page.readLines().withIndex().filter { (_, line) ->
+                if (line.startsWith("```")) isCode = !isCode
+                // Tables and links can't be broken.
+                !isCode && line.length > 120 && !line.trimStart().startsWith("|") && "](" !in line && "http" !in line
+            }.map { (k, _) -> "${page.name}:${k + 1}" }
+        }
+        assertEquals(emptyList<String>(), long)
+    }
+
     private companion object {
         /** A report says how to make the run again, and from when on to average. */
         val FLAGS = setOf("RunSection.kt", "SteadinessText.kt")
