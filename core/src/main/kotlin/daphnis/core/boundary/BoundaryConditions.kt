@@ -44,9 +44,10 @@ public interface BoundaryConditions {
 
     /**
      * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and
-     * velocities and may remove spheres, but not radii, masses, ids or the order of those that stay. The result for each sphere must depend only on its own state and [time], so
-     * that the array order cannot matter. A step that fails may be done again, with the same [time]. A boundary that
-     * wraps reports it with [Population.addCrossing], so that files can hold where a sphere has been.
+     * velocities and may remove spheres, but not radii, masses, ids or the order of those that stay. The result for
+     * each sphere must depend only on its own state and [time], so that the array order cannot matter. A step that
+     * fails may be done again, with the same [time]. A boundary that wraps reports it with [Population.addCrossing], so
+     * that files can hold where a sphere has been.
      */
     public fun endStep(population: Population, time: Double)
 

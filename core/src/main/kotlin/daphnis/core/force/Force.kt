@@ -10,9 +10,9 @@ import daphnis.core.population.Population
  * step squared (docs/physics.md; kick–drift–kick, Quinn, Perrine, Richardson & Barnes 2010, AJ 139, 803).
  *
  * Most forces are a [Kick]; a rotating frame, which maps the state as a whole, is a [Drift]. Must change velocities
- * only, no positions, radii, masses, ids or the order, and must be a pure function of the population and the time: the same bits for the same state, whatever the order of
- * the arrays. A step that fails may be done again, so a force which keeps sums of its own must allow for being called
- * twice.
+ * only, no positions, radii, masses, ids or the order, and must be a pure function of the population and the time: the
+ * same bits for the same state, whatever the order of the arrays. A step that fails may be done again, so a force which
+ * keeps sums of its own must allow for being called twice.
  */
 public interface Force {
     /** Called before the drift of a step that begins at [start] and lasts [duration]. */

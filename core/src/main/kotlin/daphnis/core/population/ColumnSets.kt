@@ -25,7 +25,8 @@ internal class ColumnSets(now: PopulationColumns) {
         val columns = spare?.takeIf { it.size == count } ?: PopulationColumns(count, now.lastCollision)
         spare = null
         if (keepsOrder) {
-            if (columns.bodies !== now.bodies) spareBodies = columns.bodies
+            // Those of before may still be in a set that was written earlier in the step.
+            if (columns.bodies !== now.bodies && columns.bodies !== before?.bodies) spareBodies = columns.bodies
             columns.bodies = now.bodies
         } else if (columns.bodies === now.bodies || columns.bodies === before?.bodies) {
             columns.bodies = spareBodies?.takeIf { it.size == count } ?: BodyColumns(count)
