@@ -8,6 +8,8 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.Pieces
+import daphnis.core.parallel.RangeBody
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -52,6 +54,22 @@ class StepBoundsTest {
         }
         assertEquals(listOf(0..2047, 2048..4095, 4096..4999), pieces)
         assertEquals(4999.0, found.highest[0])
+    }
+
+    @Test
+    fun `what is done along with it is told which worker does it`() {
+        val threeWorkers = object : RangeLoop {
+            override val workers = 3
+
+            override fun run(size: Int, grain: Int, body: RangeBody) {
+                for (k in 0 until size) body.run(k % workers, k, k + 1)
+            }
+        }
+        val told = HashMap<Int, Int>()
+        StepBounds().measure(populationOf(*Array(7) { Sphere() }), thin, true, threeWorkers) { worker, from, _ ->
+            told[from] = worker
+        }
+        assertEquals((0 until 7).associateWith { it % 3 }, told)
     }
 
     @Test

@@ -1,5 +1,7 @@
 package daphnis.core.engine.lists
 
+import daphnis.core.engine.horizon.HorizonSteps
+import daphnis.core.engine.horizon.HorizonTuning
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
@@ -22,5 +24,14 @@ class ListTuningTest {
         for (threads in 1..3) {
             assertEquals(100, (1..1000).first { ListTuning.best(threads).suits(it, 0.5) })
         }
+    }
+
+    @Test
+    fun `who asks for epochs gets no lists`() {
+        fun most(fewest: Int, tuning: HorizonTuning?) =
+            (1..30_000).lastOrNull { HorizonSteps.listsFor(1, fewest, tuning).suits(it, 0.5) }
+        assertEquals(24_000, most(1, null))
+        assertEquals(null, most(0, null))
+        assertEquals(null, most(1, HorizonTuning(2)))
     }
 }
