@@ -6,7 +6,6 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
-import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 import daphnis.core.population.firstNotFinite
 import daphnis.core.population.isFinite

@@ -2,7 +2,6 @@ package daphnis.core
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 
 /**

@@ -4,7 +4,6 @@ import daphnis.core.force.Drift
 import daphnis.core.force.PerSphereEnergy
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 import kotlin.math.abs
 

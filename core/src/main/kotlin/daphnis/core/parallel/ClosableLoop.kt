@@ -17,6 +17,11 @@ public class ClosableLoop(private val loop: RangeLoop, private val message: Stri
         loop.run(size, grain, body)
     }
 
+    override fun runLight(size: Int, body: RangeBody) {
+        requireOpen()
+        loop.runLight(size, body)
+    }
+
     /** @throws IllegalStateException after [close] */
     public fun requireOpen() {
         check(!isClosed) { message }

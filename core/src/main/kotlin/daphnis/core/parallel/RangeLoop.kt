@@ -16,6 +16,14 @@ public interface RangeLoop {
         run(size, GRAIN, body)
     }
 
+    /**
+     * The same for a loop of some nanoseconds an index, which threads share only where it is worth waking them: from
+     * some thousand indices on.
+     */
+    public fun runLight(size: Int, body: RangeBody) {
+        run(size, if (size <= FEW) FEW else GRAIN, body)
+    }
+
     public companion object {
         /** Indices per piece: some ten microseconds of work. */
         public const val GRAIN: Int = 2048
@@ -27,11 +35,6 @@ public interface RangeLoop {
         @JvmStatic
         public fun inline(): RangeLoop = InlineLoop
     }
-}
-
-/** [RangeLoop.run] for a loop of some nanoseconds an index, which threads share only where it is worth waking them. */
-internal fun RangeLoop.runLight(size: Int, body: RangeBody) {
-    run(size, if (size <= RangeLoop.FEW) RangeLoop.FEW else RangeLoop.GRAIN, body)
 }
 
 /**

@@ -67,7 +67,7 @@ public class ExactSum {
         var start = from
         while (start < to) {
             val end = minOf(to.toLong(), start + BLOCK.toLong()).toInt()
-            val exponent = if (end - start < FEW) 0 else greatestExponent(terms, start, end)
+            val exponent = if (end - start < FEW) 0 else GreatestExponent.of(terms, start, end)
             if (exponent in LEAST_SPLIT..MOST_SPLIT) {
                 addSplit(terms, start, end, exponent)
             } else {
@@ -159,34 +159,50 @@ public class ExactSum {
         chunks[top] = chunks[top].toInt().toLong()
     }
 
-    private fun greatestExponent(terms: DoubleArray, from: Int, to: Int): Int {
-        var greatest = 0L
-        for (k in from until to) greatest = Math.max(greatest, terms[k].toRawBits() and Long.MAX_VALUE)
-        return (greatest ushr FRACTION_BITS).toInt()
-    }
-
     /**
      * Adds at most [BLOCK] terms of magnitudes below 2^(e + 1), where [exponent] is e with its bias. Adding a number
-     * and subtracting it again rounds a term to a multiple of 2^(e − 39), and 4096 of those add up exactly. The
-     * remainders are rounded to multiples of 2^(e − 80) in the same way. What remains then, of terms that are small
-     * compared with the largest, is added one by one.
+     * and subtracting it again rounds a term to a multiple of 2^(e − 39), and 4096 of those add up exactly, in any
+     * order. The remainders are rounded to multiples of 2^(e − 80) in the same way. What remains then, of terms that
+     * are small compared with the largest, is added one by one; most blocks have no such terms.
      */
     private fun addSplit(terms: DoubleArray, from: Int, to: Int, exponent: Int) {
         val coarse = 1.5 * powerOfTwo(exponent + BLOCK_BITS + 1)
         val fine = 1.5 * powerOfTwo(exponent + BLOCK_BITS - SPLIT_BITS)
         var high = 0.0
         var low = 0.0
-        for (k in from until to) {
+        var otherHigh = 0.0
+        var otherLow = 0.0
+        var left = 0L
+        var k = from
+        // Two chains of additions, since each addition waits for the one before.
+        while (k < to - 1) {
             val term = terms[k]
+            val other = terms[k + 1]
             val upper = term + coarse - coarse
+            val otherUpper = other + coarse - coarse
             val rest = term - upper
+            val otherRest = other - otherUpper
             val lower = rest + fine - fine
+            val otherLower = otherRest + fine - fine
             high += upper
+            otherHigh += otherUpper
             low += lower
-            if (rest != lower) add(rest - lower)
+            otherLow += otherLower
+            left = left or (rest - lower).toRawBits() or (otherRest - otherLower).toRawBits()
+            k += 2
         }
-        add(high)
-        add(low)
+        if (k < to) add(terms[k])
+        add(high + otherHigh)
+        add(low + otherLow)
+        if (left shl 1 != 0L) addLeft(terms, from, k, coarse, fine)
+    }
+
+    /** Adds what is left of the terms of a block without their multiples of 2^(e − 80). */
+    private fun addLeft(terms: DoubleArray, from: Int, to: Int, coarse: Double, fine: Double) {
+        for (k in from until to) {
+            val rest = terms[k] - (terms[k] + coarse - coarse)
+            add(rest - (rest + fine - fine))
+        }
     }
 
     /**

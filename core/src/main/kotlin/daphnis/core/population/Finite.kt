@@ -4,7 +4,6 @@ package daphnis.core.population
 
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.parallel.runLight
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**

@@ -5,7 +5,6 @@ import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
-import daphnis.core.parallel.runLight
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.isFinite
 

@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import java.util.Collections
 import java.util.concurrent.Executors
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicInteger
@@ -162,6 +163,43 @@ class ParallelTest {
                 assertEquals(count, pieces.get()) { "$size" }
                 assertTrue((0 until size).all { seen[it] == 1 })
                 assertTrue(size > 8192 || isOwn.get())
+            }
+        }
+    }
+
+    @Test
+    fun `a loop without its workers runs on the caller's thread in one piece, and for others only where it is light`() {
+        FixedPool(2).use { pool ->
+            val whole = ParallelLoop(pool, LoopStrategy.DYNAMIC)
+            val gate = ClosableLoop(whole, "closed")
+            val loop = OptionalLoop(gate)
+            fun pieces(run: (RangeBody) -> Unit): List<Int> {
+                val pieces = Collections.synchronizedList(ArrayList<Int>())
+                run { _, from, to -> pieces.add(to - from) }
+                return pieces.sorted()
+            }
+            val shared = listOf(1808, 2048, 2048, 2048, 2048)
+            val size = shared.sum()
+            for (isAlone in listOf(false, true, false)) {
+                loop.isAlone = isAlone
+                val own = if (isAlone) listOf(size) else shared
+                assertEquals(if (isAlone) 1 else 2, loop.active)
+                assertEquals(2, loop.workers)
+                assertEquals(own, pieces { loop.run(size, it) })
+                assertEquals(own, pieces { loop.run(size, 2048, it) })
+                assertEquals(own, pieces { loop.runLight(size, it) })
+                assertEquals(shared, pieces { loop.forOthers.run(size, it) })
+                assertEquals(shared, pieces { loop.forOthers.run(size, 2048, it) })
+                assertEquals(own, pieces { loop.forOthers.runLight(size, it) })
+                assertEquals(own, pieces { ClosableLoop(loop.forOthers, "closed").runLight(size, it) })
+                assertEquals(emptyList<Int>(), pieces { loop.run(0, it) })
+            }
+            gate.close()
+            for (isAlone in listOf(false, true)) {
+                loop.isAlone = isAlone
+                assertThrows(IllegalStateException::class.java) { loop.run(9) { _, _, _ -> } }
+                assertThrows(IllegalStateException::class.java) { loop.runLight(9) { _, _, _ -> } }
+                assertThrows(IllegalStateException::class.java) { loop.forOthers.runLight(9) { _, _, _ -> } }
             }
         }
     }

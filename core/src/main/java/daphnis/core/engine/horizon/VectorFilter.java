@@ -31,7 +31,10 @@ final class VectorFilter implements LineFilter {
     }
 
     @Override
-    public int near(float[] state, LineQuery query, int first, int end, int[] into) {
+    public void near(float[] state, LineQuery query, int first, int end, KeptLines into) {
+        into.reserve(end - first);
+        long[] marks = into.marks;
+        int size = into.size;
         FloatVector x = FloatVector.broadcast(SPECIES, query.x);
         FloatVector y = FloatVector.broadcast(SPECIES, query.y);
         FloatVector z = FloatVector.broadcast(SPECIES, query.z);
@@ -41,9 +44,9 @@ final class VectorFilter implements LineFilter {
         FloatVector t = FloatVector.broadcast(SPECIES, query.time);
         FloatVector closing = FloatVector.broadcast(SPECIES, query.closing);
         FloatVector radius = FloatVector.broadcast(SPECIES, query.radius);
-        int found = 0;
         // No fused multiply-add: without the instruction for it, Java computes it by decimal numbers of any length.
-        // Lanes before the first slot and after the last hold other lines, or none: they are tested in vain.
+        // Lanes before the first slot and after the last hold other lines, or none: they are tested in vain. A block is
+        // marked whether or not a line of it is kept, and the mark of one without any is written over: no branch.
         for (int slot = first & -LANES; slot < end; slot += LANES) {
             int p = Lines.place(slot);
             FloatVector pu = FloatVector.fromArray(SPECIES, state, p + Lines.U);
@@ -64,16 +67,12 @@ final class VectorFilter implements LineFilter {
             // Near unless a sign bit says late or missed, and that of the gap says apart.
             IntVector far = late.reinterpretAsInts().or(miss.reinterpretAsInts()).and(gap.reinterpretAsInts().not());
             VectorMask<Integer> near = far.compare(VectorOperators.GE, 0);
-            if (near.anyTrue()) found = note(near.toLong(), slot, first, end, into, found);
+            int lanes = (int) near.toLong();
+            if (slot < first) lanes &= -1 << (first - slot);
+            if (slot + LANES > end) lanes &= (1 << (end - slot)) - 1;
+            marks[size] = (long) slot << Lines.LANES | lanes;
+            size += -lanes >>> 31;
         }
-        return found;
-    }
-
-    private static int note(long near, int slot, int first, int end, int[] into, int found) {
-        for (long bits = near; bits != 0; bits &= bits - 1) {
-            int other = slot + Long.numberOfTrailingZeros(bits);
-            if (other >= first && other < end) into[found++] = other;
-        }
-        return found;
+        into.size = size;
     }
 }

@@ -1,6 +1,6 @@
 package daphnis.core.engine.horizon
 
-import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.OptionalLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.step.CollisionStep
@@ -44,7 +44,7 @@ import daphnis.core.step.PreparedStep
  */
 internal class Epoch(
     private val prepared: PreparedStep,
-    private val loop: RangeLoop,
+    private val loop: OptionalLoop,
     private val filters: FilterChoice,
     private val isEager: Boolean,
 ) {
@@ -67,7 +67,7 @@ internal class Epoch(
     private val searches = EpochSearches(space, groups.ifEmpty { listOf(whole) }, loop)
     private val passage = Passage(space, loop)
 
-    val plan = EpochPlan(loop.workers)
+    val plan = EpochPlan()
     private val sizes = MemberSizes()
     private var filter: LineFilter = ScalarFilter
     private lateinit var tuning: HorizonTuning
@@ -178,7 +178,7 @@ internal class Epoch(
         cells.measure(step.population)
         frame.memberRadius = sizes.choose(step.population, frame, cells.rms, loop)
         filter = filters.choose(step.population.size)
-        val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter) ?: return false
+        val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter, loop.active) ?: return false
         if (!frame.begin(tuning)) return false
         this.tuning = tuning
         cells.sort(step.population, tuning, 0.0)
@@ -266,7 +266,7 @@ internal class Epoch(
     /** @return false when the step cannot be ended in this way */
     private fun collide(step: CollisionStep, order: IntArray?, tracks: Boolean): Boolean {
         if (lines.isLost) return false
-        isShared = groups.isNotEmpty() && (isEager || plan.sharesCollisions && shared.isWorthIt())
+        isShared = groups.isNotEmpty() && !loop.isAlone && (isEager || plan.sharesCollisions && shared.isWorthIt())
         if (isShared) {
             val isDone = shared.process(step, order, tracks)
             hasFailed = shared.hasFailed

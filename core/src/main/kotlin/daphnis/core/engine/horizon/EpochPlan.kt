@@ -8,7 +8,7 @@ package daphnis.core.engine.horizon
  * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
  * and spheres on curved paths leave their lines.
  */
-internal class EpochPlan(private val threads: Int) {
+internal class EpochPlan {
     private val seen = SeenWork()
     private var expectedTests = 0.0
 
@@ -46,7 +46,7 @@ internal class EpochPlan(private val threads: Int) {
      *
      * @return null when an epoch is not expected to be quicker than another engine
      */
-    fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter): HorizonTuning? {
+    fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter, threads: Int): HorizonTuning? {
         val deviation = DEVIATIONS[level]
         val cost = EpochCost(spheres, frame, cells, deviation, filter, threads, seen)
         this.cost = cost

@@ -41,6 +41,7 @@ public class HorizonEngine internal constructor(
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
     lists: ListTuning,
+    trial: SharingTrial?,
 ) : CollisionEngine {
     internal constructor(handler: ThreadHandler, fewest: Int, tuning: HorizonTuning?, filter: LineFilter) :
         this(
@@ -49,6 +50,7 @@ public class HorizonEngine internal constructor(
             tuning,
             filter,
             HorizonSteps.listsFor(handler.threads, fewest, tuning),
+            HorizonSteps.trialFor(handler.threads, fewest, tuning),
         )
 
     @JvmOverloads
@@ -64,7 +66,7 @@ public class HorizonEngine internal constructor(
     override val name: String get() = "horizon"
     override val threads: Int get() = handler.threads
     private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
-    override val loop: RangeLoop get() = gate
+    override val loop: RangeLoop get() = steps.loop.forOthers
 
     private val prepared = PreparedStep()
     private val other: CollisionEngine =
@@ -73,7 +75,7 @@ public class HorizonEngine internal constructor(
             fewest == 0 -> IslandsEngine(handler, 0)
             else -> IslandsEngine(handler)
         }
-    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists)
+    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists, trial)
     private val epoch = steps.epoch
 
     /** How dense steps of few spheres are taken. */

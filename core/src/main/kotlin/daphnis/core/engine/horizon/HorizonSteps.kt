@@ -3,6 +3,7 @@ package daphnis.core.engine.horizon
 import daphnis.core.api.EngineApi
 import daphnis.core.engine.lists.ListSteps
 import daphnis.core.engine.lists.ListTuning
+import daphnis.core.parallel.OptionalLoop
 import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
@@ -26,6 +27,7 @@ import daphnis.core.step.PreparedStep
  * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
  *   shares all work among the workers, however little
  * @param tuning how epochs are laid out; null for what should be quickest
+ * @param trial finds out whether one thread alone is quicker; null where all share every step
  */
 @EngineApi
 public class HorizonSteps internal constructor(
@@ -35,13 +37,25 @@ public class HorizonSteps internal constructor(
     filter: LineFilter,
     internal val prepared: PreparedStep,
     lists: ListTuning,
+    private val trial: SharingTrial?,
 ) {
     @JvmOverloads
     public constructor(loop: RangeLoop, fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null) :
-        this(loop, fewest, tuning, LineFilter.BEST, PreparedStep(), listsFor(loop.workers, fewest, tuning))
+        this(
+            loop,
+            fewest,
+            tuning,
+            LineFilter.BEST,
+            PreparedStep(),
+            listsFor(loop.workers, fewest, tuning),
+            trialFor(loop.workers, fewest, tuning),
+        )
 
     private val isEager = fewest == 0
-    private val loop: RangeLoop = if (isEager) FineLoop(loop) else loop
+
+    /** The loop by which steps are taken, and what follows them: on the caller's thread while that is quicker. */
+    internal val loop = OptionalLoop(if (isEager) FineLoop(loop) else loop)
+
     private val filters = FilterChoice(filter, always = isEager)
     internal val epoch = Epoch(prepared, this.loop, filters, isEager)
     internal val lists = ListSteps(prepared, lists, this.loop)
@@ -50,8 +64,12 @@ public class HorizonSteps internal constructor(
     public var steps: Long = 0
         private set
 
-    /** Collisions counted before the present step. */
+    /** Collisions counted, and epochs begun, before the present step. */
     private var before = 0L
+    private var begun = 0L
+
+    /** The [trial], if there are so few spheres in the present step that one thread alone may be quicker. */
+    private var judge: SharingTrial? = null
 
     /**
      * Takes [step], if that should be quicker here.
@@ -64,11 +82,16 @@ public class HorizonSteps internal constructor(
     @JvmOverloads
     public fun take(step: CollisionStep, beforeWriting: Runnable = Runnable {}): Boolean {
         before = step.counters.collisions
+        begun = epoch.begun
+        val size = step.population.size
+        judge = if (size < SHARED_SPHERES.toLong() * loop.workers) trial else null
+        loop.isAlone = judge?.isAlone == true
+        judge?.begin()
         if (lists.take(step, beforeWriting)) {
             epoch.drop()
+            judge?.finish(beganEpoch = true)
             return true
         }
-        val size = step.population.size
         filters.passed(size)
         if (size < maxOf(fewest, 1) || tuning == null && epoch.plan.rests()) {
             epoch.drop()
@@ -76,6 +99,7 @@ public class HorizonSteps internal constructor(
         }
         if (!epoch.carry(step, tuning, beforeWriting)) return false
         steps++
+        judge?.finish(beganEpoch = epoch.begun > begun)
         return true
     }
 
@@ -84,6 +108,7 @@ public class HorizonSteps internal constructor(
         if (epoch.hasFailed) step.counters.causalityReplays++
         val size = step.population.size
         if (size > 0) epoch.plan.observe((step.counters.collisions - before).toDouble() / size)
+        judge?.finish(beganEpoch = true)
     }
 
     /** A loop of small pieces. */
@@ -96,6 +121,10 @@ public class HorizonSteps internal constructor(
             loop.run(size, minOf(grain, GRAIN), body)
         }
 
+        override fun runLight(size: Int, body: RangeBody) {
+            loop.run(size, GRAIN, body)
+        }
+
         private companion object {
             const val GRAIN = 8
         }
@@ -106,8 +135,15 @@ public class HorizonSteps internal constructor(
         /** Spheres from which on epochs can pay. */
         public const val WORTH_SPHERES: Int = 256
 
+        /** Spheres for each worker from which on all share the work without a trial. */
+        private const val SHARED_SPHERES = 20_000
+
         /** Where lists are used unless somebody wants epochs. */
         internal fun listsFor(threads: Int, fewest: Int, tuning: HorizonTuning?): ListTuning =
             if (fewest > 0 && tuning == null) ListTuning.best(threads) else ListTuning.NEVER
+
+        /** Where one thread alone may be quicker, unless somebody wants epochs. */
+        internal fun trialFor(threads: Int, fewest: Int, tuning: HorizonTuning?): SharingTrial? =
+            if (threads > 1 && fewest > 0 && tuning == null) SharingTrial(isAlone = true) else null
     }
 }

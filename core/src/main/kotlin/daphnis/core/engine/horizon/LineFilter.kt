@@ -9,8 +9,8 @@ package daphnis.core.engine.horizon
  * which is up to the filter.
  */
 internal interface LineFilter {
-    /** Writes those of the slots [first] until [end] in [state] which may come near [query] to [into]; their number. */
-    fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: IntArray): Int
+    /** Adds those of the slots [first] until [end] in [state] which may come near [query] to [into]. */
+    fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: KeptLines)
 
     /** What a row of cells in a search costs, and each line in it, in the nanoseconds of [EpochCost]. */
     val perRun: Double
@@ -52,7 +52,8 @@ internal object ScalarFilter : LineFilter {
     override val perRun: Double get() = 16.0
     override val perLine: Double get() = 2.4
 
-    override fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: IntArray): Int {
+    override fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: KeptLines) {
+        into.reserve(end - first)
         val x = query.x
         val y = query.y
         val z = query.z
@@ -62,7 +63,8 @@ internal object ScalarFilter : LineFilter {
         val t = query.time
         val closing = query.closing
         val radius = query.radius
-        var found = 0
+        val marks = into.marks
+        var size = into.size
         for (slot in first until end) {
             val p = Lines.place(slot)
             val pu = state[p + Lines.U]
@@ -80,8 +82,9 @@ internal object ScalarFilter : LineFilter {
             val late = approach * closing - gap
             val miss = approach * approach * LineFilter.ROUNDING - (a * a + b * b + c * c) * gap
             // Sign bits instead of comparisons: one branch, which nearly always goes the same way.
-            if ((late.toRawBits() or miss.toRawBits()) >= 0 || gap <= 0f) into[found++] = slot
+            val isNear = (late.toRawBits() or miss.toRawBits()) >= 0 || gap <= 0f
+            if (isNear) marks[size++] = slot.toLong() shl Lines.LANES or 1
         }
-        return found
+        into.size = size
     }
 }

@@ -53,7 +53,7 @@ internal class LineSearch(
     private val lookAtGiants = RoamerLook(frame, giants)
     private val lookAtNew = RoamerLook(frame, newRoamers)
     private val query = LineQuery(frame)
-    private var hits = IntArray(INITIAL_HITS)
+    private val kept = KeptLines()
 
     /** Begins an epoch, whose cells are laid out, in which [filter] dismisses lines. */
     fun begin(filter: LineFilter) {
@@ -233,27 +233,30 @@ internal class LineSearch(
     /** Tests the runs. */
     private fun scan(slot: Int, except: Int) {
         query.begin(lines, slot, time)
+        kept.clear()
+        var code = 0
         for (r in 0 until count) {
+            if (image[r] != code) {
+                tell(slot, except, code)
+                code = image[r]
+                query.toward(code)
+            }
             val first = from[r]
             val end = to[r]
             tested += end - first
-            if (hits.size < end - first) hits = IntArray(2 * (end - first))
-            query.toward(image[r])
-            sight.forEachPart(first, end) { lines, a, b -> near(lines, a, b, slot, except, image[r]) }
+            sight.forEachPart(first, end) { lines, a, b -> filter.near(lines.state, query, a, b, kept) }
         }
+        tell(slot, except, code)
     }
 
-    private fun near(lines: Lines, first: Int, end: Int, slot: Int, except: Int, image: Int) {
-        val near = filter.near(lines.state, query, first, end, hits)
-        for (k in 0 until near) {
-            val other = hits[k]
-            if (other != slot && other != except) found.pair(slot, other, image, time)
-        }
+    /** Tells of the lines that were kept, which are at the image [code], and forgets them. */
+    private fun tell(slot: Int, except: Int, code: Int) {
+        kept.forEach { other -> if (other != slot && other != except) found.pair(slot, other, code, time) }
+        kept.clear()
     }
 
     private companion object {
         const val AXES = 3
         const val NOBODY = -1
-        const val INITIAL_HITS = 256
     }
 }

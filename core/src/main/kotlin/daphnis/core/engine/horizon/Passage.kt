@@ -2,7 +2,6 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.parallel.runLight
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 

@@ -18,6 +18,8 @@ class EpochPlanTest {
     private val space = EpochSpace(InlineLoop)
     private var size = 0
 
+    private var threads = 1
+
     init {
         gas()
     }
@@ -70,7 +72,7 @@ class EpochPlanTest {
 
     @Test
     fun `epochs that looked through many roamers rest, and are tried again some time`() {
-        val plan = EpochPlan(1)
+        val plan = EpochPlan()
         plan.observe(FEW)
         assertNotNull(choose(plan))
         plan.ended(4, FEW, strays = 0.0, roamers = 1.0, isBroken = false)
@@ -83,7 +85,7 @@ class EpochPlanTest {
 
     @Test
     fun `one thread has no groups, and rests where epochs do not pay`() {
-        val plan = EpochPlan(1)
+        val plan = EpochPlan()
         plan.observe(FEW)
         assertNotNull(choose(plan))
         assertFalse(plan.sharesCollisions)
@@ -105,11 +107,11 @@ class EpochPlanTest {
     fun `the longer the step, the more windows it is cut into, and a short one into none`() {
         val windows = listOf(0.01, 0.1, 2.0, 4.0, 8.0).map { dt ->
             gas(dt)
-            choose(EpochPlan(1))?.windows ?: 0
+            choose(EpochPlan())?.windows ?: 0
         }
         assertEquals(listOf(1, 1), windows.take(2))
         assertTrue(windows[2] in 2..4 && windows[3] > windows[2] && windows[4] in 2 * windows[2]..32) { "$windows" }
-        assertFalse(EpochPlan(2).also { choose(it) }.sharesCollisions)
+        assertFalse(plan().also { choose(it) }.sharesCollisions)
     }
 
     @Test
@@ -128,7 +130,7 @@ class EpochPlanTest {
     fun `a search in each of many windows tells no more than one`() {
         gas(dt = 8.0)
         val (once, often) = listOf(1, 12).map { searches ->
-            val plan = EpochPlan(1)
+            val plan = EpochPlan()
             assertTrue(choose(plan)!!.windows > 4)
             // More than was expected, as where spheres are in clumps.
             repeat(searches) { plan.searched(30.0) }
@@ -142,7 +144,7 @@ class EpochPlanTest {
     fun `the larger the system, the shorter its epochs, since searches go farther over memory`() {
         val steps = listOf(16, 64).map { edge ->
             gas(edge = edge)
-            EpochPlan(1).also { it.observe(SOME) }.let { choose(it)!!.steps }
+            EpochPlan().also { it.observe(SOME) }.let { choose(it)!!.steps }
         }
         assertTrue(steps[0] > steps[1]) { "$steps" }
     }
@@ -150,23 +152,25 @@ class EpochPlanTest {
     @Test
     fun `very short steps make long epochs, but none in which spheres would go too far for lines`() {
         gas(dt = 1e-4)
-        assertEquals(64, EpochPlan(1).also { it.observe(0.0) }.let { choose(it)!!.steps })
+        assertEquals(64, EpochPlan().also { it.observe(0.0) }.let { choose(it)!!.steps })
         // One of them goes through a quarter of the box in each step.
         val calm = Array(1000) { Sphere(it % 10 + 0.5, it / 10 % 10 + 0.5, it / 100 + 0.5, r = 0.1) }
         size = calm.size
         space.measure(populationOf(Sphere(0.2, 0.2, 0.2, vx = 2.5, r = 0.1), *calm), BOX, 1.0)
-        assertEquals(8, EpochPlan(1).also { it.observe(0.0) }.let { choose(it)!!.steps })
+        assertEquals(8, EpochPlan().also { it.observe(0.0) }.let { choose(it)!!.steps })
         // Not even for one step: others take it, and the next ones too.
         gas(dt = 30.0)
-        val plan = EpochPlan(1)
+        val plan = EpochPlan()
         plan.observe(0.0)
         assertNull(choose(plan))
         assertTrue(plan.rests())
     }
 
-    private fun plan() = EpochPlan(2)
+    /** One for two threads. */
+    private fun plan() = EpochPlan().also { threads = 2 }
 
-    private fun choose(plan: EpochPlan): HorizonTuning? = plan.choose(size, space.frame, space.cells, ScalarFilter)
+    private fun choose(plan: EpochPlan): HorizonTuning? =
+        plan.choose(size, space.frame, space.cells, ScalarFilter, threads)
 
     /** Measures a gas at a filling factor of 0.03, of so many spheres along each [edge] of its box. */
     private fun gas(dt: Double = 0.1, edge: Int = 16) {

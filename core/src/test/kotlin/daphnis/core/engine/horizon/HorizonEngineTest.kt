@@ -14,11 +14,13 @@ import daphnis.core.engine.FixedThreads
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
+import daphnis.core.engine.lists.ListTuning
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
+import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -171,9 +173,9 @@ class HorizonEngineTest {
     fun `a small system gets the quick filter after so many steps, however long its epochs are`() {
         var asked = 0
         val quick = object : LineFilter by ScalarFilter {
-            override fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: IntArray): Int {
+            override fun near(state: FloatArray, query: LineQuery, first: Int, end: Int, into: KeptLines) {
                 asked++
-                return ScalarFilter.near(state, query, first, end, into)
+                ScalarFilter.near(state, query, first, end, into)
             }
         }
         val engine = HorizonEngine(FixedPool(1), fewest = 1, tuning = HorizonTuning(16), filter = quick)
@@ -183,6 +185,52 @@ class HorizonEngineTest {
         assertEquals(0, asked)
         while (simulation.step * spheres < 2_100_000) simulation.advance()
         assertTrue(asked > spheres) { "$asked searches" }
+    }
+
+    @Test
+    fun `threads share steps and one takes them alone in turns while it is tried, with the same bits`() {
+        val serial = gas(SerialEngine(), layers = 200)
+        // A clock by which each step takes half of what is measured: the ways change all the time.
+        var now = 0L
+        val trial = SharingTrial(isAlone = true) {
+            now += SharingTrial.MEASURED / 2
+            now
+        }
+        val engine = HorizonEngine(
+            FixedPool(2),
+            HorizonSteps.WORTH_SPHERES,
+            null,
+            ScalarFilter,
+            ListTuning.NEVER,
+            trial,
+        )
+        var alone = 0
+        var shared = 0
+        gas(engine, layers = 200).use { simulation ->
+            while (simulation.step < 80) {
+                val before = engine.shared.steps
+                simulation.advance()
+                serial.advance()
+                if (engine.shared.steps > before) shared++ else alone++
+                val at = simulation.step
+                assertEquals(stateDigest(serial.population), stateDigest(simulation.population)) { "after step $at" }
+            }
+        }
+        assertEquals(80L, engine.epochSteps)
+        assertTrue(alone > 15 && shared > 15) { "$alone alone, $shared shared" }
+    }
+
+    @Test
+    fun `many spheres are shared from the beginning, few are not`() {
+        for ((layers, isShared) in listOf(620 to false, 630 to true)) {
+            val engine = HorizonEngine(2)
+            gas(engine, layers = layers).use { simulation ->
+                // So few steps are no trial.
+                repeat(3) { simulation.advance() }
+                assertTrue(engine.epochSteps > 0)
+                assertEquals(isShared, engine.shared.steps > 0) { "${simulation.population.size} spheres" }
+            }
+        }
     }
 
     @Test
@@ -266,7 +314,14 @@ class HorizonEngineTest {
     @Test
     fun `groups whose work had mostly to be joined are not asked in the next epochs`() {
         // A pile of flat layers, of which the groups get a half each: larger borders than is expected.
-        val engine = HorizonEngine(FixedPool(2))
+        val engine = HorizonEngine(
+            FixedPool(2),
+            HorizonSteps.WORTH_SPHERES,
+            null,
+            LineFilter.BEST,
+            ListTuning.NEVER,
+            null,
+        )
         val pile = gas(engine, layers = 64)
         repeat(40) { pile.advance() }
         assertTrue(engine.shared.reopened > 0)

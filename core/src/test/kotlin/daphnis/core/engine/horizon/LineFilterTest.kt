@@ -58,7 +58,7 @@ class LineFilterTest {
                 state[p + Lines.RADIUS] = 1f
                 query.radius = (0.5 + inflation).toFloat()
                 query.lookFrom(0.0, time)
-                assertEquals(1, filter.near(state, query, f, f + 1, IntArray(1))) {
+                assertEquals(listOf(f), kept(filter, state, query, f, f + 1)) {
                     "${filter.javaClass.simpleName}: $along, $beside, $speed, $time"
                 }
             }
@@ -82,6 +82,28 @@ class LineFilterTest {
     }
 
     @Test
+    fun `lines of many runs are kept in the order of the runs, with room for all, until they are cleared`() {
+        val state = FloatArray(4096 / 8 * Lines.BLOCK)
+        for (slot in 0 until 4096) state[Lines.place(slot) + Lines.RADIUS] = 1f
+        val query = query().apply {
+            radius = 1f
+            lookFrom(0.0, 1.0)
+        }
+        for (filter in filters) {
+            val kept = KeptLines()
+            repeat(2) {
+                val expected = ArrayList<Int>()
+                for ((first, end) in listOf(7 to 9, 4000 to 4096, 0 to 8, 100 to 100, 15 to 16, 1 to 3000)) {
+                    filter.near(state, query, first, end, kept)
+                    expected += first until end
+                }
+                assertEquals(expected, buildList { kept.forEach { add(it) } }) { filter.javaClass.simpleName }
+                kept.clear()
+            }
+        }
+    }
+
+    @Test
     fun `a pair that touches already is kept, whether or not it parts`() {
         for (filter in filters) {
             for (speed in listOf(-1f, 0f, 1f)) {
@@ -93,9 +115,7 @@ class LineFilterTest {
                     radius = 1f
                     lookFrom(0.0, 1.0)
                 }
-                val into = IntArray(8)
-                val found = filter.near(state, query, 3, 4, into)
-                assertEquals(listOf(3), into.take(found)) { "${filter.javaClass.simpleName} at $speed" }
+                assertEquals(listOf(3), kept(filter, state, query, 3, 4)) { "${filter.javaClass.simpleName} at $speed" }
             }
         }
     }
@@ -136,10 +156,7 @@ class LineFilterTest {
             query.lookFrom(from.toDouble(), end.toDouble())
         }
 
-        fun search(filter: LineFilter, first: Int, end: Int): List<Int> {
-            val into = IntArray(maxOf(1, end - first))
-            return into.take(filter.near(state, query, first, end, into))
-        }
+        fun search(filter: LineFilter, first: Int, end: Int): List<Int> = kept(filter, state, query, first, end)
 
         /** Whether two spheres without inflation overlap at some time, computed without rounding. */
         fun comesNear(slot: Int): Boolean {
@@ -165,6 +182,12 @@ class LineFilterTest {
         const val DRAWS = 300
         const val LINES = 61
         const val MOST_TOO_MANY = 1.5
+
+        fun kept(filter: LineFilter, state: FloatArray, query: LineQuery, first: Int, end: Int): List<Int> {
+            val kept = KeptLines()
+            filter.near(state, query, first, end, kept)
+            return buildList { kept.forEach { add(it) } }
+        }
 
         /** Of a line that rests at the origin. */
         fun query() = LineQuery(EpochFrame())
