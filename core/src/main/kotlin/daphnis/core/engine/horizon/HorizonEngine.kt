@@ -19,6 +19,9 @@ import daphnis.core.step.PreparedStep
  * searches in every step. In a dilute system the search is most of the work. Threads share the search and the passes
  * over all spheres by ranges, and the collisions of a step by groups of spheres that lie side by side.
  *
+ * With few spheres for each thread it begins with the caller's thread alone, and finds out by trial whether several are
+ * quicker ([SharingTrial]).
+ *
  * In dense systems of few spheres it keeps neighbour lists from step to step instead, on the caller's thread
  * ([ListSteps]).
  *

@@ -12,7 +12,8 @@ import daphnis.core.step.PreparedStep
 /**
  * Takes steps in epochs, which look ahead over several of them, where that should be quicker, for an engine that takes
  * its other steps in another way. The work is shared among the workers of [loop]: searches and passes by ranges of
- * spheres, collisions by groups of spheres that lie side by side, one for each worker. Steps of dense systems of few
+ * spheres, collisions by groups of spheres that lie side by side, one for each worker. With few spheres for each worker
+ * the caller's thread may take steps alone, where a trial has shown that to be quicker. Steps of dense systems of few
  * spheres are taken on the caller's thread, by neighbour lists that are kept from step to step.
  *
  * ```
