@@ -31,7 +31,15 @@ class ResumeCommand : CliktCommand(name = "resume") {
         "Continue a run from its last good checkpoint, to the same bits as an uninterrupted run."
 
     override fun run() {
-        if (threads != null && !fleet.isGiven) throw InputException("--threads", null, "needs --nodes")
+        if (threads != null &&
+            !fleet.isGiven
+        ) {
+            throw InputException(
+                "--threads",
+                null,
+                "needs --nodes; without nodes edit engine.threads in the run's scenario.json",
+            )
+        }
         val path = pathOf(directory, "dir")
         live.withPage { page ->
             fleet.withEngines(path.fileName?.toString() ?: "run", threads) { engines ->

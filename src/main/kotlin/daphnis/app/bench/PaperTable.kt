@@ -46,7 +46,7 @@ internal object PaperTable {
 
         [1] HardSphereCollSims, the public C++ of the paper's authors, commit 157ca72, g++ 12.2 -O3 -march=native: CPU
         time on one core of an AMD EPYC, measured by this project, on another day than ours. Beside another machine it
-        says little; beside the same kind of machine it is good to a factor of 1.6.
+        says little; beside the same kind of machine it is good to a factor of 1.8.
 
         [2] Lewis & Massingill say that their Java took 6 to 20 % longer than their C++, on their machine. The seconds
         in the paper's own table are not known to this project, and are left out.

@@ -12,15 +12,15 @@ internal class OptionalLoop(private val loop: RangeLoop) : RangeLoop by loop {
     val active: Int get() = if (isAlone) 1 else workers
 
     override fun run(size: Int, grain: Int, body: RangeBody) {
-        loop.run(size, if (isAlone) maxOf(size, grain) else grain, body)
+        loop.run(size, if (isAlone) RangeLoop.WHOLE else grain, body)
     }
 
     override fun run(size: Int, body: RangeBody) {
-        if (isAlone) loop.run(size, size, body) else loop.run(size, body)
+        if (isAlone) loop.run(size, RangeLoop.WHOLE, body) else loop.run(size, body)
     }
 
     override fun runLight(size: Int, body: RangeBody) {
-        if (isAlone) loop.run(size, size, body) else loop.runLight(size, body)
+        if (isAlone) loop.run(size, RangeLoop.WHOLE, body) else loop.runLight(size, body)
     }
 
     /** For what does not belong to the steps: only loops that are light are left to the caller's thread. */

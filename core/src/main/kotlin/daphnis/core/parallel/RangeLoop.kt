@@ -28,6 +28,9 @@ public interface RangeLoop {
         /** Indices per piece: some ten microseconds of work. */
         public const val GRAIN: Int = 2048
 
+        /** Indices per piece of a loop that is one piece, whatever its size. */
+        internal const val WHOLE: Int = Int.MAX_VALUE
+
         /** Indices of a light loop which takes as long as it takes to begin it on several threads. */
         internal const val FEW: Int = 4 * GRAIN
 

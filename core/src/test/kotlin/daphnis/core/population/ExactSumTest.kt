@@ -53,6 +53,36 @@ class ExactSumTest {
         }
     }
 
+    @Test
+    fun `a block gives what its terms give one by one, to the last part, wherever it begins and however long it is`() {
+        val lengths = (0..15) + (61..66) + listOf(4095, 4096, 4097, 4098, 4103, 4104, 4105, 8193)
+        for (seed in 0L until 1500) {
+            val random = SeededRandom(seed)
+            val n = lengths[random.nextInt(if (seed % 8 == 0L) lengths.size else 22)]
+            val from = random.nextInt(4)
+            val greatest = random.nextInt(2047)
+            val spread = listOf(0, 1, 5, 40, 80, 120, 400, 2046)[random.nextInt(8)]
+            val kind = random.nextInt(6)
+            val terms = DoubleArray(from + n) {
+                val exponent = maxOf(0, greatest - random.nextInt(spread + 1)).toLong()
+                val bits = random.nextLong()
+                when {
+                    kind == 0 && random.nextInt(20) == 0 -> -0.0
+                    kind == 1 && random.nextInt(500) == 0 -> NOT_FINITE[random.nextInt(3)]
+                    kind == 2 && random.nextInt(20) == 0 -> Double.MIN_VALUE * random.nextInt(5)
+                    else -> Double.fromBits((bits and (-1L ushr 12 or Long.MIN_VALUE)) or (exponent shl 52))
+                }
+            }
+            if (kind == 3) for (k in 1 until terms.size step 2) terms[k] = -terms[k - 1]
+            val one = ExactSum()
+            for (k in from until terms.size) one.add(terms[k])
+            val all = ExactSum().apply { addAll(terms, from, terms.size) }
+            assertEquals(one.parts(), all.parts()) {
+                "seed $seed, $n terms from $from, 2^$greatest to 2^-$spread of it"
+            }
+        }
+    }
+
     @ParameterizedTest
     @EnumSource
     fun `parts in any number merge in any order to the same bits, and so do those that are written down`(kind: Terms) {
@@ -140,5 +170,9 @@ class ExactSumTest {
         assertEquals(BigDecimal(most).multiply(BigDecimal("1e10")).toDouble(), merged.value())
         val block = sumOf(DoubleArray(100_000) { most })
         assertEquals(sum.value(), block.value())
+    }
+
+    private companion object {
+        val NOT_FINITE = listOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY)
     }
 }

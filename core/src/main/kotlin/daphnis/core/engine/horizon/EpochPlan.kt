@@ -3,7 +3,7 @@ package daphnis.core.engine.horizon
 /**
  * Chooses how long epochs are, how fine their cells, and whether they pay at all, from the work that is expected: a
  * model of how many lines and rows of cells a search looks at, corrected by what the last epoch has measured. The clock
- * is not asked, so a run takes the same epochs on every machine.
+ * is not asked here, but may decide how many threads are planned for ([SharingTrial]).
  *
  * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
  * and spheres on curved paths leave their lines.

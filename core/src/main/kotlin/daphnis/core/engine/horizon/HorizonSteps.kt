@@ -112,14 +112,14 @@ public class HorizonSteps internal constructor(
         judge?.finish(beganEpoch = true)
     }
 
-    /** A loop of small pieces. */
+    /** A loop of small pieces, unless it is to be one. */
     private class FineLoop(private val loop: RangeLoop) : RangeLoop by loop {
         override fun run(size: Int, body: RangeBody) {
             loop.run(size, GRAIN, body)
         }
 
         override fun run(size: Int, grain: Int, body: RangeBody) {
-            loop.run(size, minOf(grain, GRAIN), body)
+            loop.run(size, if (grain == RangeLoop.WHOLE) grain else minOf(grain, GRAIN), body)
         }
 
         override fun runLight(size: Int, body: RangeBody) {

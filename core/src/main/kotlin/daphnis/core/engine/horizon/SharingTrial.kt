@@ -81,7 +81,6 @@ internal class SharingTrial(isAlone: Boolean, private val clock: LongSupplier = 
         isTrial = false
         spent = 0
         if (perStep < present * CLEARLY) {
-            present = perStep
             spell = AFTER_CHANGE
         } else {
             isAlone = !isAlone

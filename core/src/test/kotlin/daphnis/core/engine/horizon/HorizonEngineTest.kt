@@ -25,6 +25,7 @@ import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import java.util.concurrent.atomic.AtomicInteger
 
 class HorizonEngineTest {
     @Test
@@ -44,7 +45,8 @@ class HorizonEngineTest {
             val made = CoreEngines.make("horizon", settings) as HorizonEngine
             // Filters take turns, and so do numbers of threads.
             val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
-            val engine = HorizonEngine(FixedPool(THREADS[(seed % THREADS.size).toInt()]), 0, made.tuning, filter)
+            val pool = FixedPool(THREADS[(seed % THREADS.size).toInt()])
+            val engine = HorizonEngine(pool, 0, made.tuning, filter, ListTuning.NEVER, trial(seed))
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS) {
@@ -93,7 +95,8 @@ class HorizonEngineTest {
             val made = CoreEngines.make("horizon", settings) as HorizonEngine
             val tuning = made.tuning!!.inWindows(2 + (seed % 7).toInt())
             val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
-            val engine = HorizonEngine(FixedPool(THREADS[(seed % THREADS.size).toInt()]), 0, tuning, filter)
+            val pool = FixedPool(THREADS[(seed % THREADS.size).toInt()])
+            val engine = HorizonEngine(pool, 0, tuning, filter, ListTuning.NEVER, trial(seed))
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS / 2) {
@@ -209,8 +212,10 @@ class HorizonEngineTest {
         gas(engine, layers = 200).use { simulation ->
             while (simulation.step < 80) {
                 val before = engine.shared.steps
+                val isAlone = trial.isAlone
                 simulation.advance()
                 serial.advance()
+                assertTrue(!isAlone || engine.shared.steps == before)
                 if (engine.shared.steps > before) shared++ else alone++
                 val at = simulation.step
                 assertEquals(stateDigest(serial.population), stateDigest(simulation.population)) { "after step $at" }
@@ -218,6 +223,37 @@ class HorizonEngineTest {
         }
         assertEquals(80L, engine.epochSteps)
         assertTrue(alone > 15 && shared > 15) { "$alone alone, $shared shared" }
+    }
+
+    @Test
+    fun `steps that are not taken in epochs are measured as well, and light loops after a step follow`() {
+        // Dense enough for lists, and for another engine where there are none.
+        for (lists in listOf(ListTuning.ALWAYS, ListTuning.NEVER)) {
+            var now = 0L
+            val trial = SharingTrial(isAlone = true) {
+                now += SharingTrial.MEASURED
+                now
+            }
+            val engine = HorizonEngine(FixedPool(2), HorizonSteps.WORTH_SPHERES, null, ScalarFilter, lists, trial)
+            val serial = gas(SerialEngine(), apart = 1.85)
+            gas(engine, apart = 1.85).use { simulation ->
+                val ways = HashSet<Boolean>()
+                repeat(30) {
+                    val isAlone = trial.isAlone
+                    ways += isAlone
+                    simulation.advance()
+                    serial.advance()
+                    val pieces = AtomicInteger()
+                    engine.loop.runLight(10_000) { _, _, _ -> pieces.incrementAndGet() }
+                    assertEquals(isAlone, pieces.get() == 1)
+                    engine.loop.run(10_000) { _, _, _ -> pieces.incrementAndGet() }
+                    assertTrue(pieces.get() > 5)
+                }
+                assertEquals(setOf(true, false), ways)
+                assertEquals(0L, engine.epochSteps)
+                assertEquals(stateDigest(serial.population), stateDigest(simulation.population))
+            }
+        }
     }
 
     @Test
@@ -229,6 +265,16 @@ class HorizonEngineTest {
                 repeat(3) { simulation.advance() }
                 assertTrue(engine.epochSteps > 0)
                 assertEquals(isShared, engine.shared.steps > 0) { "${simulation.population.size} spheres" }
+                if (!isShared) return@use
+                // One that has shrunk begins alone, and one that has grown again is shared.
+                val rest = simulation.population.copy().apply { retain { it >= 39_000 } }
+                simulation.population.retain { it < 39_000 }
+                val before = engine.shared.steps
+                repeat(3) { simulation.advance() }
+                assertEquals(before, engine.shared.steps)
+                simulation.population.add(rest)
+                repeat(3) { simulation.advance() }
+                assertTrue(engine.shared.steps > before)
             }
         }
     }
@@ -422,6 +468,17 @@ class HorizonEngineTest {
             assertSameStep(serial, horizon, "step $step")
         }
         assertTrue(engine.epochSteps > 12)
+    }
+
+    /** In every third draw steps change hands all the time, by a clock that runs as it likes. */
+    private fun trial(seed: Long): SharingTrial? {
+        if (seed % 3 != 0L) return null
+        val random = SeededRandom(seed)
+        var now = 0L
+        return SharingTrial(isAlone = seed % 2 == 0L) {
+            now += random.nextInt(SharingTrial.MEASURED.toInt())
+            now
+        }
     }
 
     private fun gas(engine: CollisionEngine, apart: Double = 3.0, layers: Int = 8, seed: Long = 3): Simulation {

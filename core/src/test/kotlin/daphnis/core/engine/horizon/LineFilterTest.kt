@@ -90,6 +90,15 @@ class LineFilterTest {
             lookFrom(0.0, 1.0)
         }
         for (filter in filters) {
+            val tight = KeptLines()
+            filter.near(state, query, 0, 200, tight)
+            filter.near(state, query, 200, 320, tight)
+            assertEquals(
+                (0 until 320).toList(),
+                buildList {
+                    tight.forEach { add(it) }
+                },
+            ) { filter.javaClass.simpleName }
             val kept = KeptLines()
             repeat(2) {
                 val expected = ArrayList<Int>()

@@ -66,9 +66,12 @@ class SharingTrialTest {
         val epoch = 8
         var way = true
         var changes = 0
+        var last = -2 * epoch
         for (step in 0 until 4000) {
             if (trial.isAlone != way) {
                 changes++
+                assertTrue(step - last >= 2 * epoch) { "after ${step - last} steps" }
+                last = step
                 way = trial.isAlone
                 // It changes after the first step of an epoch.
                 assertEquals(1, step % epoch) { "step $step" }
