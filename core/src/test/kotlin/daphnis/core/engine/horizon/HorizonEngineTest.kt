@@ -192,7 +192,7 @@ class HorizonEngineTest {
 
     @Test
     fun `threads share steps and one takes them alone in turns while it is tried, with the same bits`() {
-        val serial = gas(SerialEngine(), layers = 200)
+        val serial = gas(SerialEngine(), apart = 4.0, layers = 400)
         // A clock by which each step takes half of what is measured: the ways change all the time.
         var now = 0L
         val trial = SharingTrial(isAlone = true) {
@@ -209,7 +209,7 @@ class HorizonEngineTest {
         )
         var alone = 0
         var shared = 0
-        gas(engine, layers = 200).use { simulation ->
+        gas(engine, apart = 4.0, layers = 400).use { simulation ->
             while (simulation.step < 80) {
                 val before = engine.shared.steps
                 val isAlone = trial.isAlone
@@ -222,6 +222,8 @@ class HorizonEngineTest {
             }
         }
         assertEquals(80L, engine.epochSteps)
+        // So there are changes in the middle of an epoch.
+        assertTrue(engine.epochs < 40) { "${engine.epochs} epochs" }
         assertTrue(alone > 15 && shared > 15) { "$alone alone, $shared shared" }
     }
 
