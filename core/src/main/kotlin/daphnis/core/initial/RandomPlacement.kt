@@ -96,7 +96,7 @@ public class RandomPlacement internal constructor(
     }
 
     private fun refuse(what: String): Nothing = throw PlacementException(
-        "$what; random placement reaches a filling factor of about 0.35, use a lattice above that (placement.type=lattice)",
+        "$what; random placement reaches a filling factor of about 0.35, use a lattice above that",
     )
 
     /** How many spheres from [rank] on, at most [limit], share an octave. */
