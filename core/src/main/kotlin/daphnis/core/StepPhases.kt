@@ -2,6 +2,7 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.PerSphereBoundary
+import daphnis.core.boundary.keepsFinite
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
@@ -33,9 +34,13 @@ public class StepPhases(
     @Volatile
     private var isKnownFinite = false
 
+    /** Whether the engine knows that of the state after the drift of this step. */
+    private var hasDriftedFinite = false
+
     /** A step begins. */
     public fun begin() {
         isKnownFinite = false
+        hasDriftedFinite = false
         undo.begin()
     }
 
@@ -56,6 +61,7 @@ public class StepPhases(
     public fun drift(start: Double, duration: Double) {
         if (collisions != null) {
             collisions.advance(population, boundary, start, duration)
+            hasDriftedFinite = collisions.endedFinite
         } else {
             population.drift(duration)
         }
@@ -69,10 +75,11 @@ public class StepPhases(
         }
         // Without forces nothing else is done to the spheres, which are in the cache here.
         isKnownFinite = forces.isEmpty()
+        val isFiniteAnyway = hasDriftedFinite && boundary.keepsFinite()
         loop.runLight(population.size) { _, from, to ->
             forEachPiece(from, to) { first, last ->
                 boundary.endStep(population, end, first, last)
-                if (isKnownFinite && !population.isFinite(first, last)) isKnownFinite = false
+                if (isKnownFinite && !isFiniteAnyway && !population.isFinite(first, last)) isKnownFinite = false
             }
         }
     }

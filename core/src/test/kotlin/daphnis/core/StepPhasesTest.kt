@@ -5,18 +5,24 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
+import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
+import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.Pieces
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -139,6 +145,61 @@ class StepPhasesTest {
             val failure = assertThrows(IllegalStateException::class.java) { simulation.advance() }
             assertTrue(said in failure.message!!) { failure.message }
             assertEquals(digest, stateDigest(simulation.population))
+        }
+    }
+
+    /** Says [knows] of a state with a number that is NaN. */
+    private class Spoiler : CollisionEngine {
+        var knows = true
+        override val name get() = "spoiler"
+        override val threads get() = 1
+
+        override fun advance(step: CollisionStep) {
+            step.population.vx[0] = Double.NaN
+            step.endsFinite = step.endsFinite || knows
+        }
+    }
+
+    @Test
+    fun `an engine that knows the end to be finite is believed for that step, if the boundary is known as well`() {
+        val delegating = object : PerSphereBoundary by boundary {}
+        for ((around, isBelieved) in listOf(boundary to true, delegating to false)) {
+            val spoiler = Spoiler()
+            val forcing = CollisionForcing(ConstantRestitution(1.0), engine = spoiler)
+            val phases = StepPhases(gas.copy(), around, forcing, emptyList(), InlineLoop)
+            fun step(drifts: Boolean = true): Boolean {
+                phases.begin()
+                if (drifts) phases.drift(0.0, 0.1)
+                phases.applyBoundary(0.1)
+                return runCatching { phases.checkFinite { "a step" } }.isSuccess.also { phases.commit() }
+            }
+            assertEquals(isBelieved, step())
+            assertFalse(step(drifts = false))
+            spoiler.knows = false
+            assertFalse(step())
+        }
+    }
+
+    @Test
+    fun `a boundary of somebody else that spoils a sphere in the middle of an epoch is noticed`() {
+        val spoiling = object : PerSphereBoundary by boundary {
+            var isOn = false
+
+            override fun endStep(population: Population, time: Double, from: Int, to: Int) {
+                boundary.endStep(population, time, from, to)
+                for (k in from until to) if (isOn && population.id[k] == 5) population.vz[k] = Double.NaN
+            }
+        }
+        val engine = HorizonEngine(FixedPool(2), 0, HorizonTuning(8))
+        val forcing = CollisionForcing(ConstantRestitution(0.9), engine = engine)
+        Simulation(gas.copy(), spoiling, forcing, FixedTimeStep(0.01)).use { simulation ->
+            repeat(4) { simulation.advance() }
+            spoiling.isOn = true
+            val failure = assertThrows(IllegalStateException::class.java) { simulation.advance() }
+            assertTrue("vz of particle 5 is NaN" in failure.message!!) { failure.message }
+            spoiling.isOn = false
+            simulation.advance()
+            assertEquals(1L to 5L, engine.epochs to engine.epochSteps - 1)
         }
     }
 

@@ -2,6 +2,7 @@ package daphnis.core.boundary
 
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
+import kotlin.math.abs
 
 /**
  * The sheared periodic box of Lewis & Massingill: at the end of a step a sphere beyond a face is put on the other side,
@@ -20,11 +21,19 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
 
     override fun contactFaces(axis: Int): ContactFaces = ContactFaces.WRAPPING
 
+    /** Whether the jumps of a sphere that passes very many boxes at once are finite. */
+    internal val isFarFromInfinite: Boolean =
+        abs(velocityJump) <= LARGE && (0 until AXES).all { box.length(it) >= 1 / LARGE }
+
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val vx = population.vx
         // v_x = γ y with γ L_y = jump: a sphere that leaves above enters below, where the flow is slower by the jump.
         wrap(population, 1, box, from, to) { k, boxes -> vx[k] -= boxes * velocityJump }
         wrap(population, 0, box, from, to)
         wrap(population, 2, box, from, to)
+    }
+
+    private companion object {
+        const val LARGE = 1e90
     }
 }

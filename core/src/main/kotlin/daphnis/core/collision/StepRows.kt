@@ -150,15 +150,7 @@ public class StepRows {
     internal fun include(population: SphereColumns, index: Int): Int {
         val k = size
         if (k * STRIDE == state.size) grow()
-        val p = k * STRIDE
-        state[p] = population.x[index]
-        state[p + 1] = population.y[index]
-        state[p + 2] = population.z[index]
-        state[p + VX] = population.vx[index]
-        state[p + VX + 1] = population.vy[index]
-        state[p + VX + 2] = population.vz[index]
-        state[p + TIME] = 0.0
-        state[p + RADIUS] = population.radius[index]
+        copyState(population, index, state, k * STRIDE)
         mass[k] = population.mass[index]
         id[k] = population.id[index]
         origin[k] = index
@@ -242,6 +234,18 @@ public class StepRows {
 
         /** As a fraction of a step: some hundred times the rounding of times at its end. */
         private const val RESOLUTION = 1e-13
+
+        /** Writes the [state] of the sphere at [index] of [population], at the start of a step, to entry [p] of [into]. */
+        internal fun copyState(population: SphereColumns, index: Int, into: DoubleArray, p: Int) {
+            into[p] = population.x[index]
+            into[p + 1] = population.y[index]
+            into[p + 2] = population.z[index]
+            into[p + VX] = population.vx[index]
+            into[p + VX + 1] = population.vy[index]
+            into[p + VX + 2] = population.vz[index]
+            into[p + TIME] = 0.0
+            into[p + RADIUS] = population.radius[index]
+        }
 
         /** Doubles per sphere in [state]. */
         public const val STRIDE: Int = 8

@@ -3,7 +3,6 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.StepRows
 import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.nameNotFinite
@@ -66,7 +65,7 @@ public class Reach {
         boundary: BoundaryConditions,
         everywhere: Boolean,
         loop: RangeLoop,
-        along: RangeBody? = null,
+        along: StepBounds.AlongPieces? = null,
     ) {
         measured.measure(spheres, boundary, everywhere, loop, along)
         if (!measured.areFinite) {

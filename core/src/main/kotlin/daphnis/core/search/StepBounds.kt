@@ -2,7 +2,6 @@ package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.Extremes
-import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
 import daphnis.core.population.SphereColumns
@@ -13,6 +12,16 @@ import daphnis.core.population.isFinite
  * in any order. Arrays are indexed by x, y, z.
  */
 internal class StepBounds {
+    /** Looks at spheres along with [measure]. */
+    fun interface AlongPieces {
+        /**
+         * Looks at the spheres [from] until [to], on [worker].
+         *
+         * @return whether all their numbers are finite, as far as is known; others look for themselves after false
+         */
+        fun look(worker: Int, from: Int, to: Int): Boolean
+    }
+
     private val speeds = List(AXES) { Extremes() }
     private val places = List(AXES) { Extremes() }
     private val radii = Extremes()
@@ -46,14 +55,14 @@ internal class StepBounds {
      * Measures [spheres], their positions along periodic axes only unless [everywhere]. All but positions along other
      * axes is meaningless unless [areFinite].
      *
-     * @param along also called with each piece of some thousand spheres, after that has been read into the cache
+     * @param along also called with each piece of some thousand spheres, which are in the cache afterwards
      */
     fun measure(
         spheres: SphereColumns,
         boundary: BoundaryConditions,
         everywhere: Boolean,
         loop: RangeLoop,
-        along: RangeBody? = null,
+        along: AlongPieces? = null,
     ) {
         areFinite = true
         for (axis in 0 until AXES) {
@@ -63,13 +72,13 @@ internal class StepBounds {
         radii.clear()
         loop.runLight(spheres.size) { worker, from, to ->
             forEachPiece(from, to) { first, end ->
-                if (!spheres.isFinite(first, end)) areFinite = false
+                val isFinite = along?.look(worker, first, end) == true || spheres.isFinite(first, end)
+                if (!isFinite) areFinite = false
                 for (axis in 0 until AXES) {
                     speeds[axis].include(spheres.velocity(axis), first, end)
                     if (everywhere || boundary.hasImages(axis)) places[axis].include(spheres.position(axis), first, end)
                 }
                 radii.include(spheres.radius, first, end)
-                along?.run(worker, first, end)
             }
         }
         for (axis in 0 until AXES) {

@@ -5,7 +5,6 @@ import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 import daphnis.core.queue.EventSink
@@ -86,10 +85,10 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     }
 
     /**
-     * The same, and calls [along], if there is one, with pieces of the spheres while they are in the cache. What that
+     * The same, and calls [along], if there is one, with pieces of the spheres, which are in the cache then. What that
      * has done counts only when the step is not refused.
      */
-    internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: RangeBody?) {
+    internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: StepBounds.AlongPieces?) {
         take(step, step.population, Grid.WHOLE)
         reach.look(step.population, step.boundary, everywhere = false, loop, along)
         reach.apply(step.boundary, duration)

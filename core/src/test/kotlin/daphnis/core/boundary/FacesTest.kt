@@ -94,6 +94,19 @@ class FacesTest {
     }
 
     @Test
+    fun `our boundaries keep numbers finite, but for jumps and boxes at the ends of the range`() {
+        val thin = Box(0.0, 0.0, 0.0, 10.0, 8.0, 1e-91)
+        val keeping = wrapping + Walls(box) + ShearedPeriodic(box, -1e90)
+        val others = listOf(
+            ShearedPeriodic(box, 1e91),
+            ShearedPeriodic(box, -1e91),
+            ShearedPeriodic(thin, 0.1),
+            object : PerSphereBoundary by wrapping[0] {},
+        )
+        assertEquals(keeping.map { true } + others.map { false }, (keeping + others).map { it.keepsFinite() })
+    }
+
+    @Test
     fun `rates and restitutions that are none are refused, their ends are not`() {
         for (rate in listOf(Double.NaN, Double.POSITIVE_INFINITY)) {
             assertThrows(IllegalArgumentException::class.java) { LeesEdwards(box, rate) }

@@ -51,9 +51,24 @@ class StepBoundsTest {
         found.measure(many, thin, true, InlineLoop) { worker, from, to ->
             assertEquals(0, worker)
             pieces += from until to
+            true
         }
         assertEquals(listOf(0..2047, 2048..4095, 4096..4999), pieces)
         assertEquals(4999.0, found.highest[0])
+    }
+
+    @Test
+    fun `what looks along is believed where it says that all is finite, piece by piece`() {
+        val many = populationOf(*Array(5000) { Sphere() })
+        val found = StepBounds()
+        for (spoilt in listOf(0, 2047, 2048, 4999)) {
+            many.vz[spoilt] = Double.NaN
+            for (believed in listOf(0, 2048, 4096)) {
+                found.measure(many, Open, false, InlineLoop) { _, from, _ -> from == believed }
+                assertEquals(spoilt in believed until believed + 2048, found.areFinite)
+            }
+            many.vz[spoilt] = 0.0
+        }
     }
 
     @Test
@@ -68,6 +83,7 @@ class StepBoundsTest {
         val told = HashMap<Int, Int>()
         StepBounds().measure(populationOf(*Array(7) { Sphere() }), thin, true, threeWorkers) { worker, from, _ ->
             told[from] = worker
+            true
         }
         assertEquals((0 until 7).associateWith { it % 3 }, told)
     }

@@ -3,7 +3,6 @@ package daphnis.core.engine.horizon
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NEVER
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.contactTime
 import daphnis.core.population.Population
 import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
@@ -183,7 +182,7 @@ internal class CollisionGroup(
 
     private fun contact(i: Int, j: Int, code: Int, lines: Lines): Double {
         val image = lines.spheresImage(code, i, lines, j)
-        val time = contactTime(bodies.rows, bodies.placeOf(i), bodies.placeOf(j), image, images)
+        val time = bodies.contactTime(i, j, image, images)
         val next = frame.step + 1
         if (time <= frame.duration || next == frame.steps) return time
         val touch = lines.touch(i, lines, j, code, next * frame.duration)

@@ -1,6 +1,8 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
+import daphnis.core.collision.contactTime
 import daphnis.core.collision.storeAt
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
@@ -46,6 +48,11 @@ internal class EpochBodies(private val places: SlotPlaces) {
     val queue = BucketEventQueue()
     private var indexOfPlace = IntArray(INITIAL)
     private lateinit var population: Population
+
+    /** For the states of two spheres without rows, and that which was found last. */
+    private val first = DoubleArray(StepRows.STRIDE)
+    private val second = DoubleArray(StepRows.STRIDE)
+    private var found = first
 
     /** Index in the population by index; null when the two are the same. */
     private var order: IntArray? = null
@@ -93,6 +100,30 @@ internal class EpochBodies(private val places: SlotPlaces) {
 
     /** Whether the sphere in [slot] has a row, here or where places are shared. */
     fun has(slot: Int): Boolean = places.of(indexOf(slot)) != SlotPlaces.NONE
+
+    /**
+     * The [contactTime] of the spheres in the slots [i] and [j], the second at its image [code]. Makes no rows: most
+     * spheres that are due do not touch.
+     */
+    fun contactTime(i: Int, j: Int, code: Int, images: Images): Double {
+        val p = findState(i, first)
+        val a = found
+        val q = findState(j, second)
+        return contactTime(a, p, found, q, code, images)
+    }
+
+    /** Makes the array with the state of the sphere in [slot] [found], that is [room] if there is no row. @return where */
+    private fun findState(slot: Int, room: DoubleArray): Int {
+        val index = indexOf(slot)
+        val place = places.of(index)
+        if (place != SlotPlaces.NONE) {
+            found = rows.state
+            return place * StepRows.STRIDE
+        }
+        StepRows.copyState(population, order?.get(index) ?: index, room, 0)
+        found = room
+        return 0
+    }
 
     /** Calls [use] with each slot that has a row. */
     inline fun forEachSlot(use: (Int) -> Unit) {

@@ -1,9 +1,10 @@
 package daphnis.core.engine.horizon
 
-import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
+import daphnis.core.population.isFinite
+import daphnis.core.search.StepBounds
 
 /**
  * The one pass over all spheres of a step: it writes each where it is at the end of the step if it does not collide,
@@ -27,6 +28,9 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     private class Strays {
         var slots = IntArray(INITIAL)
         var count = 0
+
+        /** Whether all numbers of these spheres are finite. */
+        var areFinite = true
 
         fun add(slot: Int) {
             if (count == slots.size) slots = slots.copyOf(count * 2)
@@ -103,17 +107,20 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /**
-     * A later step, in which slots are indices of [population]: gives the body of the loop over these. [hasNext]
-     * follows the loop.
+     * A later step, in which slots are indices of [population]: gives what is to look at all of these. [hasNext] follows.
      */
-    fun next(population: Population, columns: PopulationColumns): RangeBody {
+    fun next(population: Population, columns: PopulationColumns): StepBounds.AlongPieces {
         changed = 0
         isOver = false
-        for (strays in found) strays.count = 0
+        for (strays in found) {
+            strays.count = 0
+            strays.areFinite = true
+        }
         most = population.size / PART + FEW
-        return RangeBody { worker, from, to ->
-            if (!isOver) pass(population, columns, from, to, found[worker])
+        return StepBounds.AlongPieces { worker, from, to ->
+            val isFinite = !isOver && pass(population, columns, from, to, found[worker])
             if (found[worker].count > most) isOver = true
+            isFinite
         }
     }
 
@@ -129,7 +136,8 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
         return true
     }
 
-    private fun pass(population: Population, columns: PopulationColumns, from: Int, to: Int, strays: Strays) {
+    /** @return whether all numbers of these spheres are finite: those of spheres on their lines cannot but be */
+    private fun pass(population: Population, columns: PopulationColumns, from: Int, to: Int, strays: Strays): Boolean {
         val x = population.x
         val y = population.y
         val z = population.z
@@ -137,6 +145,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
         val vy = population.vy
         val vz = population.vz
         val radius = population.radius
+        val mass = population.mass
         val toX = columns.x
         val toY = columns.y
         val toZ = columns.z
@@ -148,6 +157,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
         val dt = frame.duration
         val t = frame.stepStart
         val most = frame.deviation * frame.deviation
+        var bodies = 0.0
         for (k in from until to) {
             val u = vx[k]
             val v = vy[k]
@@ -164,6 +174,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             val r = radius[k]
             val p = Lines.place(k)
             if (!(r <= line[p + Lines.RADIUS])) isOver = true
+            bodies += (r + mass[k]) * 0.0
             val ex = x[k] - (line[p] + line[p + Lines.U] * t)
             val ey = y[k] - (line[p + Lines.Y] + line[p + Lines.V] * t)
             val ez = z[k] - (line[p + Lines.Z] + line[p + Lines.W] * t)
@@ -173,6 +184,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             val isOn = ex * ex + ey * ey + ez * ez <= most && fx * fx + fy * fy + fz * fz <= most
             if (!isOn || image[k] != 0) look(population, k, t, strays)
         }
+        return bodies == 0.0 && strays.areFinite
     }
 
     /** Looks closer at the sphere in slot [k]: it may be at another image than before. */
@@ -184,6 +196,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             if (space.isShared) space.before.image[k] = code
         } else {
             strays.add(k)
+            if (!p.isFinite(k, k + 1)) strays.areFinite = false
         }
     }
 

@@ -4,10 +4,12 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.engine.assertSameStep
 import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -48,6 +50,7 @@ class PassageTest {
             "outside the box" to { k -> x[k] += 24.0 },
             "vy of particle 7 is NaN" to { k -> vy[k] = Double.NaN },
             "mass of particle 7 is Infinity" to { k -> mass[k] = Double.POSITIVE_INFINITY },
+            "radius of particle 7 is -Infinity" to { k -> radius[k] = Double.NEGATIVE_INFINITY },
             "x" to { k -> vx[k] = 1e9 },
         )
         for (threads in listOf(1, 3)) {
@@ -70,6 +73,7 @@ class PassageTest {
                 p.vx[k] = good.vx[k]
                 p.vy[k] = good.vy[k]
                 p.mass[k] = good.mass[k]
+                p.radius[k] = good.radius[k]
             }
             repeat(3) {
                 serial.advance()
@@ -79,6 +83,44 @@ class PassageTest {
             assertTrue(engine.epochSteps > engine.epochs + 4)
             engine.close()
         }
+    }
+
+    @Test
+    fun `a piece is known to be finite just where all of its spheres and their bodies are, on their lines or not`() {
+        val space = EpochSpace(InlineLoop)
+        val p = gas.copy()
+        space.measure(p, boundary, DT)
+        val tuning = HorizonTuning(4)
+        assertTrue(space.frame.begin(tuning))
+        space.cells.sort(p, tuning, 0.0)
+        val passage = Passage(space, InlineLoop)
+        val columns = p.columnsToWrite(false)
+        passage.first(p, space.cells, columns)
+        p.take(columns)
+        space.frame.step = 1
+        val look = passage.next(p, p.columnsToWrite(false))
+        assertTrue(look.look(0, 0, p.size))
+        // Left its line, and finite.
+        p.vx[20] += 1.0
+        assertTrue(look.look(0, 0, p.size))
+        for (column in listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass)) {
+            for (bad in listOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY)) {
+                val good = column[9]
+                column[9] = bad
+                assertFalse(passage.next(p, p.columnsToWrite(false)).look(0, 5, 10))
+                column[9] = good
+                assertTrue(passage.next(p, p.columnsToWrite(false)).look(0, 5, 10))
+            }
+        }
+        // A radius and a mass whose sum is too large for a double are finite, and somebody else may say so.
+        p.mass[9] = Double.MAX_VALUE
+        p.radius[9] = Double.MAX_VALUE
+        assertFalse(passage.next(p, p.columnsToWrite(false)).look(0, 5, 10))
+        // So many are off their lines, or one has grown, that nobody looks further.
+        val over = passage.next(p, p.columnsToWrite(false))
+        over.look(0, 5, 10)
+        assertFalse(over.look(0, 10, 11))
+        assertFalse(passage.hasNext())
     }
 
     private companion object {
