@@ -32,9 +32,9 @@ import daphnis.core.step.PreparedStep
  *   in the list of roamers. A line is checked for that when it is drawn.
  *
  * The radii are inflated by twice the deviation and by the rounding of lines to floats, so by (B) a pair is due no
- * later than it touches. Whether and when a pair that is due touches is decided by [contactTime] alone, from rows with
- * the numbers of the population. So the collisions are those of the serial engine, in the same order and with the same
- * bits; lines, cells and deviation decide only how often is asked in vain.
+ * later than it touches. Whether and when a pair that is due touches is decided by [contactTime] alone, from the
+ * numbers of the population, or of rows after a collision. So the collisions are those of the serial engine, in the
+ * same order and with the same bits; lines, cells and deviation decide only how often is asked in vain.
  *
  * With several threads the searches and the passes are shared by ranges of spheres, the collisions by groups of spheres
  * that lie side by side, see [SharedCollisions].

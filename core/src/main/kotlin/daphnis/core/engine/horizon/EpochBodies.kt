@@ -35,8 +35,9 @@ internal class SlotPlaces {
 }
 
 /**
- * The rows of the few spheres that may collide in the present step. The **place** of a sphere is that of its row here;
- * its slot is that in the cells. Collisions see rows, and so the same numbers as in every other engine.
+ * The rows of the few spheres that touch another in the present step, or would if nothing came between. The **place**
+ * of a sphere is that of its row here; its slot is that in the cells. Collisions see rows, and so the same numbers as in
+ * every other engine.
  *
  * A later window sorts spheres into cells anew, so that slots change. What does not change within a step is the
  * **index** of a sphere in the columns to which the step is written, which is its slot in the first window.
@@ -112,7 +113,7 @@ internal class EpochBodies(private val places: SlotPlaces) {
         return contactTime(a, p, found, q, code, images)
     }
 
-    /** Makes the array with the state of the sphere in [slot] [found], that is [room] if there is no row. @return where */
+    /** Makes [found] the array with the state of the sphere in [slot], [room] where it has no row. @return its entry */
     private fun findState(slot: Int, room: DoubleArray): Int {
         val index = indexOf(slot)
         val place = places.of(index)
