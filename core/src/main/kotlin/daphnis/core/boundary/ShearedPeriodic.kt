@@ -34,6 +34,6 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
     }
 
     private companion object {
-        const val LARGE = 1e90
+        private const val LARGE = 1e90
     }
 }
