@@ -17,10 +17,11 @@ internal inline fun requireFinite(box: Box, which: (Int) -> Boolean) {
 
 /**
  * Whether [PerSphereBoundary.endStep] surely makes finite numbers of such as an epoch ends with, which are far from the
- * ends of the range of doubles. Anybody else's boundary may do anything.
+ * ends of the range of doubles. Anybody else's boundary may do anything, and images that slide do so with the time,
+ * which has no bound.
  */
 internal fun PerSphereBoundary.keepsFinite(): Boolean = when (this) {
-    is Periodic, is Walls, is LeesEdwards -> true
+    is Periodic, is Walls -> true
     is ShearedPeriodic -> isFarFromInfinite
     else -> false
 }

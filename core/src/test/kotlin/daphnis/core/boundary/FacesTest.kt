@@ -94,10 +94,11 @@ class FacesTest {
     }
 
     @Test
-    fun `our boundaries keep numbers finite, but for jumps and boxes at the ends of the range`() {
+    fun `boundaries at rest keep numbers finite, but for jumps and boxes at the ends of the range`() {
         val thin = Box(0.0, 0.0, 0.0, 10.0, 8.0, 1e-91)
-        val keeping = wrapping + Walls(box) + ShearedPeriodic(box, -1e90)
+        val keeping = listOf(Periodic(box), Walls(box), ShearedPeriodic(box, 0.1), ShearedPeriodic(box, -1e90))
         val others = listOf(
+            LeesEdwards(box, 0.5),
             ShearedPeriodic(box, 1e91),
             ShearedPeriodic(box, -1e91),
             ShearedPeriodic(thin, 0.1),
