@@ -166,7 +166,10 @@ class BenchCommand : CliktCommand(name = "bench") {
         if (words.size != 2) throw InputException("--compare", null, "needs two results, the old one first")
         val (old, new) = words.map { TimingFile.read(fileOf(it)) }
         val comparison = TimingComparison(old, new)
-        if (comparison.pairs.isEmpty()) throw InputException(words[1], null, "has no timing in common with ${words[0]}")
+        if (comparison.pairs.isEmpty()) {
+            val what = "has no timing in common with ${words[0]}${comparison.difference()}"
+            throw InputException(words[1], null, what)
+        }
         println(fitted(comparison.table()))
         comparison.unmatched.forEach(::println)
         println(comparison.closing())

@@ -75,9 +75,22 @@ class BenchCommandTest {
         assertTrue(row in slower.out && "1 became slower" in slower.out) { slower.out }
         val unknown = assertDone(bench("--compare", "$old", "${file("one.csv", "gas", 1.5)}"))
         assertTrue("| 3, 1 | 1.01 | 1.50 | 1.49 |  | cannot tell |" in unknown) { unknown }
-        assertTrue("nothing is seen to have become slower; 1 cannot be told, more --rounds" in unknown) { unknown }
+        assertTrue("nothing can be told, neither slower nor as fast; 1 cannot" in unknown) { unknown }
+        val known = (1..3).joinToString("") { "gas,1,serial,2,10,5,$it,2.0\n" }
+        val oldToo = Files.writeString(folder.resolve("old-too.csv"), Files.readString(old) + known)
+        val newToo = Files.writeString(
+            folder.resolve("new-too.csv"),
+            Files.readString(folder.resolve("one.csv")) + known,
+        )
+        val halfKnown = assertDone(bench("--compare", "$oldToo", "$newToo"))
+        assertTrue("nothing is seen to have become slower; 1 cannot be told" in halfKnown) { halfKnown }
         val other = file("other.csv", "ring", 1.5)
-        assertRefused(bench("--compare", "$old", "$other"), "$other", "in common")
+        val nothing = bench("--compare", "$old", "$other")
+        assertRefused(nothing, "$other", "in common")
+        assertFalse("there" in nothing.err) { nothing.err }
+        val longer = Files.writeString(folder.resolve("longer.csv"), Files.readString(new).replace(",10,5,", ",20,9,"))
+        val said = "serial on 1 of gas was 1 sphere, 10 steps, 5 collisions there, 1 sphere, 20 steps, 9 collisions here"
+        assertRefused(bench("--compare", "$old", "$longer"), "in common", said)
     }
 
     @Test

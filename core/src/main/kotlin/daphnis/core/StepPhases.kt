@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.keepsFinite
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
@@ -61,13 +62,17 @@ public class StepPhases(
     public fun drift(start: Double, duration: Double) {
         if (collisions != null) {
             collisions.advance(population, boundary, start, duration)
-            hasDriftedFinite = collisions.endedFinite
+            // An engine around it may have written more.
+            hasDriftedFinite = collisions.engine is HorizonEngine && collisions.endedFinite
         } else {
             population.drift(duration)
         }
     }
 
-    /** Brings back or removes the spheres that are beyond the boundary at the [end] of the step. */
+    /**
+     * Brings back or removes the spheres that are beyond the boundary at the [end] of the step. Nothing else is to write
+     * the population between [drift] and this.
+     */
     public fun applyBoundary(end: Double) {
         if (boundary !is PerSphereBoundary) {
             boundary.endStep(population, end)

@@ -20,7 +20,6 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.Pieces
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
-import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -148,36 +147,41 @@ class StepPhasesTest {
         }
     }
 
-    /** Says [knows] of a state with a number that is NaN. */
-    private class Spoiler : CollisionEngine {
-        var knows = true
-        override val name get() = "spoiler"
-        override val threads get() = 1
-
-        override fun advance(step: CollisionStep) {
-            step.population.vx[0] = Double.NaN
-            step.endsFinite = step.endsFinite || knows
-        }
-    }
-
     @Test
-    fun `an engine that knows the end to be finite is believed for that step, if the boundary is known as well`() {
+    fun `after a step in an epoch all is known to be finite, of that step, with that engine, behind such a boundary`() {
         val delegating = object : PerSphereBoundary by boundary {}
-        for ((around, isBelieved) in listOf(boundary to true, delegating to false)) {
-            val spoiler = Spoiler()
-            val forcing = CollisionForcing(ConstantRestitution(1.0), engine = spoiler)
-            val phases = StepPhases(gas.copy(), around, forcing, emptyList(), InlineLoop)
-            fun step(drifts: Boolean = true): Boolean {
-                phases.begin()
-                if (drifts) phases.drift(0.0, 0.1)
-                phases.applyBoundary(0.1)
-                return runCatching { phases.checkFinite { "a step" } }.isSuccess.also { phases.commit() }
+
+        /** Whether a number that is NaN after the drift passes; that of step 1 if the population is not smaller then. */
+        fun passes(
+            around: BoundaryConditions,
+            drifts: Boolean = true,
+            kept: Int = gas.size,
+            wraps: Boolean = false,
+        ): Boolean {
+            val horizon = HorizonEngine(FixedPool(1), 256, HorizonTuning(4))
+            val engine = if (wraps) object : CollisionEngine by horizon {} else horizon
+            return CollisionForcing(ConstantRestitution(1.0), engine = engine).use { forcing ->
+                val p = gas.copy()
+                val phases = StepPhases(p, around, forcing, emptyList(), InlineLoop)
+                for (step in 0..1) {
+                    phases.begin()
+                    if (step == 0 || drifts) phases.drift(0.0, 0.01)
+                    if (step == 1) p.vx[0] = Double.NaN
+                    phases.applyBoundary(0.01)
+                    if (step == 0) {
+                        phases.commit()
+                        p.retain { it < kept }
+                    }
+                }
+                assertEquals(if (drifts && kept == gas.size) 2L else 1L, horizon.epochSteps)
+                runCatching { phases.checkFinite { "a step" } }.isSuccess
             }
-            assertEquals(isBelieved, step())
-            assertFalse(step(drifts = false))
-            spoiler.knows = false
-            assertFalse(step())
         }
+        assertTrue(passes(boundary))
+        assertFalse(passes(delegating))
+        assertFalse(passes(boundary, drifts = false))
+        assertFalse(passes(boundary, kept = 200))
+        assertFalse(passes(boundary, wraps = true))
     }
 
     @Test

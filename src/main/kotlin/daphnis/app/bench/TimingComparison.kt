@@ -15,7 +15,7 @@ internal enum class Verdict(val words: String) {
  * Two files of timings side by side. The rounds of both say how far times spread by themselves ([RankInterval]), so
  * that one round, or rounds that overlap, cannot tell. What only one file has is left out, and named.
  */
-internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
+internal class TimingComparison(private val old: List<Timing>, private val new: List<Timing>) {
     /** One engine on one scenario in both files. */
     class Pair(val old: Timing, val new: Timing) {
         /** How many times as long the new one takes: the median over all pairs of rounds. */
@@ -46,6 +46,21 @@ internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
         new.filter { key(it) !in oldByKey }.map { "only the second has ${words(it)}" } +
             old.filter { key(it) !in newByKey }.map { "only the first has ${words(it)}" }
 
+    /** How the first timing that both have of an engine on a scenario differs, in words; empty when there is none. */
+    fun difference(): String {
+        for (t in new) {
+            val o = old.firstOrNull { it.scenario == t.scenario && it.engine == t.engine && it.threads == t.threads }
+            if (o != null) return ": ${t.engine} on ${t.threads} of ${t.scenario} was ${work(o)} there, ${work(t)} here"
+        }
+        return ""
+    }
+
+    private fun work(t: Timing) = listOf(
+        counted(t.spheres.toLong(), "sphere"),
+        counted(t.steps, "step"),
+        counted(t.collisions, "collision"),
+    ).joinToString()
+
     /** As a table in Markdown. */
     fun table(): String = HEADER + pairs.joinToString("") { "\n${row(it)}" }
 
@@ -66,6 +81,7 @@ internal class TimingComparison(old: List<Timing>, new: List<Timing>) {
         val unknown = count(Verdict.UNKNOWN)
         val seen = when {
             slower > 0 -> "$slower became slower"
+            unknown == pairs.size -> "nothing can be told, neither slower nor as fast"
             unknown > 0 -> "nothing is seen to have become slower"
             else -> "nothing became slower"
         }

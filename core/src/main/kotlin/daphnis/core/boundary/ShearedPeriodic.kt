@@ -22,8 +22,7 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
     override fun contactFaces(axis: Int): ContactFaces = ContactFaces.WRAPPING
 
     /** Whether the jumps of a sphere that passes very many boxes at once are finite. */
-    internal val isFarFromInfinite: Boolean =
-        abs(velocityJump) <= LARGE && (0 until AXES).all { box.length(it) >= 1 / LARGE }
+    internal val isFarFromInfinite: Boolean = abs(velocityJump) <= LARGE && box.length(1) >= 1 / LARGE
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val vx = population.vx

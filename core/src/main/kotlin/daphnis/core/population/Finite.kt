@@ -7,7 +7,7 @@ import daphnis.core.parallel.RangeLoop
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * The first number that is infinite or NaN, such as "vx of particle 3 is NaN", or null when there is none. Looks at
+ * A number that is infinite or NaN, that of the lowest id in the first such column, such as "vx of particle 3 is NaN", or null when there is none. Looks at
  * positions, velocities, radii and masses. One sum over everything, which is not 0 as soon as one number is not finite:
  * cheap compared with a step.
  */
@@ -51,7 +51,8 @@ internal fun SphereColumns.nameNotFinite(): String? {
         "mass" to mass,
     )
     for ((name, column) in columns) {
-        val k = (0 until size).firstOrNull { !column[it].isFinite() } ?: continue
+        // The lowest id: the order of the arrays is up to the engine.
+        val k = (0 until size).filter { !column[it].isFinite() }.minByOrNull { id[it] } ?: continue
         return "$name of particle ${id[k]} is ${column[k]}"
     }
     return null

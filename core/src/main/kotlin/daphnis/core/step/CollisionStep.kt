@@ -34,7 +34,7 @@ public class CollisionStep @JvmOverloads constructor(
 
     /**
      * Whether the engine knows that all numbers of the population are finite at the end of the step, so that nobody else
-     * has to look. To be set to false before each step.
+     * has to look. Who drives the engine sets it to false before each step.
      */
     internal var endsFinite: Boolean = false
 }

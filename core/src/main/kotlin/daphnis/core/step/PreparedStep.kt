@@ -85,7 +85,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     }
 
     /**
-     * The same, and calls [along], if there is one, with pieces of the spheres, which are in the cache then. What that
+     * The same, and calls [along], if there is one, with pieces of the spheres, which are in the cache afterwards. What that
      * has done counts only when the step is not refused.
      */
     internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: StepBounds.AlongPieces?) {

@@ -95,8 +95,9 @@ class FacesTest {
 
     @Test
     fun `boundaries at rest keep numbers finite, but for jumps and boxes at the ends of the range`() {
-        val thin = Box(0.0, 0.0, 0.0, 10.0, 8.0, 1e-91)
-        val keeping = listOf(Periodic(box), Walls(box), ShearedPeriodic(box, 0.1), ShearedPeriodic(box, -1e90))
+        val thin = Box(0.0, 0.0, 0.0, 10.0, 1e-91, 6.0)
+        val flat = Box(0.0, 0.0, 0.0, 10.0, 8.0, 1e-91)
+        val keeping = listOf(Periodic(box), Walls(box), ShearedPeriodic(flat, 0.1), ShearedPeriodic(box, -1e90))
         val others = listOf(
             LeesEdwards(box, 0.5),
             ShearedPeriodic(box, 1e91),

@@ -35,9 +35,9 @@ internal class SlotPlaces {
 }
 
 /**
- * The rows of the few spheres that touch another in the present step, or would if nothing came between. The **place**
- * of a sphere is that of its row here; its slot is that in the cells. Collisions see rows, and so the same numbers as in
- * every other engine.
+ * The rows of the few spheres that touch another in the present step, or would if nothing came between, and of those
+ * that are near walls. The **place** of a sphere is that of its row here; its slot is that in the cells. Collisions see
+ * rows, and so the same numbers as in every other engine.
  *
  * A later window sorts spheres into cells anew, so that slots change. What does not change within a step is the
  * **index** of a sphere in the columns to which the step is written, which is its slot in the first window.

@@ -34,6 +34,8 @@ public class HorizonTuning internal constructor(
         require(classBound > 0 && deviation >= 0 && cellsAlong > 0 && cellsAcross > 0) {
             "class bound $classBound, deviation $deviation, cells $cellsAlong and $cellsAcross; they must be positive"
         }
+        // Squares of deviations have to be finite: no other sphere is near its line.
+        require(deviation <= MOST_DEVIATION) { "deviation is $deviation; it must be at most $MOST_DEVIATION" }
     }
 
     /** The same in an epoch of one step, cut into so many [windows]. */
@@ -42,5 +44,6 @@ public class HorizonTuning internal constructor(
 
     internal companion object {
         const val MOST_STEPS = 64
+        private const val MOST_DEVIATION = 1e3
     }
 }

@@ -123,6 +123,13 @@ class PassageTest {
         assertFalse(passage.hasNext())
     }
 
+    @Test
+    fun `a deviation whose square is too large for a double is refused`() {
+        assertThrows(IllegalArgumentException::class.java) { HorizonTuning(4, deviation = 1e155) }
+        assertThrows(IllegalArgumentException::class.java) { HorizonTuning(4, deviation = Double.POSITIVE_INFINITY) }
+        HorizonTuning(4, deviation = 1e3)
+    }
+
     private companion object {
         const val DT = 0.05
     }
