@@ -89,7 +89,7 @@ class BenchCommandTest {
         assertRefused(nothing, "$other", "in common")
         assertFalse("there" in nothing.err) { nothing.err }
         val longer = Files.writeString(folder.resolve("longer.csv"), Files.readString(new).replace(",10,5,", ",20,9,"))
-        val said = "serial on 1 of gas was 1 sphere, 10 steps, 5 collisions there, 1 sphere, 20 steps, 9 collisions here"
+        val said = "serial on 1 of gas was 1 sphere, 10 steps, 5 collisions there, 1 sphere, 20 steps, 9 collisions"
         assertRefused(bench("--compare", "$old", "$longer"), "in common", said)
     }
 
