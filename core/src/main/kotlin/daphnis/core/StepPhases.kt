@@ -62,16 +62,16 @@ public class StepPhases(
     public fun drift(start: Double, duration: Double) {
         if (collisions != null) {
             collisions.advance(population, boundary, start, duration)
-            // An engine around it may have written more.
-            hasDriftedFinite = collisions.engine is HorizonEngine && collisions.endedFinite
+            // Another engine around that one may have written more.
+            hasDriftedFinite = (collisions.engine as? HorizonEngine)?.endedFinite == true
         } else {
             population.drift(duration)
         }
     }
 
     /**
-     * Brings back or removes the spheres that are beyond the boundary at the [end] of the step. Nothing else is to write
-     * the population between [drift] and this.
+     * Brings back or removes the spheres that are beyond the boundary at the [end] of the step. Nothing else is to
+     * write the population between [drift] and this.
      */
     public fun applyBoundary(end: Double) {
         if (boundary !is PerSphereBoundary) {

@@ -81,7 +81,7 @@ internal class TimingComparison(private val old: List<Timing>, private val new: 
         val unknown = count(Verdict.UNKNOWN)
         val seen = when {
             slower > 0 -> "$slower became slower"
-            unknown == pairs.size -> "nothing can be told, neither slower nor as fast"
+            unknown == pairs.size -> return "nothing can be told; more --rounds may tell"
             unknown > 0 -> "nothing is seen to have become slower"
             else -> "nothing became slower"
         }

@@ -235,7 +235,7 @@ public class StepRows {
         /** As a fraction of a step: some hundred times the rounding of times at its end. */
         private const val RESOLUTION = 1e-13
 
-        /** Writes the [state] of the sphere at [index] of [population], at the start of a step, to entry [p] of [into]. */
+        /** Writes the [state], at the start of a step, of the sphere at [index] of [population] to [into], from [p] on. */
         internal fun copyState(population: SphereColumns, index: Int, into: DoubleArray, p: Int) {
             into[p] = population.x[index]
             into[p + 1] = population.y[index]

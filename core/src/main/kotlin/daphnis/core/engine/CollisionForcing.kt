@@ -33,9 +33,6 @@ public class CollisionForcing @JvmOverloads constructor(
     /** The collisions of the last step, in order; empty after a step that failed; null when they are not kept. */
     public val record: CollisionRecord? = if (recordCollisions) CollisionRecord() else null
 
-    /** See [CollisionStep.endsFinite]; of the last step. */
-    internal val endedFinite: Boolean get() = step?.endsFinite == true
-
     /**
      * Moves [population] from [start] over [duration]; applying boundaries at the end is the caller's task. See
      * [CollisionEngine.advance].
@@ -46,7 +43,6 @@ public class CollisionForcing @JvmOverloads constructor(
         step.start = start
         step.duration = duration
         step.record = record
-        step.endsFinite = false
         engine.advance(step)
     }
 

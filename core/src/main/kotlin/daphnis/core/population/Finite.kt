@@ -7,9 +7,9 @@ import daphnis.core.parallel.RangeLoop
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * A number that is infinite or NaN, that of the lowest id in the first such column, such as "vx of particle 3 is NaN", or null when there is none. Looks at
- * positions, velocities, radii and masses. One sum over everything, which is not 0 as soon as one number is not finite:
- * cheap compared with a step.
+ * A number that is infinite or NaN, such as "vx of particle 3 is NaN": that of the lowest id in the first column with
+ * any. Null when there is none. Looks at positions, velocities, radii and masses. One sum over everything, which is not
+ * 0 as soon as one number is not finite: cheap compared with a step.
  */
 @JvmOverloads
 public fun SphereColumns.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
@@ -52,8 +52,9 @@ internal fun SphereColumns.nameNotFinite(): String? {
     )
     for ((name, column) in columns) {
         // The lowest id: the order of the arrays is up to the engine.
-        val k = (0 until size).filter { !column[it].isFinite() }.minByOrNull { id[it] } ?: continue
-        return "$name of particle ${id[k]} is ${column[k]}"
+        var first = -1
+        for (k in 0 until size) if (!column[k].isFinite() && (first < 0 || id[k] < id[first])) first = k
+        if (first >= 0) return "$name of particle ${id[first]} is ${column[first]}"
     }
     return null
 }

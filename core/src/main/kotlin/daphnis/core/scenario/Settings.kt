@@ -54,6 +54,7 @@ internal object Settings {
 
     private fun value(path: String, text: String): JsonElement = try {
         Json.parseToJsonElement(text).let {
+            if (it.isDeeperThan(MOST_LEVELS)) throw tooDeep(path)
             if (it is JsonPrimitive && !it.isString && !isLiteral(it.content)) {
                 JsonPrimitive(text)
             } else {
@@ -63,7 +64,16 @@ internal object Settings {
     } catch (e: SerializationException) {
         JsonPrimitive(text)
     } catch (e: StackOverflowError) {
-        throw wrongArgument(SETTINGS, path, "is nested too deeply")
+        throw tooDeep(path)
+    }
+
+    private fun tooDeep(path: String) = wrongArgument(SETTINGS, path, "is nested too deeply")
+
+    /** Whether there are more than so many [levels] of arrays and objects in one another; does not look further. */
+    private fun JsonElement.isDeeperThan(levels: Int): Boolean = when (this) {
+        is JsonArray -> levels == 0 || any { it.isDeeperThan(levels - 1) }
+        is JsonObject -> levels == 0 || values.any { it.isDeeperThan(levels - 1) }
+        else -> false
     }
 
     private fun isLiteral(text: String) =
@@ -145,6 +155,9 @@ internal object Settings {
     /** The lists of a scenario that it can do without. */
     private val LISTS = listOf("forces", "bodies")
     private const val SETTINGS = "settings"
+
+    /** More than any scenario has; few enough for the stack of all that reads it. */
+    private const val MOST_LEVELS = 64
     private const val OUTPUT = "output."
     private const val UNTIL = "until"
     private const val ORBITS = "untilOrbits"

@@ -31,10 +31,4 @@ public class CollisionStep @JvmOverloads constructor(
     /** Length of the step, > 0. */
     public var duration: Double = 0.0
     public var record: CollisionRecord? = null
-
-    /**
-     * Whether the engine knows that all numbers of the population are finite at the end of the step, so that nobody else
-     * has to look. Who drives the engine sets it to false before each step.
-     */
-    internal var endsFinite: Boolean = false
 }

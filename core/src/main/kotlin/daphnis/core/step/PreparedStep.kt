@@ -85,8 +85,8 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     }
 
     /**
-     * The same, and calls [along], if there is one, with pieces of the spheres, which are in the cache afterwards. What that
-     * has done counts only when the step is not refused.
+     * The same, and calls [along], if there is one, with pieces of the spheres, which are in the cache afterwards. What
+     * that has done counts only when the step is not refused.
      */
     internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: StepBounds.AlongPieces?) {
         take(step, step.population, Grid.WHOLE)

@@ -144,9 +144,13 @@ class HostileScenarioTest {
         assertWrong(listOf("particles=null", "velocities=null", file), "placement.path", "a\\u0000b.h5", "NUL")
         assertWrong(listOf("restitution.type=\"\\u001b[2J\""), "restitution.type")
         assertWrong(listOf("restitution.type=\"\u202e\u0085x\""), "restitution.type")
-        for (depth in listOf(300, 3000, 30_000, 300_000)) {
-            assertWrong(listOf("until=${"[".repeat(depth)}1${"]".repeat(depth)}"), "until")
+        for (depth in listOf(65, 300, 3000, 30_000, 300_000)) {
+            val parts = listOf("[" to "]", "{\"a\":" to "}")
+            for ((open, close) in parts) {
+                assertWrong(listOf("until=${open.repeat(depth)}1${close.repeat(depth)}"), "until", "nested too deeply")
+            }
         }
+        assertWrong(listOf("until=${"[".repeat(64)}1${"]".repeat(64)}"), "until", "number")
         assertWrong(listOf("${"k".repeat(100_000)}=1"), "kkk…", "unknown key")
         assertWrong(listOf("until=${"9".repeat(100_000)}"), "until", "finite number")
     }

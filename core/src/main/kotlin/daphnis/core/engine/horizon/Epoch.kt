@@ -157,8 +157,6 @@ internal class Epoch(
         if (isShared) shared.addTo(step.counters) else step.counters.add(whole.impact.counted)
         collisions += step.counters.collisions - before
         isOpen = true
-        // All have been on lines, which are within the bounds of the frame, or were measured before the first step.
-        step.endsFinite = true
         return true
     }
 

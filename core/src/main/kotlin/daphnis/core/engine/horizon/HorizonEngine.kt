@@ -100,9 +100,21 @@ public class HorizonEngine internal constructor(
     /** How threads have shared collisions. */
     internal val shared: SharedCollisions get() = epoch.shared
 
+    /**
+     * Whether all numbers of the population are known to be finite at the end of the last step. After one in an epoch
+     * they are: all spheres have been on lines, which are within the bounds of the frame, or were measured before.
+     */
+    internal var endedFinite = false
+        private set
+
     override fun advance(step: CollisionStep) {
+        endedFinite = false
         gate.requireOpen()
-        if (steps.take(step)) return
+        val before = epochSteps
+        if (steps.take(step)) {
+            endedFinite = epochSteps > before
+            return
+        }
         other.advance(step)
         steps.tookAnother(step)
     }

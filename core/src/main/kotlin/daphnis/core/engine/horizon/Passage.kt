@@ -107,7 +107,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /**
-     * A later step, in which slots are indices of [population]: gives what is to look at all of these. [hasNext] follows.
+     * A later step, in which slots are indices of [population]: gives what is to look at all of them. [hasNext] follows.
      */
     fun next(population: Population, columns: PopulationColumns): StepBounds.AlongPieces {
         changed = 0
