@@ -32,15 +32,15 @@ internal object FreePath {
     }
 
     /**
-     * How far the fastest sphere may move in a step: a part of the mean free path in a dense gas and some mean
-     * distances in a dilute one, but no more than half the box.
+     * How far the fastest sphere may move in a step: in proportion to the root of mean free path times diameter, but no
+     * more than a part of the mean distance, which is less in very thin gases, and half the box.
      */
     fun length(population: Population, box: Box, boundary: BoundaryConditions): Double {
         val edge = (0..2).filter { boundary.contactFaces(it) != ContactFaces.OPEN }.minOfOrNull { box.length(it) }
         val most = edge?.let { it / 2 } ?: Double.MAX_VALUE
         if (population.size == 0) return minOf(most, StrictMath.cbrt(box.volume))
         val distance = StrictMath.cbrt(box.volume / population.size)
-        val path = minOf(partOfFreePath(population, box), DISTANCES * distance)
+        val path = minOf(cheapest(population, box), DISTANCES * distance)
         return minOf(most, FASTEST * path)
     }
 
@@ -50,8 +50,11 @@ internal object FreePath {
         return boundary.box.length(shear.slideAxis) / 2 / abs(shear.velocity)
     }
 
-    /** Mean free path by Enskog's theory, times the part of it after which a new search costs least. */
-    private fun partOfFreePath(population: Population, box: Box): Double {
+    /**
+     * The way of a sphere in the cheapest step: a part of the geometric mean of the mean free path, by Enskog's theory,
+     * and the diameter.
+     */
+    private fun cheapest(population: Population, box: Box): Double {
         var first = 0.0
         var second = 0.0
         var third = 0.0
@@ -67,18 +70,20 @@ internal object FreePath {
         val filling = minOf(4.0 / 3 * Math.PI * third / box.volume, DENSEST)
         val empty = 1 - filling
         val atContact = (1 - filling / 2) / (empty * empty * empty)
-        val crossSection = 2 * Math.PI * (second / n + first / n * (first / n))
-        return box.volume / (sqrt(2.0) * n * crossSection * atContact) * (PART / sqrt(filling))
+        // Two spheres collide when their centres pass at less than this distance, in the root mean square.
+        val diameter = sqrt(2 * (second / n + first / n * (first / n)))
+        val freePathTimesDiameter = box.volume / (sqrt(2.0) * n * Math.PI * diameter * atContact)
+        return PART * sqrt(freePathTimesDiameter)
     }
 
     /**
-     * The cheapest part of a mean free path is 0.06 over the root of the filling factor. Steps are half to all of what
-     * is asked for, so this is √2 times as much.
+     * From filling factors of 0.01 to 0.5 the serial engine is quickest with 0.3 of that mean, and the others are, or
+     * hardly slower. Steps are half to all of what is asked for, so this is about √2 times as much.
      */
-    private const val PART = 0.085
+    private const val PART = 0.45
 
-    /** Mean distances between spheres, as measured at a filling factor of 0.01. */
-    private const val DISTANCES = 1.5
+    /** Mean distances between spheres which are about as much; less where the filling factor is below 0.001. */
+    private const val DISTANCES = 0.6
 
     /** The largest component of all velocities in a gas, relative to the mean speed. */
     private const val FASTEST = 2.8

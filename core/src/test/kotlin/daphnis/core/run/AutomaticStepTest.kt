@@ -178,7 +178,7 @@ class AutomaticStepTest {
         assertTrue(steps("particles.count=1", seldom) in 1..20)
         assertTrue(steps("velocities={\"type\":\"rest\"}", seldom) in 1..3)
         assertTrue(steps("particles.sizes.radius=1e-9", seldom) in 1..100)
-        assertTrue(steps("particles.count=500", "placement={\"type\":\"lattice\"}", seldom) in 20..2000)
+        assertTrue(steps("particles.count=500", "placement={\"type\":\"lattice\"}", seldom) in 10..1000)
         assertTrue(steps("boundary={\"type\":\"walls\"}", seldom) in 5..200)
         assertTrue(steps("boundary={\"type\":\"open\"}", seldom) in 1..200)
     }
