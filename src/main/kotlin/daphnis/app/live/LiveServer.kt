@@ -94,7 +94,11 @@ internal class LiveServer(port: Int, private val feed: Feed) : AutoCloseable {
                 out.write("event: ${entry.kind}\n$data\n".toByteArray())
             }
             out.flush()
-            if (entries.any { it.kind == Feed.END }) return
+            if (entries.any { it.kind == Feed.END }) {
+                // While it still counts as watching: the server stops when nobody does, and the end has to be written.
+                out.close()
+                return
+            }
         }
     }
 

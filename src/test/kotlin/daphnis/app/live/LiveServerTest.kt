@@ -68,6 +68,20 @@ class LiveServerTest {
     }
 
     @Test
+    fun `a server that is closed at once has written the end of what is read`() {
+        repeat(200) { k ->
+            val feed = Feed()
+            LiveServer(0, feed).use { server ->
+                val request = HttpRequest.newBuilder(URI.create(server.address + "events")).build()
+                val lines = client.send(request, BodyHandlers.ofLines()).body()
+                feed.end("$k")
+                server.close()
+                assertEquals(listOf("event: end", "data: $k", ""), lines.toList())
+            }
+        }
+    }
+
+    @Test
     fun `who goes away is no longer counted`() {
         Socket(InetAddress.getLoopbackAddress(), server.port).use {
             it.getOutputStream().write("GET /events HTTP/1.1\r\n$host\r\n\r\n".toByteArray())
