@@ -59,6 +59,17 @@ class AutomaticStepCommandTest {
     }
 
     @Test
+    fun `describe counts the steps that outputs cut short`() {
+        val rest = arrayOf("--set", "velocities={\"type\":\"rest\"}")
+        val said = assertDone(daphnis("describe", gas, *rest))
+        assertTrue("about 6 of 0.4 time units" in said) { said }
+        assertDone(daphnis("run", gas, *rest, "--out", out("rest"), "--quiet"))
+        assertEquals(6, Summary.read(folder.resolve("rest/summary.json")).steps)
+        val long = assertDone(daphnis("describe", gas, *rest, "--set", "output={\"seriesInterval\":1e-6}"))
+        assertTrue(Regex("about (1500000|1\\.5e6) of 1e-6").containsMatchIn(long)) { long }
+    }
+
+    @Test
     fun `a sweep, a start from a time, a set interval in place of a number of steps, and a resume`() {
         val words = arrayOf("sweep", gas, "--set", "output.snapshotInterval=0.5,1.5", "--seeds", "1", "--out", out("s"))
         assertDone(daphnis(*words, "--quiet"))

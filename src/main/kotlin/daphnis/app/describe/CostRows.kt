@@ -23,7 +23,11 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     private val dt = setup.firstStep()
     private val exact = setup.timeStep is FixedTimeStep
     private val chosen = setup.timeStep as? FreePathTimeStep
-    private val steps = ((scenario.end - scenario.startTime) / dt).let { if (exact) ceil(it - SLACK) else it }
+    private val steps = when {
+        chosen != null -> chosenSteps(chosen)
+        exact -> ceil((scenario.end - scenario.startTime) / dt - SLACK)
+        else -> (scenario.end - scenario.startTime) / dt
+    }
 
     private val course = Course(steps, scenario.startTime, scenario.end)
 
@@ -45,12 +49,25 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         search()
     }
 
+    /** Steps to the end if the greatest speed stays, those that outputs cut short included. */
+    private fun chosenSteps(step: FreePathTimeStep): Double {
+        val longest = step.next(setup.population)
+        var time = scenario.startTime
+        var count = 0
+        while (time < scenario.end && count < MOST_COUNTED) {
+            time = step.stops.timeAfter(time, step.stops.duration(time, longest))
+            count++
+        }
+        return count * ((scenario.end - scenario.startTime) / (time - scenario.startTime))
+    }
+
     private fun choice(step: FreePathTimeStep) {
         val speed = step.measure(setup.population, InlineLoop)
         val flow = if (step.flow == null) "" else " relative to the flow"
         val limit = "moves at most ${say.length(step.path)} in a step$flow"
         val fastest = "the fastest sphere, at ${say.speed(speed)} along an axis"
         rows.add("steps", "chosen, since no force acts: $fastest, $limit")
+        rows.add("steps", "so many while that speed stays; a gas that cools takes fewer")
         if (step.stops.intervals.isNotEmpty()) {
             rows.add(
                 "steps",
@@ -119,6 +136,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     private companion object {
         const val SLACK = 1e-6
         const val MOST_WRITTEN = 1e12
+        const val MOST_COUNTED = 100_000
 
         const val CHECKPOINT_BYTES = 76.0
 

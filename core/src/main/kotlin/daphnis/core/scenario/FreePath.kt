@@ -32,7 +32,7 @@ internal object FreePath {
     }
 
     /**
-     * How far the fastest sphere may move in a step: in proportion to the root of mean free path times diameter, but no
+     * How far the fastest sphere may move along an axis in a step: in proportion to the root of mean free path times diameter, but no
      * more than a part of the mean distance, which is less in very thin gases, and half the box.
      */
     fun length(population: Population, box: Box, boundary: BoundaryConditions): Double {
@@ -78,7 +78,7 @@ internal object FreePath {
 
     /**
      * From filling factors of 0.01 to 0.5 the serial engine is quickest with 0.3 to 0.4 of that mean, and the others
-     * are slower than their best by a tenth at most. Steps are half to all of what is asked for, so this is more.
+     * are quickest there or nearly so. Steps are half to all of what is asked for, so this is more.
      */
     private const val PART = 0.45
 

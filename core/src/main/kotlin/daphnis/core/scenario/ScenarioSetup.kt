@@ -230,20 +230,22 @@ public class ScenarioSetup private constructor(
 
         /** Steps are counted, and each must advance the time. */
         private fun checkSteps(scenario: ResolvedScenario, first: Double, check: ValueCheck) {
-            val (key, longest) = when (val spec = scenario.timeStep) {
+            val spec = scenario.timeStep
+            val (key, value) = when (spec) {
                 is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
                 is TimeStepSpec.CellCrossing -> "timeStep.longest" to spec.longest
-                // Between stops a step is at least half as long as it may be.
-                is TimeStepSpec.Automatic -> "timeStep" to first / 2
+                is TimeStepSpec.Automatic -> "timeStep.path" to (spec.path ?: 0.0)
                 is TimeStepSpec.OrbitFraction -> return
             }
+            // Between stops a chosen step is at least half as long as it may be.
+            val longest = if (spec is TimeStepSpec.Automatic) first / 2 else value
             val start = scenario.startTime
             val steps = (scenario.end - start) / longest
-            check.that(key, longest, steps <= MOST_STEPS) {
+            check.that(key, value, steps <= MOST_STEPS) {
                 "makes $steps steps to the end at time ${scenario.end}; there can be $MOST_STEPS"
             }
-            check.that(key, longest, start + longest > start) {
-                "is lost in the rounding of the time, $start, at which the run starts"
+            check.that(key, value, start + longest > start) {
+                "makes steps that are lost in the rounding of the time, $start, at which the run starts"
             }
         }
 

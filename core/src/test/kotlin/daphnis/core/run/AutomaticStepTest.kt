@@ -191,7 +191,8 @@ class AutomaticStepTest {
         assertTrue("timeStep.path" in refusal("timeStep={\"type\":\"automatic\",\"path\":-1}"))
         assertTrue("2.05" in refusal("timeStep={\"type\":\"automatic\",\"path\":1e-300}"))
         val late = "until=1e20"
-        assertTrue("timeStep: is" in refusal(late, "output={}", "timeStep={\"type\":\"automatic\",\"path\":1e-5}"))
+        val tiny = refusal(late, "output={}", "timeStep={\"type\":\"automatic\",\"path\":1e-5}")
+        assertTrue("timeStep.path: is 1.0E-5; makes" in tiny) { tiny }
         val both = "output={\"seriesEvery\":1,\"seriesInterval\":0.5}"
         val sentence = "output.seriesInterval: is given together with seriesEvery; one of the two is enough"
         assertEquals("test: $sentence", refusal(both))

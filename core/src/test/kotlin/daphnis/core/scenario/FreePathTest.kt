@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.Walls
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
@@ -59,6 +60,19 @@ class FreePathTest {
         assertPath(10.0, gas(0, 0.5))
         assertEquals(2.8 * 0.6 * 24_000.0.pow(1.0 / 3), FreePath.length(gas(1, 0.1), box, Open), 1e-9)
         assertEquals(24_000.0.pow(1.0 / 3), FreePath.length(gas(0, 0.1), box, Open), 1e-9)
+    }
+
+    @Test
+    fun `edges between walls count as those with images do, and open ones do not`() {
+        assertEquals(10.0, FreePath.length(gas(1, 0.5), box, Walls(box)))
+        assertEquals(15.0, FreePath.length(gas(1, 0.5), box, Periodic(box, periodicX = false)))
+    }
+
+    @Test
+    fun `spheres that were removed do not count`() {
+        val radii = DoubleArray(4_000) { if (it % 2 == 0) 0.3 else 0.6 }
+        val some = spheres(*radii).apply { retain { radius[it] < 0.5 } }
+        assertEquals(FreePath.length(gas(2_000, 0.3), box, Periodic(box)), FreePath.length(some, box, Periodic(box)))
     }
 
     @Test
