@@ -67,7 +67,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         val limit = "moves at most ${say.length(step.path)} in a step$flow"
         val fastest = "the fastest sphere, at ${say.speed(speed)} along an axis"
         rows.add("steps", "chosen, since no force acts: $fastest, $limit")
-        rows.add("steps", "so many while that speed stays; a gas that cools takes fewer")
+        rows.add("steps", "so many while that speed stays; fewer where the gas cools, more where it heats up")
         if (step.stops.intervals.isNotEmpty()) {
             rows.add(
                 "steps",
