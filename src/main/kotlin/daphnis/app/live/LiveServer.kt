@@ -85,6 +85,8 @@ internal class LiveServer(port: Int, private val feed: Feed) : AutoCloseable {
         head(exchange, "text/event-stream; charset=utf-8")
         exchange.sendResponseHeaders(200, 0)
         val out = exchange.responseBody
+        // In newer Javas, 25 among them, the head waits for what comes behind it.
+        out.flush()
         while (true) {
             val entries = watcher.next(HEARTBEAT_MILLISECONDS)
             // A comment, which shows whether somebody is still there.
