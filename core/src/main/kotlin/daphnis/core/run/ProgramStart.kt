@@ -28,7 +28,7 @@ internal fun resumeRun(program: Program, directory: RunDirectory, acceptLoss: Bo
         val plan = planOf(program, checkpoint?.population ?: program.population(), checkpoint?.meta)
         try {
             checkpoint?.let { from ->
-                checkLater(program.until, from.meta.time, plan.endSlack) {
+                checkLater(program.until, from.meta.time, plan.endSlack, TimeWords.PLAIN) {
                     InputException("${directory.path}", "until", it)
                 }
             }

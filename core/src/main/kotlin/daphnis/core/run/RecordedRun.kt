@@ -2,12 +2,9 @@ package daphnis.core.run
 
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
-import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
-import java.math.BigDecimal
-import java.math.MathContext
 import java.nio.file.Files
 import kotlin.math.abs
 
@@ -98,16 +95,7 @@ public class RecordedRun internal constructor(public val directory: RunDirectory
         none("has no state at ${inWords(time)}; next to it are those of $near")
     }
 
-    /** Also in orbits where there are any. Few digits: who wants a state that is there takes its step. */
-    private fun inWords(time: Double): String {
-        val plain = "time ${short(time)}"
-        val scenario = scenario() ?: return plain
-        val omega = FrameSetup.angularSpeed(scenario, directory.scenario.toString()) ?: return plain
-        return "$plain (${short(time * omega / (2 * Math.PI))} orbits)"
-    }
-
-    private fun short(number: Double): String =
-        BigDecimal(number).round(MathContext(DIGITS)).stripTrailingZeros().toPlainString()
+    private fun inWords(time: Double): String = TimeWords.of(scenario(), directory.scenario.toString()).text(time)
 
     private val checkpoint get() = CheckpointState(directory)
 
@@ -126,6 +114,5 @@ public class RecordedRun internal constructor(public val directory: RunDirectory
     private companion object {
         const val SAME = 1e-9
         const val MOST_NAMED = 10
-        const val DIGITS = 7
     }
 }

@@ -7,7 +7,6 @@ import daphnis.core.engine.EngineFactory
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
-import daphnis.core.scenario.RunTimes
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
@@ -105,7 +104,7 @@ private fun resumed(
     val checkpoint = good?.checkpoint
     val changes = checkSame(directory, checkpoint, found, notices)
     val source = directory.scenario.toString()
-    requireLaterEnd(until, changes, FrameSetup.times(scenario, source), checkpoint?.meta?.time ?: 0.0, source)
+    requireLaterEnd(until, changes, scenario, checkpoint?.meta?.time ?: 0.0, source)
     val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
     val plan = planOf(setup, checkpoint?.meta, source, engines, own)
     val text = ScenarioJson.write(written)
@@ -126,12 +125,20 @@ private fun withEnd(until: Double?, scenario: Scenario): Scenario {
 }
 
 /** Refuses an end that has passed, whether it is given now or has been written into the scenario since. */
-private fun requireLaterEnd(until: Double?, changes: ScenarioChanges, times: RunTimes, now: Double, source: String) {
+private fun requireLaterEnd(
+    until: Double?,
+    changes: ScenarioChanges,
+    scenario: Scenario,
+    now: Double,
+    source: String,
+) {
+    val times = FrameSetup.times(scenario, source)
     val slack = endSlack(times.timeStep)
+    val words = TimeWords.of(scenario, source)
     if (until != null) {
-        checkLater(until, now, slack) { wrongArgument(UNTIL, null, it) }
+        checkLater(until, now, slack, words) { wrongArgument(UNTIL, null, it) }
     } else if (changes.harmless.any { it.startsWith(UNTIL) }) {
-        checkLater(times.end, now, slack) { InputException(source, UNTIL, it) }
+        checkLater(times.end, now, slack, words) { InputException(source, UNTIL, it) }
     }
 }
 
@@ -194,9 +201,22 @@ private fun checkSame(
 }
 
 /** A time in the past cannot be the end; by round-off the last step may be on either side of it. */
-internal fun checkLater(until: Double, now: Double, slack: Double, refusal: (String) -> InputException) {
+internal fun checkLater(
+    until: Double,
+    now: Double,
+    slack: Double,
+    words: TimeWords,
+    refusal: (String) -> InputException,
+) {
     if (until >= now - slack) return
-    throw refusal("is $until; the run is at time $now, give a later end")
+    val (end, present) = listOf(until, now).map(words::text)
+    throw refusal(
+        if (end == present) {
+            "is $until; the run is at time $now, give a later end"
+        } else {
+            "is $end; the run is at $present, give a later end"
+        },
+    )
 }
 
 /** A whole number of fixed steps can fall short of the end by round-off; this amount does not require another step. */

@@ -28,7 +28,7 @@ internal class SchemaCheck(private val source: String) {
             fail(path, "is null; ${expected(descriptor)}")
         }
         when (descriptor.kind) {
-            StructureKind.CLASS, StructureKind.OBJECT -> checkObject(element, descriptor, path, emptySet())
+            StructureKind.CLASS, StructureKind.OBJECT -> checkObject(element, descriptor, path, null)
             StructureKind.LIST -> {
                 if (element !is JsonArray) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
                 element.forEachIndexed { k, e -> check(e, descriptor.getElementDescriptor(0), "$path[$k]") }
@@ -44,17 +44,14 @@ internal class SchemaCheck(private val source: String) {
         }
     }
 
-    private fun checkObject(
-        element: JsonElement,
-        descriptor: SerialDescriptor,
-        path: String,
-        alsoAllowed: Set<String>,
-    ) {
+    /** [type] is that which the object says it is of; null where there is only one kind. */
+    private fun checkObject(element: JsonElement, descriptor: SerialDescriptor, path: String, type: String?) {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val known = descriptor.names()
         for (key in element.keys) {
-            if (key !in known && key !in alsoAllowed) {
-                fail(join(path, brief(key)), "unknown key; ${choices(key, known)}")
+            if (key !in known && (type == null || key != "type")) {
+                val which = if (type == null) "unknown key" else "unknown key for type $type"
+                fail(join(path, brief(key)), "$which; ${choices(key, known)}")
             }
         }
         for (k in 0 until descriptor.elementsCount) {
@@ -76,7 +73,7 @@ internal class SchemaCheck(private val source: String) {
         if (name == null || name !in types.names()) {
             fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
         }
-        checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, setOf("type"))
+        checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, name)
     }
 
     /** What [element] lacks is its type, which its keys may tell. */

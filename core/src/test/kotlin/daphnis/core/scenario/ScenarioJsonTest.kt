@@ -82,7 +82,9 @@ class ScenarioJsonTest {
     @Test
     fun `an unknown key is named with the nearest known one`() {
         assertWrong(good.replace("\"until\"", "\"untill\""), emptyList(), "my.json", "untill", "did you mean 'until'?")
-        assertWrong("timestep.dt=0.1", "timestep", "did you mean 'timeStep'?")
+        assertWrong("timestep.dt=0.1", "timestep: unknown key; did you mean 'timeStep'?")
+        // Another type may have it.
+        assertWrong("timeStep.path=1", "timeStep.path: unknown key for type fixed; known: dt")
         assertWrong("particles.sizes.raduis=3", "particles.sizes.raduis", "did you mean 'radius'?")
         assertWrong("boundary.type=periodc", "boundary.type", "did you mean 'periodic'?")
     }
