@@ -8,6 +8,7 @@ import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.long
 import daphnis.app.bench.BenchDirectory
@@ -50,9 +51,15 @@ class BenchCommand : CliktCommand(name = "bench") {
     private val roundsAsked by option(
         "--rounds",
         metavar = "number",
-        help = "rounds that count (default: $ROUNDS); one before them warms up",
+        help = "rounds that count (default: $ROUNDS)",
     ).int()
     private val rounds get() = roundsAsked ?: ROUNDS
+    private val warmUpAsked by option(
+        "--warm-up",
+        metavar = "seconds",
+        help = "how long each engine works before rounds count, one turn at least (default: $WARM_UP)",
+    ).double()
+    private val warmUp get() = warmUpAsked ?: WARM_UP
     private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenarios")
         .multiple()
     private val out by option(
@@ -71,18 +78,27 @@ class BenchCommand : CliktCommand(name = "bench") {
         if (compare) return compareResults()
         if (rounds < 1) throw InputException("--rounds", null, "is $rounds; it must be at least 1")
         steps?.let { if (it < 1) throw InputException("--steps", null, "is $it; it must be at least 1") }
+        if (warmUp !in 0.0..LONGEST) {
+            throw InputException(
+                "--warm-up",
+                null,
+                "is $warmUp; it must be 0 or more seconds, ${LONGEST.toInt()} at most",
+            )
+        }
         val contestants = contestants()
         val names = words.ifEmpty { PAPER }.distinct()
         val contests = names.map { Contest(allEngines, contestants, scenarioNamed(it, settings), it, steps) }
         val path = out?.let { pathOf(it, "--out") } ?: freeDirectory(Path.of("runs", "bench"))
         val directory = BenchDirectory(path)
         writing(path) { directory.prepare() }
-        val overview = Overview(contests, contestants, rounds)
+        val overview = Overview(contests, contestants, rounds, warmUp)
         if (!quiet) overview.lines().forEach(::say)
         val all = ArrayList<List<Timing>>()
-        for (index in contests.indices) {
-            all += timed(contests[index], { round, seconds -> overview.left(index, round, seconds) }) {
-                writing(path) { directory.writeTables(all + listOf(it)) }
+        LastWords { directory.interrupted() }.use {
+            for (index in contests.indices) {
+                all += timed(contests[index], { round, seconds -> overview.left(index, round, seconds) }) {
+                    writing(path) { directory.writeTables(all + listOf(it)) }
+                }
             }
         }
         val isWhole = steps == null && settings.isEmpty()
@@ -102,18 +118,28 @@ class BenchCommand : CliktCommand(name = "bench") {
         left: (round: Int, seconds: Double) -> String?,
         keep: (List<Timing>) -> Unit,
     ): List<Timing> {
-        for (round in 0..rounds) {
+        val warm = contest.warmUp(warmUp) { contestant, turns ->
+            if (!quiet) say("warming up: ${contestant.engine} on ${contestant.threads}: ${warmed(turns)}")
+        }
+        if (!quiet) left(0, warm)?.let(::say)
+        for (round in 1..rounds) {
             val begin = System.nanoTime()
-            contest.round(isKept = round > 0) { contestant, seconds ->
-                val which = if (round == 0) "warming up" else "round $round of $rounds"
-                if (!quiet) say("$which: ${contestant.engine} on ${contestant.threads}: ${significant(seconds)} s")
+            contest.round { contestant, turn ->
+                val who = "${contestant.engine} on ${contestant.threads}"
+                if (!quiet) say("round $round of $rounds: $who: ${significant(turn.seconds)} s")
             }
-            if (round > 0) keep(contest.timings())
+            keep(contest.timings())
             if (!quiet) left(round, (System.nanoTime() - begin) * 1e-9)?.let(::say)
         }
         val timings = contest.timings()
         println(fitted(timingTitle(timings) + "\n\n" + timingTable(timings) + "\n"))
         return timings
+    }
+
+    /** `0.287 s`, `14 turns, the first 0.287 s, the last 0.0702 s`. */
+    private fun warmed(turns: List<Contest.Turn>): String {
+        val (first, last) = listOf(turns.first(), turns.last()).map { "${significant(it.seconds)} s" }
+        return if (turns.size == 1) first else "${turns.size} turns, the first $first, the last $last"
     }
 
     private fun fitted(text: String): String = outputColumns()?.let { fitted(text, it) } ?: text
@@ -158,6 +184,7 @@ class BenchCommand : CliktCommand(name = "bench") {
             "--threads" to threads,
             "--steps" to steps,
             "--rounds" to roundsAsked,
+            "--warm-up" to warmUpAsked,
             "--set" to settings.firstOrNull(),
             "--out" to out,
         )) {
@@ -172,6 +199,7 @@ class BenchCommand : CliktCommand(name = "bench") {
         }
         println(fitted(comparison.table()))
         comparison.unmatched.forEach(::println)
+        comparison.otherJava()?.let(::println)
         println(comparison.closing())
         if (comparison.pairs.any { it.verdict == Verdict.SLOWER }) throw ProgramResult(EXIT_FAILED)
     }
@@ -182,6 +210,8 @@ class BenchCommand : CliktCommand(name = "bench") {
 
     private companion object {
         const val ROUNDS = 3
+        const val WARM_UP = 3.0
+        const val LONGEST = 3600.0
         val PAPER = listOf("paper-figure-1", "paper-figure-2", "paper-figure-3")
     }
 }

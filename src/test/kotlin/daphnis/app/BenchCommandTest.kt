@@ -19,10 +19,13 @@ class BenchCommandTest {
 
     private fun bench(vararg words: String) = daphnis("bench", *words)
 
+    /** [words] for timing without more than a turn to warm up. */
+    private fun cold(vararg words: String) = bench(*words, "--warm-up", "0")
+
     @Test
     fun `engines take turns, and leave a table, timings and plots`() {
         val said = assertDone(
-            bench(
+            cold(
                 "cooling-gas", "--steps", "3", "--rounds", "2", "--threads", "1,2", "--engines", "serial,thread-pool",
                 "--out", out, "--quiet",
             ),
@@ -34,17 +37,24 @@ class BenchCommandTest {
             timings.map { it.engine to it.threads },
         )
         assertTrue(timings.all { it.seconds.size == 2 && it.steps == 3L && it.collisions > 0 })
+        assertTrue(timings.all { t -> t.processorSeconds.size == 2 && t.processorSeconds.all { it >= 0 } })
+        assertEquals(setOf(System.getProperty("java.version")), timings.map { it.java }.toSet())
         assertTrue("| thread-pool | 2 |" in Files.readString(folder.resolve("out/bench.md")))
         for (kind in listOf("time", "speed", "efficiency")) {
             assertTrue(Files.size(folder.resolve("out/cooling-gas-$kind.png")) > 1000)
             val svg = Files.readString(folder.resolve("out/cooling-gas-$kind.svg"))
             assertTrue("<svg" in svg) { kind }
             // Timed on one thread alone, it has a speed, and no efficiency against itself.
-            assertEquals(kind != "efficiency", ">serial<" in svg.replace(Regex("\\s"), "")) { kind }
+            val words = svg.replace(Regex("\\s"), "")
+            assertEquals(kind != "efficiency", ">serial<" in words) { kind }
+            // The one curve that is left has its name there too, and the dashed line is named in all three.
+            assertTrue(">thread-pool<" in words) { kind }
+            val dashed = if (kind == "efficiency") "nthreadsntimesasfastasone" else "serial"
+            assertTrue(">greydashes:$dashed<" in words) { kind }
         }
         // No plots of an earlier result beside the tables of the next.
         val alone = arrayOf("cooling-gas", "--steps", "2", "--rounds", "1", "--engines", "serial", "--out", out)
-        val last = assertDone(bench(*alone)).trim().lines().last()
+        val last = assertDone(cold(*alone)).trim().lines().last()
         assertEquals("tables are in $out", last)
         assertEquals(setOf("bench.csv", "bench.md"), folder.resolve("out").toFile().list()!!.toSet())
     }
@@ -52,7 +62,7 @@ class BenchCommandTest {
     @Test
     fun `a whole scenario ends where a run of it does`() {
         val set = arrayOf("--set", "until=0.55")
-        assertDone(bench("elastic-gas", *set, "--rounds", "1", "--engines", "serial", "--out", out, "--quiet"))
+        assertDone(cold("elastic-gas", *set, "--rounds", "1", "--engines", "serial", "--out", out, "--quiet"))
         assertDone(daphnis("run", "elastic-gas", *set, "--out", "${folder.resolve("run")}", "--quiet"))
         val summary = Files.readString(folder.resolve("run/summary.json"))
         val timing = TimingFile.read(folder.resolve("out/bench.csv")).single()
@@ -100,6 +110,7 @@ class BenchCommandTest {
             "--threads" to "1",
             "--steps" to "3",
             "--rounds" to "3",
+            "--warm-up" to "3",
             "--set" to "until=1",
             "--out" to "x",
         )) {
@@ -113,21 +124,36 @@ class BenchCommandTest {
     @Test
     fun `before anything is timed it is said what, and then how long it takes`() {
         val words = arrayOf("cooling-gas", "--steps", "2", "--rounds", "2", "--out", out)
-        val said = bench(*words, "--engines", "serial,islands", "--threads", "2").err.lines()
+        val said = cold(*words, "--engines", "serial,islands", "--threads", "2").err.lines()
         assertEquals("daphnis: serial works on one thread, whatever --threads says", said[0])
         assertEquals("daphnis: cooling-gas: 2000 spheres, 2 steps", said[1])
         assertEquals("daphnis: engines: serial on 1 thread; islands on 2 threads", said[2])
-        assertTrue("1 x 2 x 3" in said[3]) { said[3] }
+        assertTrue("1 x 2 x 2" in said[3]) { said[3] }
         assertTrue(said[4].startsWith("daphnis: warming up: serial on 1: ")) { said[4] }
         assertTrue(Regex("daphnis: about \\d+ s left").matches(said[6])) { said[6] }
-        assertEquals("", bench(*words, "--engines", "serial,islands", "--threads", "1", "--quiet").err)
+        assertEquals("", cold(*words, "--engines", "serial,islands", "--threads", "1", "--quiet").err)
+    }
+
+    @Test
+    fun `each engine works for as long as asked before rounds count`() {
+        val words = arrayOf("cooling-gas", "--steps", "1", "--rounds", "1", "--threads", "1", "--out", out)
+        val said = bench(*words, "--engines", "serial,islands", "--warm-up", "0.3").err.lines()
+        val warm = said.filter { "warming up: " in it }.associate {
+            val found = Regex("daphnis: warming up: (\\S+) on 1: (\\d+) turns, the first .* s, the last .* s").find(it)
+            found!!.groupValues[1] to found.groupValues[2].toInt()
+        }
+        // A step takes milliseconds.
+        assertEquals(setOf("serial", "islands"), warm.keys)
+        assertTrue(warm.values.all { it > 3 }) { "$warm" }
+        assertTrue("0.3 s of turns, one at least, for each to warm up" in said[2]) { said[2] }
+        assertEquals(1, TimingFile.read(folder.resolve("out/bench.csv")).first().seconds.size)
     }
 
     @Test
     fun `without one thread there is no ideal, and speed says what it is relative to`() {
         fun speeds(threads: String): String {
             val words = arrayOf("--steps", "2", "--rounds", "1", "--engines", "islands", "--out", out, "--quiet")
-            assertDone(bench("cooling-gas", *words, "--threads", threads))
+            assertDone(cold("cooling-gas", *words, "--threads", threads))
             return Files.readString(folder.resolve("out/cooling-gas-speed.svg")).replace(Regex("\\s+"), " ")
         }
         val without = speeds("2,3")
@@ -142,18 +168,21 @@ class BenchCommandTest {
             "paper-figure-3", "--engines", "serial", "--rounds", "1", "--out", out, "--quiet", *more,
         )
         val table = folder.resolve("out/paper-table-1.md")
-        assertTrue("| paper-figure-3 | serial | " in assertDone(bench(*words())))
+        assertTrue("| paper-figure-3 | serial | " in assertDone(cold(*words())))
         assertTrue("| 20.2 |" in Files.readString(table))
         // Neither other steps nor other spheres are what the authors timed.
-        assertFalse("authors" in assertDone(bench(*words("--steps", "1"))))
+        assertFalse("authors" in assertDone(cold(*words("--steps", "1"))))
         assertFalse(Files.exists(table))
-        assertFalse("authors" in assertDone(bench(*words("--set", "until=0.3"))))
+        assertFalse("authors" in assertDone(cold(*words("--set", "until=0.3"))))
     }
 
     @Test
     fun `what is wrong is told in one line`() {
         assertRefused(bench("cooling-gas", "--rounds", "0"), "--rounds", "is 0")
         assertRefused(bench("cooling-gas", "--steps", "0"), "--steps", "is 0")
+        for (bad in listOf("-1", "NaN", "3601", "Infinity")) {
+            assertRefused(bench("cooling-gas", "--warm-up", bad), "--warm-up", "0 or more seconds, 3600 at most")
+        }
         assertRefused(bench("cooling-gas", "--threads", "1,x"), "--threads", "'x'")
         assertRefused(bench("cooling-gas", "--threads", "0"), "--threads", "is 0")
         assertRefused(bench("cooling-gas", "--engines", "seriel"), "--engines", "'seriel'", "serial")

@@ -38,7 +38,11 @@ class RefusalsTest {
     fun `a resumed run cannot end before now, and is left as it was`() {
         assertDone(small("a"))
         val summary = Files.readString(home.resolve("a/summary.json"))
-        assertRefused(daphnis("resume", at("a"), "--until", "0.1"), "--until", "0.1", "time 2.0", "later")
+        assertRefused(
+            daphnis("resume", at("a"), "--until", "0.1"),
+            "--until",
+            "is time 0.1; the run is at time 2, give a later end",
+        )
         assertRefused(daphnis("resume", at("a"), "--until", "1.9999"), "--until", "later")
         assertEquals(summary, Files.readString(home.resolve("a/summary.json")))
         assertRefused(daphnis("resume", at("a"), "--until", "NaN"), "--until", "NaN")

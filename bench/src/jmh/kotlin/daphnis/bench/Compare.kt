@@ -2,6 +2,7 @@ package daphnis.bench
 
 import daphnis.core.population.stateDigest
 import java.util.Locale
+import kotlin.system.exitProcess
 
 /**
  * Engines in turn in one process, round after round, on the same steps: on a noisy machine the only fair comparison.
@@ -10,9 +11,12 @@ import java.util.Locale
  * `java -cp bench/target/bench-0.1.0.jar daphnis.bench.CompareKt WORKLOAD STEPS ROUNDS`
  */
 fun main(args: Array<String>) {
-    val workload = Workload.valueOf(args[0])
-    val steps = args[1].toInt()
-    val rounds = args[2].toInt()
+    val workload = Workload.entries.find { it.name == args.getOrNull(0) }
+    val (steps, rounds) = listOf(1, 2).map { args.getOrNull(it)?.toIntOrNull()?.takeIf { n -> n > 0 } }
+    if (workload == null || steps == null || rounds == null || args.size != 3) {
+        System.err.println("compare: needs WORKLOAD STEPS ROUNDS; workloads are ${Workload.entries.joinToString()}")
+        exitProcess(2)
+    }
     val engines = listOf(EngineName.SERIAL to 1) + PARALLEL.flatMap { engine -> listOf(1, 2).map { engine to it } }
     val best = DoubleArray(engines.size) { Double.POSITIVE_INFINITY }
     val digests = HashSet<String>()

@@ -13,6 +13,9 @@ import java.nio.file.Path
 internal class BenchDirectory(private val path: Path) {
     private val csv = path.resolve(CSV)
 
+    @Volatile
+    private var hasTables = false
+
     /** Leaves a directory that holds something else alone, and removes what is not written over of an old result. */
     fun prepare() {
         if (!Files.exists(csv)) {
@@ -32,7 +35,12 @@ internal class BenchDirectory(private val path: Path) {
         TimingFile.write(csv, all.flatten())
         val tables = all.joinToString("\n") { "## ${timingTitle(it)}\n\n${timingTable(it)}\n" }
         WholeFile.write(path.resolve(TABLES), "# daphnis bench\n\n${machine()}\n\n$tables")
+        hasTables = true
     }
+
+    /** What there is when not all rounds could be timed, in words. */
+    fun interrupted(): String =
+        if (hasTables) "interrupted: the rounds that are done are in $path" else "interrupted: no round is done"
 
     fun writePaperTable(table: String) {
         WholeFile.write(path.resolve(PAPER), "# Beside the paper's authors\n\n${machine()}\n\n$table")

@@ -15,7 +15,7 @@ internal data class Contestant(val engine: String, val threads: Int)
 
 /**
  * Times [contestants] on the same steps from the same state. They take turns in one process, round after round: where
- * others use the machine too, nothing else is a fair comparison. One round before the first warms up and is not kept.
+ * others use the machine too, nothing else is a fair comparison. Turns before the first round that counts warm up.
  *
  * @param name of the scenario in messages and results
  * @param steps of each round; null for the whole scenario
@@ -28,8 +28,11 @@ internal class Contest(
     private val steps: Long?,
 ) {
     private val setup = ScenarioSetup.of(scenario, name)
-    private val seconds = contestants.associateWith { ArrayList<Double>() }
+    private val kept = contestants.associateWith { ArrayList<Turn>() }
     private var first: Outcome? = null
+
+    /** What a turn took, in real time and in that of all processors. */
+    class Turn(val seconds: Double, val processorSeconds: Double)
 
     /** What a turn came to, but for its time. */
     private data class Outcome(val engine: String, val digest: String, val steps: Long, val collisions: Long)
@@ -53,35 +56,57 @@ internal class Contest(
     val work: Double? get() = plannedSteps?.let { it.toDouble() * spheres }
 
     /**
-     * One round of all.
+     * Turns that do not count, one at least for each, until each has worked for so many [seconds]: code that Java has
+     * not yet compiled tells nothing of an engine.
      *
-     * @param isKept false to warm up
-     * @param after is told who has had a turn, and the seconds it took
+     * @param after is told who is warm, and its turns
+     * @return the seconds of the last turns of all, which a round may take
      * @throws RunException when engines end in different states, or a step fails
      */
-    fun round(isKept: Boolean, after: (Contestant, Double) -> Unit) {
+    fun warmUp(seconds: Double, after: (Contestant, List<Turn>) -> Unit): Double {
+        val turns = contestants.associateWith { ArrayList<Turn>() }
+        var cold = contestants
+        while (cold.isNotEmpty()) {
+            cold = cold.filter { contestant ->
+                val own = turns.getValue(contestant)
+                own += turn(contestant)
+                (own.sumOf { it.seconds } < seconds).also { if (!it) after(contestant, own) }
+            }
+        }
+        return turns.values.sumOf { it.last().seconds }
+    }
+
+    /**
+     * One round of all, which counts.
+     *
+     * @param after is told who has had a turn, and what it took
+     * @throws RunException when engines end in different states, or a step fails
+     */
+    fun round(after: (Contestant, Turn) -> Unit) {
         for (contestant in contestants) {
-            val time = turn(contestant)
-            if (isKept) seconds.getValue(contestant) += time
-            after(contestant, time)
+            val turn = turn(contestant)
+            kept.getValue(contestant) += turn
+            after(contestant, turn)
         }
     }
 
-    private fun turn(contestant: Contestant): Double {
+    private fun turn(contestant: Contestant): Turn {
         val own = ScenarioSetup.of(scenario, name, setup.population.copy())
         val engine = engines.create(contestant.engine, contestant.threads)!!
         val forcing = CollisionForcing(own.restitution, own.guard, engine, false, own.scenario.search)
         val start = own.scenario.startTime
         return Simulation(own.population, own.boundary, forcing, own.timeStep, own.forces, startTime = start).use {
             val begin = System.nanoTime()
+            val processorBegin = ProcessorTime.seconds()
             try {
                 while (!isOver(it, own)) it.advance()
             } catch (e: RuntimeException) {
                 throw RunException("$name: ${contestant.engine}: step ${it.step + 1}: ${e.message}", e)
             }
-            val time = (System.nanoTime() - begin) * NANO
+            val seconds = (System.nanoTime() - begin) * NANO
+            val turn = Turn(seconds, ProcessorTime.seconds() - processorBegin)
             compare(Outcome(contestant.engine, stateDigest(it.population), it.step, forcing.counters.collisions))
-            time
+            turn
         }
     }
 
@@ -101,14 +126,19 @@ internal class Contest(
     /** What was kept; empty before the first such round. */
     fun timings(): List<Timing> {
         val first = first ?: return emptyList()
-        return contestants.filter { seconds.getValue(it).isNotEmpty() }.map {
-            val times = seconds.getValue(it).toList()
-            Timing(name, spheres, it.engine, it.threads, first.steps, first.collisions, times)
+        return contestants.filter { kept.getValue(it).isNotEmpty() }.map {
+            val turns = kept.getValue(it)
+            val seconds = turns.map(Turn::seconds)
+            val processor = turns.map(Turn::processorSeconds)
+            Timing(name, spheres, it.engine, it.threads, first.steps, first.collisions, seconds, processor, JAVA)
         }
     }
 
     private companion object {
         const val NANO = 1e-9
         const val END_SLACK = 1e-6
+
+        /** Without what would have to be quoted in a table. */
+        val JAVA = System.getProperty("java.version").orEmpty().replace(Regex("[,\"\\s]"), "_")
     }
 }

@@ -2,6 +2,7 @@ package daphnis.app.bench
 
 import daphnis.app.describe.spheres
 import java.util.Locale
+import kotlin.math.ceil
 import kotlin.math.roundToLong
 
 /** What a bench is going to do, and how long that still takes. */
@@ -9,15 +10,17 @@ internal class Overview(
     private val contests: List<Contest>,
     private val contestants: List<Contestant>,
     private val rounds: Int,
+    private val warmUp: Double,
 ) {
     /** All of it, line by line. */
     fun lines(): List<String> {
-        val turns = contests.size * contestants.size * (1 + rounds)
-        val counted = if (rounds == 1) "1 that counts" else "$rounds that count"
+        val turns = contests.size * contestants.size * rounds
+        val counted = if (rounds == 1) "1 round that counts" else "$rounds rounds that count"
+        val warm = if (warmUp == 0.0) "one turn" else "$warmUp s of turns, one at least,"
         return contests.map { "${it.name}: ${spheres(it.spheres)}, ${it.span}" } + listOf(
             "engines: ${engines()}",
-            "1 round to warm up and $counted: " +
-                "${contests.size} x ${contestants.size} x ${1 + rounds} (scenarios x engines x rounds) = $turns turns",
+            "$warm for each to warm up, then $counted: " +
+                "${contests.size} x ${contestants.size} x $rounds (scenarios x engines x rounds) = $turns turns",
         )
     }
 
@@ -31,8 +34,8 @@ internal class Overview(
     }
 
     /**
-     * How long it takes after [round] of the scenario at [index], which took [seconds]; null at the end. Scenarios that
-     * have not begun are taken to need as long per sphere and step.
+     * How long it takes after [round] of the scenario at [index] when a round takes [seconds]; null at the end. Round 0
+     * is what warms up. Scenarios that have not begun are taken to need as long per sphere and step.
      */
     fun left(index: Int, round: Int, seconds: Double): String? {
         val here = (rounds - round) * seconds
@@ -45,10 +48,14 @@ internal class Overview(
         val all = if (own == null || null in works) {
             "$count after it"
         } else {
-            "roughly ${words(here + (1 + rounds) * seconds * works.sumOf { it!! } / own)} with $count after it"
+            val later = works.sumOf { (seconds * it!! / own).let { s -> rounds * s + warmedIn(s) } }
+            "roughly ${words(here + later)} with $count after it"
         }
         return if (round == rounds) "$name is done; $all" else "about ${words(here)} left of $name, $all"
     }
+
+    /** How long warming up takes when a round takes [seconds]: turns go on until there have been enough. */
+    private fun warmedIn(seconds: Double): Double = seconds * maxOf(1.0, ceil(warmUp * contestants.size / seconds))
 
     private fun words(seconds: Double): String = when {
         seconds < 1.5 * MINUTE -> "${maxOf(1, seconds.roundToLong())} s"

@@ -8,6 +8,8 @@ package daphnis.app.bench
  * @property steps in each round
  * @property collisions in each round
  * @property seconds by round
+ * @property processorSeconds of all threads of the JVM by round, its compilers' and collector's too; NaN where unknown
+ * @property java version that ran it; empty where unknown
  */
 internal class Timing(
     val scenario: String,
@@ -17,9 +19,14 @@ internal class Timing(
     val steps: Long,
     val collisions: Long,
     val seconds: List<Double>,
+    val processorSeconds: List<Double>,
+    val java: String,
 ) {
     /** The round that was disturbed least by what else the machine did. */
     val fastest: Double get() = seconds.min()
+
+    /** What the [fastest] round took of all processors together; NaN where unknown. */
+    val processorOfFastest: Double get() = processorSeconds[seconds.indexOf(fastest)]
 
     /** Half of the rounds took longer; the mean of the middle two for an even number of rounds. */
     val median: Double

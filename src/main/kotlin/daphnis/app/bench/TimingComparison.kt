@@ -55,6 +55,15 @@ internal class TimingComparison(private val old: List<Timing>, private val new: 
         return ""
     }
 
+    /** That the two were timed with different Java, in a line; null where they were not, or where it is not known. */
+    fun otherJava(): String? {
+        val (before, after) = listOf(pairs.map { it.old }, pairs.map { it.new }).map { all ->
+            all.map { it.java }.filter { it.isNotEmpty() }.distinct().joinToString()
+        }
+        if (before == after || before.isEmpty() || after.isEmpty()) return null
+        return "the first was timed with Java $before, the second with Java $after"
+    }
+
     private fun work(t: Timing) = listOf(
         counted(t.spheres.toLong(), "sphere"),
         counted(t.steps, "step"),

@@ -9,21 +9,24 @@ import java.nio.file.Path
 
 /** Timings as CSV: a row for each engine, number of threads and round. */
 internal object TimingFile {
-    private const val HEADER = "scenario,spheres,engine,threads,steps,collisions,round,seconds"
-    private const val COLUMNS = 8
+    /** What the first version had. */
+    private const val FIRST = "scenario,spheres,engine,threads,steps,collisions,round,seconds"
+    private const val HEADER = "$FIRST,processor_seconds,java"
 
     /** Writes [timings] to [path], replacing what is there. */
     fun write(path: Path, timings: List<Timing>) {
         val rows = timings.flatMap { t ->
             t.seconds.mapIndexed { round, s ->
-                "${quoted(t.scenario)},${t.spheres},${t.engine},${t.threads},${t.steps},${t.collisions},${round + 1},$s"
+                val work = "${quoted(t.scenario)},${t.spheres},${t.engine},${t.threads},${t.steps},${t.collisions}"
+                val processor = t.processorSeconds[round].let { if (it.isNaN()) "" else "$it" }
+                "$work,${round + 1},$s,$processor,${t.java}"
             }
         }
         WholeFile.write(path, (listOf(HEADER) + rows).joinToString("\n", postfix = "\n"))
     }
 
     /**
-     * Reads what [write] wrote.
+     * Reads what [write] wrote, or what it wrote before there were processor times.
      *
      * @throws FormatException when it cannot be read, naming the file and the line
      */
@@ -33,32 +36,48 @@ internal object TimingFile {
         } catch (e: IOException) {
             throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         }
-        if (lines.firstOrNull() !=
-            HEADER
-        ) {
+        val header = lines.firstOrNull()
+        if (header != HEADER && header != FIRST) {
             throw FormatException("$path: no timings of daphnis bench: $HEADER is missing")
         }
-        val rows = lines.drop(1).mapIndexed { k, line -> row(line, "$path: line ${k + 2}") }
+        val columns = header.count { it == ',' } + 1
+        val rows = lines.drop(1).mapIndexed { k, line -> row(line, columns, "$path: line ${k + 2}") }
         if (rows.isEmpty()) throw FormatException("$path: has no timings")
         return rows.groupBy { listOf(it.scenario, it.engine, it.threads) }.values.map { same ->
             val t = same.first()
             if (same.any { it.spheres != t.spheres || it.steps != t.steps || it.collisions != t.collisions }) {
                 throw FormatException("$path: rounds of ${t.engine} on ${t.scenario} are not of the same steps")
             }
-            Timing(t.scenario, t.spheres, t.engine, t.threads, t.steps, t.collisions, same.map { it.seconds.single() })
+            if (same.any { it.java != t.java }) {
+                throw FormatException("$path: rounds of ${t.engine} on ${t.scenario} are not of the same Java")
+            }
+            val seconds = same.map { it.seconds.single() }
+            val processor = same.map { it.processorSeconds.single() }
+            Timing(t.scenario, t.spheres, t.engine, t.threads, t.steps, t.collisions, seconds, processor, t.java)
         }
     }
 
-    private fun row(line: String, where: String): Timing {
+    private fun row(line: String, columns: Int, where: String): Timing {
         val cells = cells(line)
-        if (cells.size != COLUMNS) throw FormatException("$where: has ${cells.size} cells; $COLUMNS are needed")
+        if (cells.size != columns) throw FormatException("$where: has ${cells.size} cells; $columns are needed")
         fun bad(k: Int): Nothing = throw FormatException("$where: '${cells[k]}' is no number that can stand there")
         fun whole(k: Int) = cells[k].toLongOrNull()?.takeIf { it >= 0 } ?: bad(k)
         fun small(k: Int) = whole(k).takeIf { it <= Int.MAX_VALUE }?.toInt() ?: bad(k)
         whole(6)
         val seconds = cells[7].toDoubleOrNull()?.takeIf { it > 0 && it.isFinite() } ?: bad(7)
-        return Timing(cells[0], small(1), cells[2], small(3), whole(4), whole(5), listOf(seconds))
+        val processor = cells.getOrElse(PROCESSOR) { "" }.let { cell ->
+            if (cell.isEmpty()) Double.NaN else cell.toDoubleOrNull()?.takeIf { it in 0.0..MOST } ?: bad(PROCESSOR)
+        }
+        val java = cells.getOrElse(JAVA) { "" }
+        val (spheres, threads) = small(1) to small(3)
+        return Timing(
+            cells[0], spheres, cells[2], threads, whole(4), whole(5), listOf(seconds), listOf(processor), java,
+        )
     }
+
+    private const val PROCESSOR = 8
+    private const val JAVA = 9
+    private const val MOST = Double.MAX_VALUE
 
     /** The name of a scenario may hold anything but a line's end. */
     private fun quoted(text: String): String {

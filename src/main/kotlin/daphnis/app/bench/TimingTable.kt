@@ -9,15 +9,16 @@ import java.util.Locale
 internal fun timingTable(timings: List<Timing>): String {
     val ranking = Ranking(timings)
     val lines = ArrayList<String>()
-    lines +=
-        row("engine", "threads", "fastest, s", "median, s", "ms per step", "µs per collision", "speed", "efficiency")
-    lines += "|---|--:|--:|--:|--:|--:|--:|--:|"
+    val times = arrayOf("fastest, s", "median, s", "processor, s")
+    lines += row("engine", "threads", *times, "ms per step", "µs per collision", "speed", "efficiency")
+    lines += "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
     for (t in timings) {
         lines += row(
             t.engine,
             "${t.threads}",
             significant(t.fastest),
             significant(t.median),
+            significant(t.processorOfFastest),
             significant(t.millisecondsPerStep),
             significant(t.microsecondsPerCollision),
             "%.2f".format(Locale.ROOT, ranking.speed(t)),

@@ -7,7 +7,10 @@ import org.junit.jupiter.api.Test
 import java.util.Random
 
 class TimingComparisonTest {
-    private fun timing(vararg seconds: Double) = Timing("gas", 1000, "serial", 1, 10, 500, seconds.asList())
+    private fun timing(vararg seconds: Double) = timing(10, "", seconds.asList())
+
+    private fun timing(steps: Long, java: String, seconds: List<Double>) =
+        Timing("gas", 1000, "serial", 1, steps, 500, seconds, seconds.map { Double.NaN }, java)
 
     private fun pair(old: Timing, new: Timing) = TimingComparison(listOf(old), listOf(new)).pairs.single()
 
@@ -79,10 +82,18 @@ class TimingComparisonTest {
     @Test
     fun `other steps are not compared, and named`() {
         val old = timing(1.0)
-        val new = Timing("gas", 1000, "serial", 1, 20, 500, listOf(1.0))
+        val new = timing(20, "", listOf(1.0))
         val comparison = TimingComparison(listOf(old), listOf(new))
         assertTrue(comparison.pairs.isEmpty())
         assertEquals(2, comparison.unmatched.size)
         assertTrue("20 steps" in comparison.unmatched[0]) { comparison.unmatched[0] }
+    }
+
+    @Test
+    fun `another Java is named where it is known`() {
+        fun said(old: String, new: String) =
+            TimingComparison(listOf(timing(10, old, listOf(1.0))), listOf(timing(10, new, listOf(1.0)))).otherJava()
+        assertEquals("the first was timed with Java 17.0.9, the second with Java 25", said("17.0.9", "25"))
+        for ((old, new) in listOf("25" to "25", "" to "25", "25" to "")) assertNull(said(old, new))
     }
 }

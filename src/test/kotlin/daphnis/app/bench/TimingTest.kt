@@ -14,12 +14,13 @@ class TimingTest {
     lateinit var folder: Path
 
     private fun timing(engine: String, threads: Int, vararg seconds: Double, scenario: String = "gas") =
-        Timing(scenario, 1000, engine, threads, 10, 500, seconds.asList())
+        Timing(scenario, 1000, engine, threads, 10, 500, seconds.asList(), seconds.map { it / 8 }, "25.0.1")
 
     @Test
     fun `the fastest round and the median count`() {
         val t = timing("serial", 1, 4.0, 1.0, 3.0, 2.0)
         assertEquals(1.0, t.fastest)
+        assertEquals(0.125, t.processorOfFastest)
         assertEquals(2.5, t.median)
         assertEquals(3.0, timing("serial", 1, 9.0, 3.0, 1.0).median)
         assertEquals(100.0, t.millisecondsPerStep)
@@ -39,34 +40,44 @@ class TimingTest {
         assertTrue(timingTitle(listOf(timings[1])).endsWith("; speed relative to islands on 4 threads"))
         assertTrue(timingTitle(timings).endsWith("; speed relative to serial"))
         val rows = timingTable(timings).lines()
-        assertEquals("| islands | 4 | 0.800 | 0.800 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
+        assertEquals("| islands | 4 | 0.800 | 0.800 | 0.100 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
     }
 
     @Test
     fun `a table of nothing that collides has no time per collision`() {
-        val t = Timing("gas", 1, "serial", 1, 10, 0, listOf(1.0))
-        assertEquals("| serial | 1 | 1.00 | 1.00 | 100 |  | 1.00 | 1.00 |", timingTable(listOf(t)).lines()[2])
+        val t = Timing("gas", 1, "serial", 1, 10, 0, listOf(1.0), listOf(Double.NaN), "")
+        assertEquals("| serial | 1 | 1.00 | 1.00 |  | 100 |  | 1.00 | 1.00 |", timingTable(listOf(t)).lines()[2])
     }
 
     @Test
     fun `a file gives back what was written`() {
         val names = listOf("gas", "a, b", "\"quoted\", and more", "\"", "")
         val path = folder.resolve("bench.csv")
+        val unknown = Timing("gas", 1000, "actors", 1, 10, 500, listOf(1.0, 2.0), listOf(Double.NaN, 0.0), "")
         val timings = names.flatMap {
             listOf(timing("serial", 1, 0.1, 1.0 / 3, scenario = it), timing("islands", 2, 7e-5, scenario = it))
-        }
+        } + unknown
         TimingFile.write(path, timings)
         val read = TimingFile.read(path)
         assertEquals(timings.map { describe(it) }, read.map { describe(it) })
     }
 
     private fun describe(t: Timing) =
-        listOf(t.scenario, t.spheres, t.engine, t.threads, t.steps, t.collisions, t.seconds)
+        listOf(t.scenario, t.spheres, t.engine, t.threads, t.steps, t.collisions, t.seconds, t.processorSeconds, t.java)
+
+    @Test
+    fun `a result from before there were processor times is read`() {
+        val path = folder.resolve("bench.csv")
+        Files.writeString(path, "$FIRST\n\"a, b\",7,serial,1,10,5,1,0.5\n")
+        val t = TimingFile.read(path).single()
+        assertEquals(listOf("a, b", 7, "serial", 1, 10L, 5L, listOf(0.5), listOf(Double.NaN), ""), describe(t))
+    }
 
     @Test
     fun `a damaged file is refused with its line`() {
         val path = folder.resolve("bench.csv")
-        val header = "scenario,spheres,engine,threads,steps,collisions,round,seconds"
+        val header = FIRST
+        val full = "$FIRST,processor_seconds,java"
         fun refused(text: String, part: String) {
             Files.writeString(path, text)
             val e = assertThrows(FormatException::class.java) { TimingFile.read(path) }
@@ -78,8 +89,16 @@ class TimingTest {
         refused("$header\ngas,1,serial,1,10,5,1,-2\n", "'-2'")
         refused("$header\ngas,1,serial,1,10,5,1,NaN\n", "'NaN'")
         refused("$header\ngas,1,serial,1,10,5,1,0.5\ngas,2,serial,1,10,5,2,0.5\n", "not of the same steps")
+        refused("$full\ngas,1,serial,1,10,5,1,0.5\n", "line 2: has 8 cells")
+        refused("$full\ngas,1,serial,1,10,5,1,0.5,-1,17\n", "'-1'")
+        refused("$full\ngas,1,serial,1,10,5,1,0.5,NaN,17\n", "'NaN'")
+        refused("$full\ngas,1,serial,1,10,5,1,0.5,,17\ngas,1,serial,1,10,5,2,0.5,,25\n", "not of the same Java")
         refused("$header\ngas,99999999999,serial,1,10,5,1,0.5\n", "'99999999999'")
         Files.delete(path)
         refused("$header\n\"gas,1,serial,1,10,5,1,0.5", "line 2")
+    }
+
+    private companion object {
+        const val FIRST = "scenario,spheres,engine,threads,steps,collisions,round,seconds"
     }
 }

@@ -49,7 +49,9 @@ internal object Chart {
      * @param horizontal a dashed line across at this height
      * @param vertical a dashed line upright at this place
      * @param joined whether lines join the points of a curve
-     * @param ticks where the axis across has its marks, all whole numbers; null to choose. Then the other begins at 0
+     * @param ticks where the axis across has its marks, all whole numbers; null to choose. With them the other begins at
+     *   0 and ends at a mark, and there is a legend for a single curve too
+     * @param subtitle what stands below the title
      */
     fun lines(
         curves: List<Curve>,
@@ -63,8 +65,10 @@ internal object Chart {
         height: Int = HEIGHT,
         ticks: List<Int>? = null,
         joined: Boolean = true,
+        subtitle: String = "",
     ): Plot {
-        val points = ChartPoints(curves, logX, logY)
+        // The first curve is drawn last, over the others.
+        val points = ChartPoints(curves.asReversed(), logX, logY)
         val isMarked = curves.all { it.x.size <= MOST_MARKED }
         var plot = letsPlot(points.columns)
         if (horizontal != null) {
@@ -100,8 +104,9 @@ internal object Chart {
         }
         plot = patterned(plot, curves) + labs(x = scaled(xLabel, logX), y = scaled(yLabel, logY)) + themeMinimal()
         plot += ggsize(WIDTH, height)
-        plot += if (curves.size > 1) theme().legendPositionTop() else theme().legendPositionNone()
-        if (title.isNotEmpty()) plot += ggtitle(title)
+        val isNamed = curves.size > 1 || ticks != null
+        plot += if (isNamed) theme().legendPositionTop() else theme().legendPositionNone()
+        if (title.isNotEmpty()) plot += ggtitle(title, subtitle.ifEmpty { null })
         val x = points.x + listOfNotNull(vertical.takeIf { points.x.isNotEmpty() })
         val y = points.low + points.high + listOfNotNull(horizontal.takeIf { points.y.isNotEmpty() && !logY })
         return if (ticks == null) marked(plot, x, y, logX, logY) else counted(plot, ticks, y)
@@ -150,9 +155,9 @@ internal object Chart {
     }
 
     private fun counted(plot: Plot, ticks: List<Int>, y: List<Double>): Plot {
-        val up = Ticks.linear(0.0, y.max())
+        val up = Ticks.linearFromZero(y.max())
         return plot + scaleXContinuous(breaks = ticks.map { it.toDouble() }, labels = ticks.map { "$it" }) +
-            scaleYContinuous(breaks = up.places, labels = up.labels, limits = 0.0 to y.max())
+            scaleYContinuous(breaks = up.places, labels = up.labels, limits = 0.0 to up.places.last())
     }
 
     private fun patterned(plot: Plot, curves: List<Curve>): Plot {

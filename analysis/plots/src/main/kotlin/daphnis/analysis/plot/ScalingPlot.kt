@@ -25,24 +25,26 @@ public object ScalingPlot {
         // Those of one point come last, so that each engine looks the same in all three.
         val curves = times.sortedBy { it.x.size == 1 }
         val threads = times.flatMap { it.x.asList() }.map { it.toInt() }.distinct().sorted()
-        fun draw(kind: String, drawn: List<Curve>, label: String, horizontal: Double?) {
-            val plot = Chart.lines(drawn, "threads", label, title, horizontal = horizontal, ticks = threads)
+        fun draw(kind: String, drawn: List<Curve>, label: String, dashed: String, horizontal: Double) {
+            val words = "grey dashes: $dashed"
+            val plot =
+                Chart.lines(drawn, "threads", label, title, horizontal = horizontal, ticks = threads, subtitle = words)
             Figures.write(plot, directory, "$name-$kind", Chart.WIDTH, Chart.HEIGHT)
         }
-        draw("time", curves, "time [s]", unit)
+        draw("time", curves, "time [s]", "$yardstick", unit)
         val speeds = curves.map { c -> mapped(c) { _, t -> unit / t } }
         // Two threads may be more than twice as fast as two others; only one thread sets a bound.
         val bound = if (yardstick.threads == 1) listOf(ideal(times)) else emptyList()
         val label = "speed relative to $yardstick"
         val lines = if (label.length > LONGEST_LABEL) label.replace(" to ", " to\n") else label
-        draw("speed", speeds + bound, lines, 1.0)
+        draw("speed", speeds + bound, lines, "$yardstick", 1.0)
         val measured = curves.filter { it.x.size > 1 && 1.0 in it.x.asList() }
         if (measured.isEmpty()) return
         val efficiencies = measured.map { c ->
             val one = c.y[c.x.indexOfFirst { it == 1.0 }]
             mapped(c) { n, t -> one / t / n }
         }
-        draw("efficiency", efficiencies, "efficiency", 1.0)
+        draw("efficiency", efficiencies, "efficiency", "n threads n times as fast as one", 1.0)
     }
 
     /** Removes what [write] has drawn as [name] in [directory], if anything. */

@@ -31,6 +31,12 @@ internal class Ticks private constructor(val places: List<Double>, val labels: L
             return Ticks(places, places.map { label(it, power, maxOf(0, power - stepPower)) })
         }
 
+        /** Round places from 0 to the first that is not below [high], which is positive. */
+        fun linearFromZero(high: Double): Ticks {
+            val step = roundStep(high / WANTED)
+            return linear(0.0, ceil(high / step - NEARLY) * step)
+        }
+
         /**
          * Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other.
          */
