@@ -108,6 +108,15 @@ wait $pid || code=$?
 [ $code -eq 130 ] || die "interrupted: exit code $code instead of 130"
 grep -q 'continue with: daphnis resume' out || die "interrupted: does not say how to go on"
 
+# The same for timings
+"$here/daphnis" bench cooling-gas --steps 3 --engines serial --warm-up 0 --rounds 100000 --quiet --out timings >out 2>&1 &
+pid=$!
+until [ -s timings/bench.csv ]; do sleep 0.2; done
+sleep 1
+kill -TERM $pid
+wait $pid || true
+[ "$(cat out)" = "daphnis: interrupted: the rounds that are done are in timings" ] || die "bench, interrupted: says $(cat out)"
+
 code=0
 daphnis run elastic-gas --set until=-1 --out bad 2>err || code=$?
 [ $code -eq 2 ] || die "wrong input: exit code $code instead of 2"

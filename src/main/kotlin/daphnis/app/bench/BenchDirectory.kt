@@ -33,9 +33,9 @@ internal class BenchDirectory(private val path: Path) {
     /** A list of timings for each scenario. */
     fun writeTables(all: List<List<Timing>>) {
         TimingFile.write(csv, all.flatten())
+        hasTables = true
         val tables = all.joinToString("\n") { "## ${timingTitle(it)}\n\n${timingTable(it)}\n" }
         WholeFile.write(path.resolve(TABLES), "# daphnis bench\n\n${machine()}\n\n$tables")
-        hasTables = true
     }
 
     /** What there is when not all rounds could be timed, in words. */
