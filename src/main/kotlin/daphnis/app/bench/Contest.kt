@@ -97,14 +97,14 @@ internal class Contest(
         val start = own.scenario.startTime
         return Simulation(own.population, own.boundary, forcing, own.timeStep, own.forces, startTime = start).use {
             val begin = System.nanoTime()
-            val processorBegin = ProcessorTime.seconds()
+            val processorBegin = ProcessorTime.now()
             try {
                 while (!isOver(it, own)) it.advance()
             } catch (e: RuntimeException) {
                 throw RunException("$name: ${contestant.engine}: step ${it.step + 1}: ${e.message}", e)
             }
-            val seconds = (System.nanoTime() - begin) * NANO
-            val turn = Turn(seconds, ProcessorTime.seconds() - processorBegin)
+            val seconds = (System.nanoTime() - begin) / NANOS
+            val turn = Turn(seconds, ProcessorTime.secondsSince(processorBegin))
             compare(Outcome(contestant.engine, stateDigest(it.population), it.step, forcing.counters.collisions))
             turn
         }
@@ -135,7 +135,7 @@ internal class Contest(
     }
 
     private companion object {
-        const val NANO = 1e-9
+        const val NANOS = 1e9
         const val END_SLACK = 1e-6
 
         /** Without what would have to be quoted in a table. */

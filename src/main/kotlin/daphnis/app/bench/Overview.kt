@@ -16,7 +16,7 @@ internal class Overview(
     fun lines(): List<String> {
         val turns = contests.size * contestants.size * rounds
         val counted = if (rounds == 1) "1 round that counts" else "$rounds rounds that count"
-        val warm = if (warmUp == 0.0) "one turn" else "$warmUp s of turns, one at least,"
+        val warm = if (warmUp == 0.0) "one turn" else "${"$warmUp".removeSuffix(".0")} s of turns, one at least,"
         return contests.map { "${it.name}: ${spheres(it.spheres)}, ${it.span}" } + listOf(
             "engines: ${engines()}",
             "$warm for each to warm up, then $counted: " +

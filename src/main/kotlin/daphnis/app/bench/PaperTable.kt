@@ -29,7 +29,7 @@ internal object PaperTable {
             ours.scenario,
             ours.engine,
             significant(ours.fastest),
-            significant(ours.processorOfFastest),
+            hundredths(ours.processorOfFastest),
             significant(ours.microsecondsPerCollision),
             significant(authors.seconds),
             authors.microseconds,

@@ -7,8 +7,14 @@ import java.lang.management.ManagementFactory
 internal object ProcessorTime {
     private val bean = ManagementFactory.getOperatingSystemMXBean() as? OperatingSystemMXBean
 
-    /** Seconds since the JVM began; NaN where the system does not say. */
-    fun seconds(): Double = bean?.processCpuTime?.takeIf { it >= 0 }?.let { it * NANO } ?: Double.NaN
+    /** Nanoseconds since the JVM began; null where the system does not say. */
+    fun now(): Long? = bean?.processCpuTime?.takeIf { it >= 0 }
 
-    private const val NANO = 1e-9
+    /** Seconds since it was [begin]; NaN where the system does not say. */
+    fun secondsSince(begin: Long?): Double {
+        val end = now()
+        return if (begin == null || end == null) Double.NaN else (end - begin) / NANOS
+    }
+
+    private const val NANOS = 1e9
 }

@@ -18,11 +18,11 @@ internal fun timingTable(timings: List<Timing>): String {
             "${t.threads}",
             significant(t.fastest),
             significant(t.median),
-            significant(t.processorOfFastest),
+            hundredths(t.processorOfFastest),
             significant(t.millisecondsPerStep),
             significant(t.microsecondsPerCollision),
-            "%.2f".format(Locale.ROOT, ranking.speed(t)),
-            ranking.efficiency(t).let { if (it.isNaN()) "" else "%.2f".format(Locale.ROOT, it) },
+            hundredths(ranking.speed(t)),
+            hundredths(ranking.efficiency(t)),
         )
     }
     return lines.joinToString("\n")
@@ -39,6 +39,9 @@ internal fun timingTitle(timings: List<Timing>): String {
 }
 
 private fun row(vararg cells: String) = cells.joinToString(" | ", "| ", " |")
+
+/** [value] to two decimals; empty for NaN. */
+internal fun hundredths(value: Double): String = if (value.isNaN()) "" else "%.2f".format(Locale.ROOT, value)
 
 /** [value] to three digits; empty for NaN. */
 internal fun significant(value: Double): String = when {

@@ -23,7 +23,7 @@ class OverviewTest {
         assertEquals("shear-cell: 2048 spheres, 7 steps", lines[1])
         assertEquals("engines: serial, horizon on 1 thread; islands on 1, 2 threads", lines[2])
         assertEquals(
-            "1.0 s of turns, one at least, for each to warm up, then 3 rounds that count: " +
+            "1 s of turns, one at least, for each to warm up, then 3 rounds that count: " +
                 "2 x 4 x 3 (scenarios x engines x rounds) = 24 turns",
             lines[3],
         )

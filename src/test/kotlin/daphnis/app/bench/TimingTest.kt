@@ -40,7 +40,7 @@ class TimingTest {
         assertTrue(timingTitle(listOf(timings[1])).endsWith("; speed relative to islands on 4 threads"))
         assertTrue(timingTitle(timings).endsWith("; speed relative to serial"))
         val rows = timingTable(timings).lines()
-        assertEquals("| islands | 4 | 0.800 | 0.800 | 0.100 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
+        assertEquals("| islands | 4 | 0.800 | 0.800 | 0.10 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
     }
 
     @Test
