@@ -94,19 +94,20 @@ class BenchCommand : CliktCommand(name = "bench") {
         val overview = Overview(contests, contestants, rounds, warmUp)
         if (!quiet) overview.lines().forEach(::say)
         val all = ArrayList<List<Timing>>()
-        LastWords { directory.interrupted() }.use {
+        val plots = LastWords { directory.interrupted() }.use {
             for (index in contests.indices) {
                 all += timed(contests[index], { round, seconds -> overview.left(index, round, seconds) }) {
                     writing(path) { directory.writeTables(all + listOf(it)) }
                 }
             }
+            val isWhole = steps == null && settings.isEmpty()
+            val known = if (isWhole) all.filter { isBuiltIn(it.first().scenario) } else emptyList()
+            PaperTable.of(known)?.let { table ->
+                println(fitted(table))
+                writing(path) { directory.writePaperTable(table) }
+            }
+            writing(path) { directory.drawAll(all) }
         }
-        val isWhole = steps == null && settings.isEmpty()
-        PaperTable.of(if (isWhole) all.filter { isBuiltIn(it.first().scenario) } else emptyList())?.let { table ->
-            println(fitted(table))
-            writing(path) { directory.writePaperTable(table) }
-        }
-        val plots = writing(path) { directory.drawAll(all) }
         if (!quiet) println("${if (plots == 0) "tables" else "tables and plots"} are in $path")
     }
 
@@ -118,8 +119,8 @@ class BenchCommand : CliktCommand(name = "bench") {
         left: (round: Int, seconds: Double) -> String?,
         keep: (List<Timing>) -> Unit,
     ): List<Timing> {
-        val warm = contest.warmUp(warmUp) { contestant, turns ->
-            if (!quiet) say("warming up: ${contestant.engine} on ${contestant.threads}: ${warmed(turns)}")
+        val warm = contest.warmUp(warmUp) { contestant, own ->
+            if (!quiet) say("warming up: ${contestant.engine} on ${contestant.threads}: ${warmed(own)}")
         }
         if (!quiet) left(0, warm)?.let(::say)
         for (round in 1..rounds) {
@@ -137,9 +138,9 @@ class BenchCommand : CliktCommand(name = "bench") {
     }
 
     /** `0.287 s`, `14 turns, the first 0.287 s, the last 0.0702 s`. */
-    private fun warmed(turns: List<Contest.Turn>): String {
-        val (first, last) = listOf(turns.first(), turns.last()).map { "${significant(it.seconds)} s" }
-        return if (turns.size == 1) first else "${turns.size} turns, the first $first, the last $last"
+    private fun warmed(own: Contest.WarmUp): String {
+        val (first, last) = listOf(own.first, own.last).map { "${significant(it.seconds)} s" }
+        return if (own.turns == 1) first else "${own.turns} turns, the first $first, the last $last"
     }
 
     private fun fitted(text: String): String = outputColumns()?.let { fitted(text, it) } ?: text

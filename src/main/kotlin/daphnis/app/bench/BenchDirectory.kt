@@ -39,8 +39,11 @@ internal class BenchDirectory(private val path: Path) {
     }
 
     /** What there is when not all rounds could be timed, in words. */
-    fun interrupted(): String =
-        if (hasTables) "interrupted: the rounds that are done are in $path" else "interrupted: no round is done"
+    fun interrupted(): String = when {
+        hasTables -> "interrupted: the rounds that are done are in $path"
+        Files.exists(csv) -> "interrupted: no round is done; the tables in $path are those of the earlier result"
+        else -> "interrupted: no round is done"
+    }
 
     fun writePaperTable(table: String) {
         WholeFile.write(path.resolve(PAPER), "# Beside the paper's authors\n\n${machine()}\n\n$table")

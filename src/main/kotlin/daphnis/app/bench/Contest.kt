@@ -55,25 +55,41 @@ internal class Contest(
     /** Spheres times steps; null when the steps are not known. */
     val work: Double? get() = plannedSteps?.let { it.toDouble() * spheres }
 
+    /** The turns of one contestant that do not count. */
+    class WarmUp(val first: Turn) {
+        var last = first
+            private set
+        var turns = 1
+            private set
+
+        fun add(turn: Turn) {
+            last = turn
+            turns++
+        }
+    }
+
     /**
-     * Turns that do not count, one at least for each, until each has worked for so many [seconds]: code that Java has
-     * not yet compiled tells nothing of an engine.
+     * Turns that do not count, one at least for each, until each has worked for so many [seconds], with what prepares a
+     * turn: code that Java has not yet compiled tells nothing of an engine.
      *
      * @param after is told who is warm, and its turns
      * @return the seconds of the last turns of all, which a round may take
      * @throws RunException when engines end in different states, or a step fails
      */
-    fun warmUp(seconds: Double, after: (Contestant, List<Turn>) -> Unit): Double {
-        val turns = contestants.associateWith { ArrayList<Turn>() }
+    fun warmUp(seconds: Double, after: (Contestant, WarmUp) -> Unit): Double {
+        val done = HashMap<Contestant, WarmUp>()
+        val worked = HashMap<Contestant, Double>()
         var cold = contestants
         while (cold.isNotEmpty()) {
             cold = cold.filter { contestant ->
-                val own = turns.getValue(contestant)
-                own += turn(contestant)
-                (own.sumOf { it.seconds } < seconds).also { if (!it) after(contestant, own) }
+                val begin = System.nanoTime()
+                val turn = turn(contestant)
+                done[contestant]?.add(turn) ?: done.put(contestant, WarmUp(turn))
+                val all = worked.merge(contestant, (System.nanoTime() - begin) / NANOS, Double::plus)!!
+                (all < seconds).also { if (!it) after(contestant, done.getValue(contestant)) }
             }
         }
-        return turns.values.sumOf { it.last().seconds }
+        return done.values.sumOf { it.last.seconds }
     }
 
     /**

@@ -55,7 +55,13 @@ internal class Overview(
     }
 
     /** How long warming up takes when a round takes [seconds]: turns go on until there have been enough. */
-    private fun warmedIn(seconds: Double): Double = seconds * maxOf(1.0, ceil(warmUp * contestants.size / seconds))
+    private fun warmedIn(seconds: Double): Double = if (seconds >
+        0
+    ) {
+        seconds * maxOf(1.0, ceil(warmUp * contestants.size / seconds))
+    } else {
+        warmUp * contestants.size
+    }
 
     private fun words(seconds: Double): String = when {
         seconds < 1.5 * MINUTE -> "${maxOf(1, seconds.roundToLong())} s"

@@ -56,6 +56,7 @@ class OverviewTest {
         // A round of the second takes 0.02 s, so 150 of them are needed for 4 contestants to have had 0.75 s each.
         val overview = Overview(listOf(contest("cooling-gas", 10), contest("cooling-gas", 20)), contestants, 3, 0.75)
         assertEquals("cooling-gas is done; roughly 3 s with one scenario after it", overview.left(0, 3, 0.01))
+        assertEquals("cooling-gas is done; roughly 3 s with one scenario after it", overview.left(0, 3, 0.0))
         // A round of 10 s is longer than that.
         assertEquals("cooling-gas is done; roughly 40 s with one scenario after it", overview.left(0, 3, 5.0))
     }

@@ -7,6 +7,7 @@ import daphnis.core.table.UnitsOfDimensions
 import java.math.BigDecimal
 import java.math.MathContext
 import kotlin.math.PI
+import kotlin.math.abs
 
 /**
  * Times of a run in messages: with their unit where it has a name, and in orbits too where there are any.
@@ -21,14 +22,19 @@ internal class TimeWords(private val omega: Double?, private val unit: String?) 
         return if (omega == null) plain else "$plain (${short(time * omega / (2 * PI))} orbits)"
     }
 
-    private fun short(number: Double): String = if (number.isFinite()) {
-        BigDecimal(number).round(MathContext(DIGITS)).stripTrailingZeros().toPlainString()
-    } else {
-        "$number"
+    private fun short(number: Double): String {
+        if (number == 0.0) return "0"
+        if (!number.isFinite()) return "$number"
+        val rounded = BigDecimal(number).round(MathContext(DIGITS)).stripTrailingZeros()
+        return if (abs(number) in LEAST..MOST) rounded.toPlainString() else "$rounded"
     }
 
     companion object {
         private const val DIGITS = 7
+
+        /** Numbers outside are written with a power of ten. */
+        private const val LEAST = 1e-6
+        private const val MOST = 1e15
 
         /** Where nothing is known of units, as in a [Program]. */
         val PLAIN = TimeWords(null, null)

@@ -14,6 +14,8 @@ class TimeWordsTest {
         assertEquals("time 3141.593 s (0.5 orbits)", TimeWords.of(ring, "ring").text(1000 * PI))
         assertEquals("time 0.25", TimeWords.of(BuiltIn.scenario("cooling-gas"), "gas").text(0.25))
         assertEquals("time 1000000", TimeWords.of(null, "").text(1e6))
+        assertEquals("time 1E-300", TimeWords.PLAIN.text(1e-300))
+        assertEquals("time 0", TimeWords.PLAIN.text(0.0))
         assertEquals("time NaN", TimeWords.PLAIN.text(Double.NaN))
     }
 
