@@ -55,12 +55,9 @@ internal class Overview(
     }
 
     /** How long warming up takes when a round takes [seconds]: turns go on until there have been enough. */
-    private fun warmedIn(seconds: Double): Double = if (seconds >
-        0
-    ) {
-        seconds * maxOf(1.0, ceil(warmUp * contestants.size / seconds))
-    } else {
-        warmUp * contestants.size
+    private fun warmedIn(seconds: Double): Double {
+        val needed = warmUp * contestants.size
+        return if (seconds > 0) seconds * maxOf(1.0, ceil(needed / seconds)) else needed
     }
 
     private fun words(seconds: Double): String = when {

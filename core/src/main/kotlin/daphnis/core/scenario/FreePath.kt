@@ -32,8 +32,8 @@ internal object FreePath {
     }
 
     /**
-     * How far the fastest sphere may move along an axis in a step: in proportion to the root of mean free path times diameter, but no
-     * more than a part of the mean distance, which is less in very thin gases, and half the box.
+     * How far the fastest sphere may move along an axis in a step: in proportion to the root of mean free path times
+     * diameter, but no more than a part of the mean distance, which is less in very thin gases, and half the box.
      */
     fun length(population: Population, box: Box, boundary: BoundaryConditions): Double {
         val edge = (0..2).filter { boundary.contactFaces(it) != ContactFaces.OPEN }.minOfOrNull { box.length(it) }

@@ -49,8 +49,8 @@ internal object Chart {
      * @param horizontal a dashed line across at this height
      * @param vertical a dashed line upright at this place
      * @param joined whether lines join the points of a curve
-     * @param ticks where the axis across has its marks, all whole numbers; null to choose. With them the other begins at
-     *   0 and ends at a mark, and there is a legend for a single curve too
+     * @param ticks where the axis across has its marks, all whole numbers; null to choose. With them the other begins
+     *   at 0 and ends at a mark, and there is a legend for a single curve too
      * @param subtitle what stands below the title
      */
     fun lines(
