@@ -16,7 +16,8 @@ internal class LastWords(words: () -> String) : AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(hook)
         } catch (e: IllegalStateException) {
-            // It has been interrupted, and is being said.
+            // It has been interrupted, and is being said. What else goes wrong because of that is not to be said.
+            Thread.currentThread().join()
         }
     }
 }
