@@ -104,6 +104,19 @@ class BenchCommandTest {
     }
 
     @Test
+    fun `a comparison with another Java says so`() {
+        fun file(java: String) = Files.writeString(
+            folder.resolve("$java.csv"),
+            "scenario,spheres,engine,threads,steps,collisions,round,seconds,processor_seconds,java\n" +
+                (1..3).joinToString("") { "gas,1,serial,1,10,5,$it,1.0,1.5,$java\n" },
+        )
+        val (old, new) = listOf("17.0.15", "25").map(::file)
+        val said = "the first was timed with Java 17.0.15, the second with Java 25"
+        assertTrue(said in assertDone(bench("--compare", "$old", "$new")).lines())
+        assertFalse("timed with" in assertDone(bench("--compare", "$old", "$old")))
+    }
+
+    @Test
     fun `a comparison times nothing, and refuses what is for timing`() {
         for ((option, value) in listOf(
             "--engines" to "serial",

@@ -35,6 +35,16 @@ class RefusalsTest {
     }
 
     @Test
+    fun `an end in orbits that has passed is told in orbits too`() {
+        val settings = listOf("frame={\"type\":\"hill\",\"angularSpeed\":0.001}", "box.lengths=[40,40,20]", "until=400")
+        val set = settings.flatMap { listOf("--set", it) }.toTypedArray()
+        assertDone(daphnis("run", "ring-patch", *set, "--out", at("ring"), "--quiet"))
+        val refused = daphnis("resume", at("ring"), "--until", "31.41592653589793")
+        assertRefused(refused, "--until: is time 31.41593 s (0.005 orbits); the run is at time 4")
+        assertRefused(refused, " orbits), give a later end")
+    }
+
+    @Test
     fun `a resumed run cannot end before now, and is left as it was`() {
         assertDone(small("a"))
         val summary = Files.readString(home.resolve("a/summary.json"))

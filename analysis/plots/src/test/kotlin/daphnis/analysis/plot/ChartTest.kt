@@ -51,6 +51,14 @@ class ChartTest {
     }
 
     @Test
+    fun `the first curve is drawn over the others`() {
+        val x = doubleArrayOf(1.0, 2.0)
+        val curves = listOf("first", "second").map { Curve(it, x, x) }
+        val data = Chart.lines(curves, "x", "y").toSpec()["data"] as Map<*, *>
+        assertEquals(listOf("second", "second", "first", "first"), data["curve"])
+    }
+
+    @Test
     fun `numbers at a map have a minus, not a hyphen`() {
         val places = DoubleArray(5) { 50.0 * (it - 2) }
         val values = DoubleArray(25) { 0.01 * (it - 12) }

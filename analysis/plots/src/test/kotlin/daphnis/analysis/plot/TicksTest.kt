@@ -22,6 +22,21 @@ class TicksTest {
     }
 
     @Test
+    fun `an axis from zero ends at a mark that is not below its values`() {
+        assertPlaces(Ticks.linearFromZero(1.01), 0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2)
+        assertPlaces(Ticks.linearFromZero(1.0), 0.0, 0.2, 0.4, 0.6, 0.8, 1.0)
+        for (k in 1..2000) {
+            val high = 1e-5 * Math.pow(1.013, k.toDouble())
+            val places = Ticks.linearFromZero(high).places
+            val step = places[1]
+            assertTrue(places[0] == 0.0 && places.last() >= high * (1 - 1e-9) && places.last() < high + step) {
+                "$high"
+            }
+            assertTrue(places.size in 4..9) { "$high: ${places.size}" }
+        }
+    }
+
+    @Test
     fun `small and large values have a power of ten, never an e`() {
         val small = Ticks.linear(6.5e-4, 9.1e-4)
         val labels = listOf("6.5", "7.0", "7.5", "8.0", "8.5", "9.0").map { "$it · 10⁻⁴" }
