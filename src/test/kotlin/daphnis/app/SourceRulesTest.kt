@@ -58,6 +58,31 @@ class SourceRulesTest {
         assertEquals(emptyList<String>(), long)
     }
 
+    /**
+     * A step that ran out of memory may be done again, so a table of several arrays must not think that it has room
+     * for what only some of them have room for.
+     */
+    @Test
+    fun `the array whose length says how much room there is grows last`() {
+        val compared = Regex("""(?:[<>=!]=|[<>]) (?:this\.)?(\w+)\.size\b|\b(\w+)\.size (?:[<>=!]=|[<>]) """)
+        val assigned = Regex("""^\s+(?:this\.)?(\w+) = .*(?:Array(?:<.*>)?\(|arrayOfNulls|copyOf)""")
+        var groups = 0
+        val wrong = modules.flatMap { sources("$it/src/main/kotlin") }.flatMap { file ->
+            val lines = file.readLines().filterNot { it.trimStart().startsWith("//") }
+            val capacities = lines.flatMap { line -> compared.findAll(line).map { it.groupValues.last(String::isNotEmpty) } }
+            val names = lines.map { assigned.find(it)?.groupValues?.get(1) }
+            // Stretches of lines that assign one array after another.
+            val ends = names.indices.filter { names[it] != null && names.getOrNull(it + 1) == null }
+            ends.map { end -> (end downTo 0).takeWhile { names[it] != null }.map { names[it]!! }.distinct() }
+                .filter { stretch -> stretch.size > 1 && stretch.any { it in capacities } }
+                .onEach { groups++ }
+                .filter { it.first() !in capacities }
+                .map { "${file.name}: ${it.reversed()}" }
+        }
+        assertEquals(emptyList<String>(), wrong)
+        assertTrue(groups > 20) { "only $groups seen" }
+    }
+
     private companion object {
         /** A report says how to make the run again, and from when on to average. */
         val FLAGS = setOf("RunSection.kt", "SteadinessText.kt")

@@ -94,10 +94,11 @@ public class RadialOrder @JvmOverloads constructor(
 
     private fun reserve() {
         if (order.size >= size) return
-        order = IntArray(size)
         keys = LongArray(size)
         spareKeys = LongArray(size)
         spareOrder = IntArray(size)
+        // Last, since its length says how many there is room for: an allocation before it may have failed.
+        order = IntArray(size)
     }
 
     private fun beginWithLastOrder(p: Population) {

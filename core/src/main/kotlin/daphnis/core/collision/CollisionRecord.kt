@@ -126,11 +126,12 @@ public class CollisionRecord() {
 
     private fun grow() {
         val n = maxOf(time.size * 2, INITIAL)
-        time = time.copyOf(n)
         rank = rank.copyOf(n)
         lower = lower.copyOf(n)
         higher = higher.copyOf(n)
         data = data.copyOf(n * WIDTH)
+        // Last, since its length says how many there is room for: an allocation before it may have failed.
+        time = time.copyOf(n)
     }
 
     internal companion object {

@@ -136,8 +136,9 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
         s < t || s == t && store.compareTied(a, b, ids) < 0
 
     private fun grow() {
-        heap = heap.copyOf(size * 2)
         times = times.copyOf(size * 2)
+        // Last, since its length says how many there is room for: an allocation before it may have failed.
+        heap = heap.copyOf(size * 2)
     }
 
     private companion object {

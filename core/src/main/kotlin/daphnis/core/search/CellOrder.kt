@@ -13,8 +13,9 @@ internal class CellOrder {
 
     fun reserve(spheres: Int, cells: Int) {
         if (order.size < spheres) {
-            order = IntArray(spheres)
             cellOf = IntArray(spheres)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            order = IntArray(spheres)
         }
         // One entry more than needed at either end, see CellCounting.
         if (start.size < cells + 2) start = IntArray(cells + cells / 4 + 2)

@@ -22,8 +22,9 @@ internal class RowLockedSort : CellSort {
         if (head.size < total) head = IntArray(total + total / 4)
         if (next.size < n) next = IntArray(n)
         if (locks.size < rows) {
+            rowCount = IntArray(rows + rows / 4 + 1)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
             locks = Array(rows + rows / 4) { Any() }
-            rowCount = IntArray(locks.size + 1)
         }
         loop.run(total) { _, from, to -> head.fill(NONE, from, to) }
         rowCount.fill(0, 0, rows + 1)

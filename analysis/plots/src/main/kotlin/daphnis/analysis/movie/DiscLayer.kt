@@ -94,10 +94,11 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
     }
 
     private fun grow() {
-        x = x.copyOf(2 * count)
         y = y.copyOf(2 * count)
         index = index.copyOf(2 * count)
         order = order.copyOf(2 * count)
+        // Last, since its length says how many there is room for: an allocation before it may have failed.
+        x = x.copyOf(2 * count)
     }
 
     private companion object {

@@ -96,8 +96,9 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         // Parts of the same length each time, whose sums are added in order: the same bits with any number of threads.
         val parts = (spheres.size - 1) / MEASURED_AT_ONCE + 1
         if (sums.size < AXES * parts) {
-            sums = DoubleArray(AXES * parts)
             maxima = DoubleArray(AXES * parts)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            sums = DoubleArray(AXES * parts)
         }
         loop.run(parts, 1) { _, from, to -> for (part in from until to) measure(spheres, part) }
         for (k in 0 until AXES) {

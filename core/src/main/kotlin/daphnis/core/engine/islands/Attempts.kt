@@ -25,8 +25,9 @@ internal class Attempts {
      */
     fun begin(rows: Int, record: Int, counted: CollisionCounters): Int {
         if (size + 1 == alive.size) {
-            alive = alive.copyOf(size * 2)
-            marks = marks.copyOf(alive.size * WIDTH)
+            marks = marks.copyOf(alive.size * 2 * WIDTH)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            alive = alive.copyOf(alive.size * 2)
         }
         mark(size, rows, record, counted)
         alive[size] = true

@@ -27,8 +27,9 @@ internal class Members {
     fun take(state: StepRows, slot: Int): Int {
         val k = rows.take(state, slot)
         if (k == slotOf.size) {
-            slotOf = slotOf.copyOf(k * 2)
             older = older.copyOf(k * 2)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            slotOf = slotOf.copyOf(k * 2)
         }
         slotOf[k] = slot
         older[k] = PathLog.NONE

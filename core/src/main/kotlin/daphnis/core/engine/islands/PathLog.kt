@@ -22,8 +22,9 @@ internal class PathLog {
     fun add(state: DoubleArray, p: Int, older: Int): Int {
         if (size >= most) throw IslandsTooLargeException("pieces of path", most)
         if (size == links.size) {
-            links = links.copyOf(size * 2)
             rows = rows.copyOf(size * 2 * STRIDE)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            links = links.copyOf(size * 2)
         }
         state.copyInto(rows, size * STRIDE, p, p + STRIDE)
         links[size] = older

@@ -26,8 +26,9 @@ internal class Suspects {
             if (data[p] == slot && data[p + 1] == other && data[p + 2] == image && data[p + 3] == attempt) return
             place = (place + 1) and (table.size - 1)
         }
-        table[place] = size + 1
+        // Before the table names the pair, which it would for ever if there were no memory for it.
         if ((size + 1) * WIDTH > data.size) data = data.copyOf(data.size * 2)
+        table[place] = size + 1
         val p = size++ * WIDTH
         data[p] = slot
         data[p + 1] = other
