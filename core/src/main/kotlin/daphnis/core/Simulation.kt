@@ -53,7 +53,9 @@ public class Simulation internal constructor(
         startTime: Double = 0.0,
         startStep: Long = 0,
         runStart: Double? = null,
-    ) : this(population, boundary, collisions, timeStep, forces, outputs, startTime, startStep, runStart, null, null)
+    ) : this(population, boundary, collisions, timeStep, forces, outputs, startTime, startStep, runStart, null, null) {
+        if (collisions != null && startStep == 0L) collisions.isStartUnchecked = true
+    }
 
     /** The spheres, at the end of the last step. Where nodes hold them, they are fetched at the first call. */
     public val population: Population = population
@@ -131,6 +133,8 @@ public class Simulation internal constructor(
      * arrays, boxes crossed, counters, [time] and [step]. The record of collisions is empty. The step may then be done
      * again, with the same bits as result. Outputs that had seen it before another output threw are not called again.
      *
+     * @throws IllegalArgumentException at step 0, when spheres that collide overlap. A later step may begin so: with the
+     *   paper's boundary a sphere may be wrapped onto another one
      * @throws IllegalStateException when the state is no longer finite, after [close], and from within a step
      */
     public fun advance() {
@@ -196,6 +200,7 @@ public class Simulation internal constructor(
         check(!opened && this.step == 0L) { "the simulation has begun: it is at step ${this.step}" }
         this.time = time
         this.step = step
+        if (step > 0) collisions?.isStartUnchecked = false
     }
 
     /**

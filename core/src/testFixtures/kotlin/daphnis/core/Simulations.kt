@@ -19,12 +19,14 @@ fun simulationOf(
     guard: CollapseGuard = NoGuard,
     engine: CollisionEngine = SerialEngine(),
     outputs: List<Output> = emptyList(),
+    startStep: Long = 0,
 ): Simulation = Simulation(
     population,
     boundary,
     CollisionForcing(restitution, guard, engine, recordCollisions = true),
     FixedTimeStep(dt),
     outputs = outputs,
+    startStep = startStep,
 )
 
 /** The digest after each of the next [steps] steps. */

@@ -4,6 +4,7 @@ import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
@@ -23,6 +24,7 @@ public class CollisionLaw @JvmOverloads constructor(
      *
      * @return false when the spheres recede because of round-off at a grazing contact; then only their local times have
      *   changed, and [outcome] is as it was
+     * @throws IllegalArgumentException when [restitution] gives a number that is not in [0, 1]
      */
     public fun collide(
         rows: StepRows,
@@ -53,6 +55,11 @@ public class CollisionLaw @JvmOverloads constructor(
             // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
             // energy.
             exchange(rows, first, second, (1.0 + outcome.coefficient) * b / d2, outcome)
+            // From the reduced mass, so that it is the same to the last bit from either side.
+            val m1 = rows.mass[first]
+            val m2 = rows.mass[second]
+            outcome.impulse = (1.0 + outcome.coefficient) * outcome.impactSpeed * (m1 * m2 / (m1 + m2))
+            separate(rows, first, second, images.slide(image, 0), images.slide(image, 1), outcome)
         }
         outcome.rank = 1 + maxOf(rows.rank(first), rows.rank(second))
         rows.marks[first * MARKS] = outcome.rank
@@ -70,11 +77,17 @@ public class CollisionLaw @JvmOverloads constructor(
             outcome.guarded = guard.makesElastic(speed, 0.0, 0.0)
         }
         outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(speed)
+        // NaN is in no range.
+        if (!(outcome.coefficient >= 0.0 && outcome.coefficient <= 1.0)) refuse(outcome.coefficient, speed)
         if (guard.needsLastCollision) {
             rows.lastCollision[first] = time
             rows.lastCollision[second] = time
         }
     }
+
+    private fun refuse(coefficient: Double, speed: Double): Nothing = throw IllegalArgumentException(
+        "the coefficient of restitution is $coefficient at an impact speed of $speed; it must be in [0, 1]",
+    )
 
     /** Changes the velocities by [factor] times the separation, shared by the masses. */
     private fun exchange(rows: StepRows, first: Int, second: Int, factor: Double, outcome: CollisionOutcome) {
@@ -96,7 +109,63 @@ public class CollisionLaw @JvmOverloads constructor(
         state[q] = (state[q] - f2 * dx) + 0.0
         state[q + 1] = (state[q + 1] - f2 * dy) + 0.0
         state[q + 2] = (state[q + 2] - f2 * dz) + 0.0
-        // From the reduced mass, so that it is the same to the last bit from either side.
-        outcome.impulse = (1.0 + outcome.coefficient) * outcome.impactSpeed * (m1 * m2 / (m1 + m2))
+    }
+
+    /**
+     * Sees to it that the two do not approach any more. After an impact with ε = 0 they may still do so by round-off,
+     * and an impulse as small as the rounding of the velocities is lost, or moves only the slower one. They touch, so
+     * they would collide at once, and again for ever. What is added is of the size of that rounding, and moves both: of
+     * three that press on one another the one in the middle would else be pushed to and fro.
+     */
+    private fun separate(
+        rows: StepRows,
+        first: Int,
+        second: Int,
+        slideX: Double,
+        slideY: Double,
+        outcome: CollisionOutcome,
+    ) {
+        var b = approach(rows, first, second, slideX, slideY, outcome)
+        val fastest = maxOf(rows.fastestComponent(first), rows.fastestComponent(second), maxOf(abs(slideX), abs(slideY)))
+        val rounding = ROUNDING * fastest
+        if (b >= 0.0 && outcome.impactSpeed > rounding) return
+        val dx = outcome.separationX
+        val dy = outcome.separationY
+        val dz = outcome.separationZ
+        val d2 = dx * dx + dy * dy + dz * dz
+        var more = minOf(b / d2, -rounding / sqrt(d2), -Double.MIN_VALUE)
+        do {
+            exchange(rows, first, second, more, outcome)
+            more *= 2
+            b = approach(rows, first, second, slideX, slideY, outcome)
+        } while (b < 0.0)
+    }
+
+    private fun StepRows.fastestComponent(slot: Int): Double {
+        val p = slot * STRIDE + VX
+        return maxOf(abs(state[p]), abs(state[p + 1]), abs(state[p + 2]))
+    }
+
+    /** **d**·**u** of the two at contact, as [contactTime] finds it. */
+    private fun approach(
+        rows: StepRows,
+        first: Int,
+        second: Int,
+        slideX: Double,
+        slideY: Double,
+        outcome: CollisionOutcome,
+    ): Double {
+        val state = rows.state
+        val p = first * STRIDE + VX
+        val q = second * STRIDE + VX
+        val ux = state[q] - state[p] + slideX
+        val uy = state[q + 1] - state[p + 1] + slideY
+        val uz = state[q + 2] - state[p + 2]
+        return outcome.separationX * ux + outcome.separationY * uy + outcome.separationZ * uz
+    }
+
+    private companion object {
+        /** Of a velocity and of what is computed from it, relative to it. */
+        const val ROUNDING = 1e-15
     }
 }

@@ -10,7 +10,7 @@ import kotlin.math.sqrt
 public fun interface Restitution {
     /**
      * @param impactSpeed normal component of the relative velocity at contact, ≥ 0, in the scenario's unit of speed
-     * @return ε in [0, 1]
+     * @return ε in [0, 1]; any other number ends the step with an [IllegalArgumentException]
      */
     public fun coefficient(impactSpeed: Double): Double
 }

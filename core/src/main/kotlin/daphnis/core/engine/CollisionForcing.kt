@@ -8,6 +8,8 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.population.Population
+import daphnis.core.search.Overlap
+import daphnis.core.search.Reach
 import daphnis.core.search.SearchStructure
 import daphnis.core.step.CollisionStep
 
@@ -27,6 +29,9 @@ public class CollisionForcing @JvmOverloads constructor(
     private val law = CollisionLaw(restitution, guard)
     private var step: CollisionStep? = null
 
+    /** Whether the next step is the first of spheres of which nobody has seen that they do not overlap. */
+    internal var isStartUnchecked = false
+
     /** What has been counted since the start of the run. */
     public val counters: CollisionCounters = CollisionCounters()
 
@@ -40,6 +45,12 @@ public class CollisionForcing @JvmOverloads constructor(
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
         val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
             ?: CollisionStep(population, boundary, law, counters, search).also { step = it }
+        if (isStartUnchecked) {
+            // What no engine takes is refused first, as they do it: pairs are not searched for among such spheres.
+            Reach().measure(population, boundary, duration)
+            Overlap.requireNone(population, boundary, start)
+            isStartUnchecked = false
+        }
         step.start = start
         step.duration = duration
         step.record = record

@@ -35,6 +35,15 @@ public class Overlap private constructor(public val first: Int, public val secon
             FixedPool(threads).use { deepest(population, boundary, time, ParallelLoop(it, LoopStrategy.DYNAMIC)) }
         }
 
+        /** @throws IllegalArgumentException when two spheres overlap by more than [TOLERANCE] */
+        internal fun requireNone(population: Population, boundary: BoundaryConditions, time: Double) {
+            val overlap = deepest(population, boundary, time)
+            require(overlap.depth <= TOLERANCE) {
+                "spheres ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their " +
+                    "radii; spheres must not overlap at the start"
+            }
+        }
+
         internal fun deepest(
             population: Population,
             boundary: BoundaryConditions,
@@ -76,6 +85,9 @@ public class Overlap private constructor(public val first: Int, public val secon
             }
             return Overlap(minOf(first, second), maxOf(first, second), depth)
         }
+
+        /** Depth up to which spheres count as touching at the start. */
+        internal const val TOLERANCE = 1e-9
 
         /** With less than some milliseconds of work, threads are not worth starting. */
         private const val LEAST_FOR_THREADS = 20_000

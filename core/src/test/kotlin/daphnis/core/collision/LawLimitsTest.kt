@@ -1,7 +1,16 @@
 package daphnis.core.collision
 
+import daphnis.core.Sphere
+import daphnis.core.boundary.Open
+import daphnis.core.engine.CoreEngines
+import daphnis.core.engine.Draw
+import daphnis.core.engine.SerialEngine
+import daphnis.core.population.stateDigest
+import daphnis.core.populationOf
+import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** The ends of what parameters of laws and guards may be. */
@@ -38,6 +47,27 @@ class LawLimitsTest {
             { ContactDurationGuard(infinity) },
         )
         for ((k, make) in none.withIndex()) assertThrows(IllegalArgumentException::class.java, { make() }, "number $k")
+    }
+
+    @Test
+    fun `a law that leaves the range ends the step with its number, and the step is as if it had not begun`() {
+        for (engine in CoreEngines.others(Draw(1)) + SerialEngine()) {
+            for ((bad, word) in listOf(3.0 to "3.0", -1.0 to "-1.0", Double.NaN to "NaN", Math.nextUp(1.0) to "1.0000")) {
+                val start = populationOf(Sphere(x = -3.0, vx = 2.0), Sphere(x = 3.0), Sphere(x = 3.0, y = 9.0))
+                val simulation = simulationOf(start, Open, 10.0, { bad }, engine = engine)
+                val before = stateDigest(start)
+                val e = assertThrows(IllegalArgumentException::class.java) { simulation.advance() }
+                val says = "the coefficient of restitution is $word"
+                assertTrue(e.message!!.startsWith(says) && "at an impact speed of 2.0" in e.message!!) { "${e.message}" }
+                assertEquals(before, stateDigest(start))
+            }
+            engine.close()
+        }
+        // The ends of the range, and zeros of either sign, belong to it.
+        for (good in listOf(0.0, -0.0, 1.0)) {
+            val pair = populationOf(Sphere(x = -3.0, vx = 2.0), Sphere(x = 3.0))
+            simulationOf(pair, Open, 10.0, { good }).advance()
+        }
     }
 
     @Test

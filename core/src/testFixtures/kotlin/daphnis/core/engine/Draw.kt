@@ -56,7 +56,8 @@ class Draw(override val seed: Long) : Case {
         Math.exp(random.nextDouble(Math.log(1e-3), Math.log(1.0))) * radii.average() / (6 * population.fillingNow())
     private val restitution = listOf(
         ConstantRestitution(1.0),
-        ConstantRestitution(0.6),
+        // Plastic ones gather in clusters: where these are dense, they have very many collisions.
+        ConstantRestitution(if (filling > 0.05 || clumped) 0.6 else 0.0),
         BridgesRestitution(),
     )[random.nextInt(3)]
 

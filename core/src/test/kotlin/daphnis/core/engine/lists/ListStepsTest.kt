@@ -141,8 +141,9 @@ class ListStepsTest {
         val radii = DoubleArray(n) { if (it % 50 == 0) 0.4 else 0.14 }
         val start = Population(x, y, z, inward(x), inward(y), inward(z), radii, DoubleArray(n) { 1.0 })
         val engine = engine()
-        val serial = simulationOf(start.copy(), Open, 0.1)
-        val listed = simulationOf(start.copy(), Open, 0.1, engine = engine)
+        // At a step that is not the first, spheres may overlap.
+        val serial = simulationOf(start.copy(), Open, 0.1, startStep = 1)
+        val listed = simulationOf(start.copy(), Open, 0.1, engine = engine, startStep = 1)
         for (step in 1..15) {
             serial.advance()
             listed.advance()
