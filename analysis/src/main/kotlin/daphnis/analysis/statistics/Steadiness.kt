@@ -41,8 +41,8 @@ public class Steadiness private constructor(
     public fun steady(): Steadiness = Steadiness(change, error, Verdict.STEADY)
 
     /**
-     * Whether it is drifting even as one of [judged] series: among so many that are steady, one is called so as seldom
-     * as a single one is called drifting.
+     * Whether it is drifting even as one of [judged] series: of so many that are steady, one is called so in less than
+     * one case of a hundred.
      */
     public fun isDriftingAmong(judged: Int): Boolean =
         verdict == Verdict.DRIFTING && abs(change) > (SIGNIFICANT + MORE * ln(judged.toDouble()) / ln(2.0)) * error
@@ -67,7 +67,7 @@ public class Steadiness private constructor(
 
         /** Standard errors beyond which a trend counts, and how many more for each time that the series double. */
         private const val SIGNIFICANT = 3.0
-        private const val MORE = 0.4
+        private const val MORE = 0.75
 
         /** 95 % of Student's t with ten degrees of freedom, about as many as the error has. */
         private const val ONE_SIDED = 1.81

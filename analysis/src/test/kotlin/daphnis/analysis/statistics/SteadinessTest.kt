@@ -87,13 +87,13 @@ class SteadinessTest {
     }
 
     @Test
-    fun `of many series that are judged together none is called drifting as often as of one`() {
-        for (judged in listOf(1, 2, 4, 8)) {
+    fun `of many steady series that are judged together hardly ever one drifts even among so many`() {
+        for (judged in listOf(2, 4, 8)) {
             val random = SeededRandom(18)
             val alarms = (0 until REALISATIONS).count {
                 (0 until judged).any { Steadiness.of(noise(200, 2.0, random)).isDriftingAmong(judged) }
             }
-            assertTrue(alarms <= 0.035 * REALISATIONS) { "$judged judged: $alarms of $REALISATIONS" }
+            assertTrue(alarms <= 0.02 * REALISATIONS) { "$judged judged: $alarms of $REALISATIONS" }
         }
         val line = Steadiness.of(DoubleArray(100) { it.toDouble() })
         assertTrue(line.isDriftingAmong(1000) && !line.steady().isDriftingAmong(1))

@@ -4,19 +4,14 @@ import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.statistics.Steadiness.Verdict
 
 /**
- * Whether averages of a [study] are over a steady time, and so whether they have errors. Asked for when all states have
- * been seen.
+ * Whether averages from the time [from] on are over a steady time, and so whether they have errors.
+ *
+ * @param quantities the main ones over time, of which each is judged; asked for once, when all states have been seen
  */
-internal class Judgement(private val study: Study) {
-    /** The main quantities over time, of which each is judged. */
-    val histories: List<History> by lazy {
-        val (from, motion) = study.from to study.motion
-        RunHistory.of(study.input, from).ifEmpty {
-            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
-        }
-    }
+internal class Judgement(private val from: Double, quantities: () -> List<History>) {
+    val histories: List<History> by lazy(quantities)
 
-    private val found by lazy { histories.map { it.steadiness(study.from) } }
+    private val found by lazy { histories.map { it.steadiness(from) } }
 
     /**
      * Whether the run as a whole is not steady over the time averaged: one of the main quantities drifts by more than

@@ -55,11 +55,12 @@ internal class ErrorBars {
      */
     class Line(val name: String, val covered: Double, val spread: Double, val given: Int)
 
-    /** By number; those with fewer than ten ± are left out. */
+    /** By number; those with fewer than ten ± are left out, and those that are the same in every run. */
     fun lines(): List<Line> = numbers.mapNotNull { (name, rows) ->
         val mean = rows.map { it.value }.average()
         val given = rows.filter { !it.error.isNaN() }
         if (given.size < FEWEST) return@mapNotNull null
+        if (rows.all { abs(it.value - mean) <= CONSERVED * abs(mean) }) return@mapNotNull null
         val deviation = given.sumOf { (it.value - mean) * (it.value - mean) } * rows.size / (rows.size - 1)
         val spread = sqrt(deviation / given.sumOf { it.error * it.error })
         Line(name, given.count { abs(it.value - mean) <= it.error } / given.size.toDouble(), spread, given.size)
@@ -98,5 +99,8 @@ internal class ErrorBars {
         /** Where averages begin unless the run drifts. */
         private const val USUAL = 0.375
         private const val FEWEST = 10
+
+        /** Scatter of what is conserved, as a part of it. */
+        private const val CONSERVED = 1e-9
     }
 }
