@@ -1,24 +1,26 @@
 package daphnis.analysis.statistics
 
 import kotlin.math.abs
+import kotlin.math.hypot
 import kotlin.math.sqrt
 
 /**
  * The average of a series that is correlated in time, with its standard error, or the verdict that the series is too
  * short for an error.
  *
- * Neighbours in time are averaged in pairs until there are fewer than [MOST_BLOCKS] blocks (Flyvbjerg & Petersen 1989,
- * J. Chem. Phys. 91, 461). The correlation r that remains between neighbouring blocks enlarges the squared error by (1
- * + r)/(1 − r), as in a first-order autoregressive series. r is the measured lag-1 correlation, corrected for its bias
- * −(1 + 4r)/n (Marriott & Pope 1954, Biometrika 41, 390), and never below 0. The m blocks so count as m (1 − r)/(1 + r)
- * [independent] ones. With fewer than [FEWEST_INDEPENDENT] of these, or fewer than [FEWEST_NUMBERS] numbers, too few to
- * estimate the correlation, [error] is NaN. Where most series of a kind get an error, it covers the true value in 60 to
- * 75 % of them (docs/adr/0013).
+ * The squared error is S(0)/n, with S the spectrum of the series and S(0) what the slowest fluctuations that the series
+ * can show extrapolate to ([LowFrequencies]). Only these matter to an average. So a fast oscillation neither hides a
+ * slow fluctuation nor makes the error larger, negative correlation makes it smaller, and it does not depend on how
+ * often numbers were taken. n γ₀/S(0), with γ₀ the variance, is the number of [independent] numbers that the series is
+ * worth; it is at most that of the slow fluctuations. With fewer than [FEWEST_INDEPENDENT] of these, or fewer than
+ * [FEWEST_NUMBERS] numbers, [error] is NaN. Where most series of a kind get an error, it covers the true value in 60 to
+ * 75 % of them (docs/adr/0118, and docs/validation.md for real runs).
  *
  * @property mean NaN for an empty series
  * @property error one standard error; NaN unless the average [isLevelled]
  * @property count numbers in the series
- * @property independent independent blocks that the series is worth, at most [MOST_BLOCKS]; NaN where this is not known
+ * @property independent independent numbers that the series is worth; more than [count] where neighbours are correlated
+ *   negatively; NaN where this is not known
  */
 public class BlockAverage @JvmOverloads constructor(
     public val mean: Double,
@@ -26,7 +28,7 @@ public class BlockAverage @JvmOverloads constructor(
     public val count: Int,
     public val independent: Double = Double.NaN,
 ) {
-    /** Whether there are enough independent blocks for an [error]. */
+    /** Whether there are enough independent numbers for an [error]. */
     public val isLevelled: Boolean get() = !error.isNaN()
 
     /** This average in a unit smaller by [factor]. */
@@ -54,16 +56,11 @@ public class BlockAverage @JvmOverloads constructor(
         if (isLevelled) "$mean ± $error" else "$mean (error unknown: too few independent numbers)"
 
     public companion object {
-        /** Independent blocks below which no error is given. */
+        /** Independent numbers below which no error is given. */
         public const val FEWEST_INDEPENDENT: Double = 8.0
 
         /** Length of a series below which no error is given. */
         public const val FEWEST_NUMBERS: Int = 16
-
-        /** Blocks are made longer until there are fewer than these. */
-        public const val MOST_BLOCKS: Int = 128
-
-        private const val STRONGEST = 0.999
 
         /** Scatter of the pseudovalues of a constant, in units of their number and size. */
         private const val ROUNDING = 1e-13
@@ -93,36 +90,54 @@ public class BlockAverage @JvmOverloads constructor(
             val sums = DoubleArray(columns.size) { columns[it].sum() }
             val whole = function.of(DoubleArray(sums.size) { sums[it] / n })
             if (n < 2) return BlockAverage(whole, Double.NaN, n, Double.NaN)
+            return of(pseudovalues(columns, sums, whole, function), whole)
+        }
+
+        /**
+         * The same for columns that in part sum up how quantities of the [state] change, such as work less dissipation.
+         * Each of these has n + 1 values, before and after every number of the columns. The changes add up to that
+         * from the first value to the last, so their part of the error falls as 1/n ([StateChange]).
+         */
+        internal fun of(columns: Array<DoubleArray>, state: Array<DoubleArray>, function: OfMeans): BlockAverage {
+            val plain = of(columns, function)
+            if (state.isEmpty() || !(plain.error > 0)) return plain
+            val sums = DoubleArray(columns.size) { columns[it].sum() }
+            val split = StateChange(pseudovalues(columns, sums, plain.mean, function), state)
+            val rest = of(split.rest, plain.mean)
+            return BlockAverage(plain.mean, hypot(rest.error, split.error), plain.count, rest.independent)
+        }
+
+        private fun pseudovalues(
+            columns: Array<DoubleArray>,
+            sums: DoubleArray,
+            whole: Double,
+            function: OfMeans,
+        ): DoubleArray {
+            val n = columns[0].size
             val means = DoubleArray(sums.size)
-            val pseudovalues = DoubleArray(n) { i ->
+            return DoubleArray(n) { i ->
                 for (k in sums.indices) means[k] = (sums[k] - columns[k][i]) / (n - 1)
                 whole + (n - 1) * (whole - function.of(means))
             }
-            return of(pseudovalues, whole)
         }
 
         /** [mean], with the error of the average of [series]. */
         internal fun of(series: DoubleArray, mean: Double): BlockAverage {
             val n = series.size
-            var blocks = series
-            while (blocks.size >= MOST_BLOCKS) {
-                val finer = blocks
-                blocks = DoubleArray(finer.size / 2) { (finer[2 * it] + finer[2 * it + 1]) / 2 }
+            if (n < FEWEST_NUMBERS ||
+                series.any { !it.isFinite() }
+            ) {
+                return BlockAverage(mean, Double.NaN, n, Double.NaN)
             }
-            val m = blocks.size
-            val centre = blocks.sum() / m
-            var square = 0.0
-            var neighbours = 0.0
-            for (k in blocks.indices) {
-                square += (blocks[k] - centre) * (blocks[k] - centre)
-                if (k > 0) neighbours += (blocks[k] - centre) * (blocks[k - 1] - centre)
-            }
-            if (n < FEWEST_NUMBERS || square.isNaN()) return BlockAverage(mean, Double.NaN, n, Double.NaN)
-            if (sqrt(square / m) <= ROUNDING * n * abs(mean)) return BlockAverage(mean, 0.0, n, m.toDouble())
-            val correlation = ((m * neighbours / square + 1) / (m - 4)).coerceIn(0.0, STRONGEST)
-            val independent = m * (1 - correlation) / (1 + correlation)
+            val centre = series.sum() / n
+            // In units of the largest, so that no square overflows or vanishes.
+            val size = series.maxOf { abs(it - centre) }
+            val scaled = DoubleArray(n) { if (size == 0.0) 0.0 else (series[it] - centre) / size }
+            val scatter = sqrt(scaled.sumOf { it * it } / n)
+            if (size * scatter <= ROUNDING * n * abs(mean)) return BlockAverage(mean, 0.0, n, n.toDouble())
+            val (square, independent) = LowFrequencies.squaredError(scaled)
             if (independent < FEWEST_INDEPENDENT) return BlockAverage(mean, Double.NaN, n, independent)
-            return BlockAverage(mean, sqrt(square / m / (independent - 1)), n, independent)
+            return BlockAverage(mean, size * sqrt(square), n, independent)
         }
     }
 }

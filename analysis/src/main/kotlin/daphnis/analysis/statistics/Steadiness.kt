@@ -1,31 +1,51 @@
 package daphnis.analysis.statistics
 
 import kotlin.math.abs
+import kotlin.math.ln
 import kotlin.math.sqrt
 
 /**
- * Whether a series in time is steady: it has no trend beyond what its own slow fluctuations produce. A straight line is
- * fitted by generalised least squares with first-order autoregressive noise (Prais & Winsten 1954); where the noise
- * cannot be distinguished from a random walk it is treated as one (Perron & Yabu 2009, J. Econometrics 151, 56). Noise
- * and its correlation are those of the last two thirds, so that a transient at the start does not pass as noise.
- * Before, neighbours are averaged in pairs until there are fewer than 64 numbers.
+ * Whether a series in time is steady: it has no trend beyond what its own slow fluctuations produce.
  *
- * A steady series is called drifting in less than one case of a hundred when it is longer than some 100 correlation
- * times, and in some 5 of a hundred at 20; shorter ones fluctuate too slowly to be distinguished from a drift, and
- * [BlockAverage] gives them no error (docs/adr/0014).
+ * The trend is a straight line by least squares, and its error follows from the spectrum of the rest at frequency 0
+ * ([LowFrequencies]), of the last six sevenths, so that a transient at the start does not pass as noise. If these are
+ * not worth [BlockAverage.FEWEST_INDEPENDENT] independent numbers, they show too little of the slow fluctuations for
+ * that. Then the line is fitted by generalised least squares with first-order autoregressive noise, that of the last two
+ * thirds (Prais & Winsten 1954); where the noise cannot be distinguished from a random walk it is treated as one (Perron
+ * & Yabu 2009, J. Econometrics 151, 56). Before, neighbours are averaged in pairs until there are fewer than 64 numbers.
+ *
+ * A steady series is called drifting in one case of a hundred, one that is as short as 20 correlation times in some 4
+ * (docs/adr/0119). A drift is found as a rule when it is larger than 12 standard errors of the average: a line's own
+ * error is 3.5 of these.
  *
  * @property change change of the fitted line from the first number to the last, in the unit of the series; NaN without
  *   a verdict
- * @property significance [change] over its standard error
+ * @property error standard error of [change]; NaN without a verdict
  * @property verdict what follows from them
  */
 public class Steadiness private constructor(
     public val change: Double,
-    public val significance: Double,
+    public val error: Double,
     public val verdict: Verdict,
 ) {
+    /** [change] over its standard error; 0 for a constant. */
+    public val significance: Double get() = if (change == 0.0) 0.0 else change / error
+
+    /**
+     * The largest change, up or down, that is to be reckoned with: the true one is smaller in 95 of 100 cases. NaN
+     * without a verdict.
+     */
+    public val largest: Double get() = abs(change) + ONE_SIDED * error
+
     /** The same change, called steady. */
-    public fun steady(): Steadiness = Steadiness(change, significance, Verdict.STEADY)
+    public fun steady(): Steadiness = Steadiness(change, error, Verdict.STEADY)
+
+    /**
+     * Whether it is drifting even as one of [judged] series: of so many that are steady, one is called so in less than
+     * one case of a hundred.
+     */
+    public fun isDriftingAmong(judged: Int): Boolean =
+        verdict == Verdict.DRIFTING && abs(change) > (SIGNIFICANT + MORE * ln(judged.toDouble()) / ln(2.0)) * error
 
     /** What a series says of its steadiness. */
     public enum class Verdict {
@@ -45,8 +65,15 @@ public class Steadiness private constructor(
 
         private const val MOST = 64
 
-        /** Standard errors beyond which a trend counts. */
+        /** Standard errors beyond which a trend counts, and how many more for each time that the series double. */
         private const val SIGNIFICANT = 3.0
+        private const val MORE = 0.75
+
+        /** 95 % of Student's t with ten degrees of freedom, about as many as the error has. */
+        private const val ONE_SIDED = 1.81
+
+        /** One over the part at the start in which a transient may be. */
+        private const val START = 7
 
         /** Numbers in a batch of [steadyFrom]. */
         private const val BATCH = 5
@@ -57,24 +84,34 @@ public class Steadiness private constructor(
             if (series.size < FEWEST || series.any { !it.isFinite() }) {
                 return Steadiness(Double.NaN, Double.NaN, Verdict.TOO_SHORT)
             }
+            val (change, error) = bySpectrum(series) ?: byWalk(series)
+            val isDrift = abs(change) > SIGNIFICANT * error
+            return Steadiness(change, error, if (isDrift) Verdict.DRIFTING else Verdict.STEADY)
+        }
+
+        /** Change of the line and its error by the spectrum of the rest; null where that shows too little. */
+        private fun bySpectrum(series: DoubleArray): Pair<Double, Double>? {
+            val n = series.size
+            val noise = residuals(series.copyOfRange(n / START, n))
+            val size = noise.maxOf { abs(it) }
+            if (size == 0.0) return null
+            val (square, independent) =
+                LowFrequencies.squaredError(DoubleArray(noise.size) { noise[it] / size }, isStraightened = true)
+            if (independent < BlockAverage.FEWEST_INDEPENDENT) return null
+            val rest = residuals(series)
+            val change = (series[n - 1] - rest[n - 1]) - (series[0] - rest[0])
+            // The variance of the change along a line through n numbers is twelve times that of their mean.
+            return change to size * sqrt(12 * square * noise.size / n)
+        }
+
+        /** The same by autoregressive noise. */
+        private fun byWalk(series: DoubleArray): Pair<Double, Double> {
             var y = series
             while (y.size >= MOST) y = batches(y, 2)
             val noise = residuals(y.copyOfRange(y.size / 3, y.size))
             val correlation = correlation(noise)
-            val deviation = innovation(noise, correlation)
             val (slope, spread) = slope(y, correlation)
-            val change = slope * (y.size - 1)
-            if (deviation == 0.0 && slope == 0.0) return Steadiness(0.0, 0.0, Verdict.STEADY)
-            val significance = slope / (deviation * spread)
-            return Steadiness(
-                change,
-                significance,
-                if (abs(significance) > SIGNIFICANT) {
-                    Verdict.DRIFTING
-                } else {
-                    Verdict.STEADY
-                },
-            )
+            return slope * (y.size - 1) to innovation(noise, correlation) * spread * (y.size - 1)
         }
 
         /**

@@ -89,13 +89,18 @@ public class Transport(private val table: TransportTable, private val shearRate:
     public val ellipsoid: VelocityEllipsoid
         get() = VelocityEllipsoid.of(moment("xx").mean, moment("yy").mean, moment("zz").mean, moment("xy").mean)
 
-    /** Angle from x to the long axis of the averaged tensor in the plane, toward y, in radians, in (−π/2, π/2]. */
+    /**
+     * Angle from x to the long axis of the averaged tensor in the plane, toward y, in radians, in (−π/2, π/2]. As shear
+     * and rotation turn the components of the tensor into one another, each is in part the change of another.
+     */
     public val orientation: BlockAverage
         get() {
-            val columns = listOf("xx", "yy", "xy").map { during(TransportColumns.moment(it)) }.toTypedArray()
+            val inPlane = listOf("xx", "yy", "xy").map(TransportColumns::moment)
+            val columns = inPlane.map { during(it) }.toTypedArray()
             val whole = ellipsoid.orientation
             // The same axis half a turn on is the same axis: the nearer one is meant.
-            return average(*columns) { angle(it).let { a -> a - PI * Math.rint((a - whole) / PI) } }
+            val state = inPlane.map { table[it] }.toTypedArray()
+            return average(*columns, state = state) { angle(it).let { a -> a - PI * Math.rint((a - whole) / PI) } }
         }
 
     public val scaleHeight: BlockAverage get() = average(during(SCALE_HEIGHT)) { it[0] }
@@ -115,12 +120,20 @@ public class Transport(private val table: TransportTable, private val shearRate:
     /** Sum of the three viscosities. */
     public val viscosity: BlockAverage get() = average(*stresses()) { it[0] + it[1] + it[2] } * toViscosity
 
+    /** The sum of the three viscosities in each interval; they have [viscosity] as their average by length of time. */
+    public fun viscosities(): DoubleArray = stresses().let { parts ->
+        DoubleArray(intervals) { i -> parts.sumOf { it[i] } / length[i] * toViscosity }
+    }
+
     /** Energy dissipated in a unit of time and mass. */
     public val dissipation: BlockAverage get() = average(added(DISSIPATED, MASS)) { it[0] }
 
-    /** γ² ν over the dissipation: 1 in a steady state. NaN without dissipation. */
+    /**
+     * γ² ν over the dissipation: 1 in a steady state. NaN without dissipation. Work less dissipation adds up to the
+     * change of the energy from the first row to the last, so the error falls faster than with the root of the time.
+     */
     public val energyBalance: BlockAverage
-        get() = average(*stresses(), added(DISSIPATED, MASS)) {
+        get() = average(*stresses(), added(DISSIPATED, MASS), state = energies()) {
             if (it[3] == 0.0) Double.NaN else (it[0] + it[1] + it[2]) / it[3]
         } *
             (toViscosity * shearRate * shearRate)
@@ -155,6 +168,20 @@ public class Transport(private val table: TransportTable, private val shearRate:
 
     private fun stresses() = arrayOf(during(carried("xy")), added(virial("xy"), MASS), gravity())
 
+    /**
+     * By row, what the energy is made of: that of w, that of heights in Hill's frame, and half a row's work by which the
+     * sum over the ends of intervals differs from the integral.
+     */
+    private fun energies(): Array<DoubleArray> {
+        val (xx, yy, zz) = listOf("xx", "yy", "zz").map { table[carried(it)] }
+        val height = table[SCALE_HEIGHT]
+        return arrayOf(
+            DoubleArray(table.size) { xx[it] + yy[it] + zz[it] },
+            DoubleArray(table.size) { height[it] * height[it] },
+            table[carried("xy")],
+        )
+    }
+
     private fun gravity() = table[GRAVITY_XY].let { g ->
         DoubleArray(intervals) { g[it + 1] / table[MASS][it + 1] * length[it] }
     }
@@ -168,10 +195,14 @@ public class Transport(private val table: TransportTable, private val shearRate:
         return DoubleArray(intervals) { (sum[it + 1] - sum[it]) / if (per == null) 1.0 else table[per][it] }
     }
 
-    /** [function] of the sums of [columns] over the sum of lengths. */
-    private fun average(vararg columns: DoubleArray, function: (DoubleArray) -> Double): BlockAverage {
+    /** [function] of the sums of [columns] over the sum of lengths; they in part sum changes of the [state]. */
+    private fun average(
+        vararg columns: DoubleArray,
+        state: Array<DoubleArray> = emptyArray(),
+        function: (DoubleArray) -> Double,
+    ): BlockAverage {
         val rates = DoubleArray(columns.size)
-        return BlockAverage.of(arrayOf(*columns, length)) { means ->
+        return BlockAverage.of(arrayOf(*columns, length), state) { means ->
             for (k in rates.indices) rates[k] = means[k] / means[rates.size]
             function(rates)
         }

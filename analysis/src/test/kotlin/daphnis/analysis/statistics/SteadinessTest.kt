@@ -63,6 +63,60 @@ class SteadinessTest {
         }
     }
 
+    /** Drifts of so many standard errors of the mean that are found among [REALISATIONS], in series of 300 numbers. */
+    private fun found(memory: Double, errors: Double): Int {
+        val random = SeededRandom(17)
+        val keep = if (memory == 0.0) 0.0 else exp(-1 / memory)
+        val error = sqrt((1 + keep) / (1 - keep) / 300)
+        return (0 until REALISATIONS).count {
+            val a = noise(300, memory, random)
+            val drift = errors * error
+            Steadiness.of(DoubleArray(300) { a[it] + drift * it / 299 }).verdict == Verdict.DRIFTING
+        }
+    }
+
+    @Test
+    fun `a drift is found as often as the error of a line allows`() {
+        // A change of 10 standard errors of the mean is one of 2.9 of its own, and 15 are 4.3.
+        for (memory in listOf(0.0, 1.0, 4.0)) {
+            val found = listOf(5.0, 10.0, 15.0, 25.0).map { found(memory, it) / REALISATIONS.toDouble() }
+            assertTrue(found[0] in 0.02..0.25 && found[1] in 0.33..0.6 && found[2] in 0.7..0.95 && found[3] > 0.97) {
+                "memory $memory: $found"
+            }
+        }
+    }
+
+    @Test
+    fun `of many steady series that are judged together hardly ever one drifts even among so many`() {
+        for (judged in listOf(2, 4, 8)) {
+            val random = SeededRandom(18)
+            val alarms = (0 until REALISATIONS).count {
+                (0 until judged).any { Steadiness.of(noise(200, 2.0, random)).isDriftingAmong(judged) }
+            }
+            assertTrue(alarms <= 0.02 * REALISATIONS) { "$judged judged: $alarms of $REALISATIONS" }
+        }
+        val line = Steadiness.of(DoubleArray(100) { it.toDouble() })
+        assertTrue(line.isDriftingAmong(1000) && !line.steady().isDriftingAmong(1))
+    }
+
+    @Test
+    fun `the largest change that may have been missed is larger than the true one in 95 of 100 cases`() {
+        for ((n, memory) in listOf(30 to 0.0, 100 to 1.0, 1000 to 10.0, 200 to 10.0)) {
+            for (change in listOf(0.3, 1.0)) {
+                val random = SeededRandom(19)
+                val all = List(REALISATIONS) {
+                    val a = noise(n, memory, random)
+                    Steadiness.of(DoubleArray(n) { a[it] + change * it / (n - 1) })
+                }
+                val held = all.count { it.largest >= change } / REALISATIONS.toDouble()
+                assertTrue(held >= 0.92) { "$n numbers, memory $memory, change $change: $held" }
+                // And it is no larger than it must be: an error of the line covers the truth in 60 to 80 %.
+                val covered = all.count { abs(it.change - change) <= it.error } / REALISATIONS.toDouble()
+                assertTrue(covered in 0.60..0.82) { "$n numbers, memory $memory, change $change: $covered" }
+            }
+        }
+    }
+
     @Test
     fun `the change of a line is that of the line, whatever the noise`() {
         val random = SeededRandom(2)

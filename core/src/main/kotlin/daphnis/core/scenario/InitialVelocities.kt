@@ -5,6 +5,8 @@ import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.Positions
 import daphnis.core.initial.SeededRandom
 import daphnis.core.initial.UniformVelocities
+import daphnis.core.population.Population
+import daphnis.core.population.granularTemperature
 import kotlin.math.sqrt
 
 /** Draws the velocities that a scenario asks for, by sphere in the order of ids. */
@@ -28,7 +30,7 @@ internal class InitialVelocities(
             is VelocitiesSpec.Gaussian -> gaussian(spec, masses, random, v)
         }
         if (spec.zeroMomentum && masses.size >= 2) for (component in v) subtractMean(component, masses)
-        if (spec is VelocitiesSpec.Gaussian && spec.exact) makeExact(spec, masses, v)
+        if (spec is VelocitiesSpec.Gaussian && spec.exact) makeExact(spec, masses, positions, v)
         if (spec.shearProfile) addMeanFlow(v, positions)
         check.must(
             "velocities",
@@ -82,31 +84,52 @@ internal class InitialVelocities(
         return momentum / masses.sum()
     }
 
-    /** Scales velocities relative to the centre of mass, whose velocity does not change. */
-    private fun makeExact(spec: VelocitiesSpec.Gaussian, masses: DoubleArray, v: Array<DoubleArray>) {
-        val wanted = spec.sigma?.let { it * it * masses.sum() } ?: ((spec.temperature ?: 0.0) * masses.size)
+    /**
+     * Scales velocities relative to the centre of mass, whose velocity does not change, so that the temperature that is
+     * asked for is the one that is measured ([granularTemperature]): around the measured mean flow, and corrected for
+     * the degrees of freedom which that takes.
+     */
+    private fun makeExact(
+        spec: VelocitiesSpec.Gaussian,
+        masses: DoubleArray,
+        positions: Positions,
+        v: Array<DoubleArray>,
+    ) {
+        val wanted = spec.sigma?.let { it * it } ?: ((spec.temperature ?: 0.0) * masses.size / masses.sum())
         if (wanted == 0.0) return
         check.that("velocities.exact", true, masses.size >= 2) {
             "needs at least two particles; a single particle has no velocity relative to the centre of mass"
         }
         val means = DoubleArray(3) { if (spec.zeroMomentum) 0.0 else mean(v[it], masses) }
-        var square = 0.0
-        for (axis in 0..2) {
-            for (k in masses.indices) {
-                square +=
-                    masses[k] * (v[axis][k] - means[axis]) * (v[axis][k] - means[axis])
-            }
-        }
-        val factor = sqrt(3 * wanted / square)
+        val factor = sqrt(wanted / temperature(masses, positions, v))
         for (axis in 0..2) for (k in masses.indices) v[axis][k] = means[axis] + factor * (v[axis][k] - means[axis])
     }
 
+    /** The granular temperature of velocities [v] that the straight flow of the boundary is yet to be added to. */
+    private fun temperature(masses: DoubleArray, positions: Positions, v: Array<DoubleArray>): Double {
+        val w = Array(3) { v[it].copyOf() }
+        addFlow(w, positions)
+        val (x, y, z) = listOf(positions.x, positions.y, positions.z).map { it.copyOf() }
+        val radii = DoubleArray(masses.size) { 1.0 }
+        return granularTemperature(
+            Population(x, y, z, w[0], w[1], w[2], radii, masses.copyOf()),
+            boundary.meanFlow,
+        )
+    }
+
     private fun addMeanFlow(v: Array<DoubleArray>, positions: Positions) {
-        val flow = boundary.meanFlow
-            ?: check.fail(
+        if (boundary.meanFlow == null) {
+            check.fail(
                 "velocities.shearProfile",
                 "is true; it needs a sheared boundary (${BoundarySpec.SHEARED})",
             )
+        }
+        addFlow(v, positions)
+    }
+
+    /** Adds the straight flow of the boundary, if it drives one. */
+    private fun addFlow(v: Array<DoubleArray>, positions: Positions) {
+        val flow = boundary.meanFlow ?: return
         val across = arrayOf(positions.x, positions.y, positions.z)[flow.normalAxis]
         val along = v[flow.flowAxis]
         for (k in along.indices) along[k] += flow.rate * across[k]

@@ -32,8 +32,8 @@ public sealed interface VelocitiesSpec {
      * Every component normal, with exactly one of the standard deviation [sigma], the same for all, and the kinetic
      * [temperature] T, with √(T/m) for a sphere of mass m.
      *
-     * @property exact scales the drawn velocities relative to the centre of mass, so that ⟨c²⟩/3 by mass is σ², or ⟨m
-     *   c²⟩/3 is T
+     * @property exact scales the drawn velocities relative to the centre of mass, so that the granular temperature, as
+     *   it is measured without bias (daphnis.core.population.granularTemperature), is σ², or T over the mean mass
      */
     @Serializable
     @SerialName("gaussian")

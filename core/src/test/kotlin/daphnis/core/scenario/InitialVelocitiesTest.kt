@@ -70,21 +70,44 @@ class InitialVelocitiesTest {
     @Test
     fun `exact is exact, for the dispersion as for the temperature, with the momentum that was asked for`() {
         val sigma = population("""{ "type": "gaussian", "sigma": 0.3, "exact": true }""", count = 50)
-        assertEquals(0.09, plainTemperature(sigma), 1e-15)
-        // The unbiased one counts a degree of freedom less.
-        assertEquals(0.09 * 50 / 49, granularTemperature(sigma, null), 1e-15)
+        assertEquals(0.09, granularTemperature(sigma, null), 1e-15)
+        // In each component the centre of mass has taken one of 50 degrees of freedom.
+        assertEquals(0.09 * 49 / 50, plainTemperature(sigma), 1e-15)
         assertEquals(0.0, Conserved.of(sigma).momentumX / Conserved.of(sigma).mass, 1e-15)
         val hot = population("""{ "type": "gaussian", "temperature": 2, "exact": true }""", count = 50)
-        assertEquals(2.0, (0 until 50).sumOf { hot.mass[it] * hot.speeds2()[it] } / 150, 1e-13)
+        assertEquals(2.0, (0 until 50).sumOf { hot.mass[it] * hot.speeds2()[it] } / 147, 1e-13)
         val drawn = population("""{ "type": "gaussian", "sigma": 0.3, "zeroMomentum": false }""", count = 50)
         val moving =
             population("""{ "type": "gaussian", "sigma": 0.3, "zeroMomentum": false, "exact": true }""", count = 50)
         assertEquals(Conserved.of(drawn).momentumY, Conserved.of(moving).momentumY, 1e-14) {
             "the centre of mass goes on as drawn"
         }
-        assertEquals(0.09, plainTemperature(moving), 1e-15)
+        assertEquals(0.09, granularTemperature(moving, null), 1e-15)
         val rest = population("""{ "type": "gaussian", "sigma": 0, "exact": true }""", count = 50)
         assertTrue(rest.speeds2().all { it == 0.0 })
+    }
+
+    @Test
+    fun `the temperature that is asked for is the one that is read, in every box`() {
+        val boundaries = listOf(
+            """{ "type": "periodic" }""",
+            """{ "type": "lees-edwards", "shearRate": 0.2 }""",
+            """{ "type": "sheared-periodic", "velocityJump": 3 }""",
+        )
+        for (boundary in boundaries) {
+            for (count in listOf(2, 3, 5, 300, 2000)) {
+                for (flow in setOf(false, "periodic" !in boundary)) {
+                    val hot = """"type": "gaussian", "temperature": 1, "exact": true"""
+                    val velocities = """{ $hot, "shearProfile": $flow }"""
+                    val setup = ScenarioSetup.of(scenario(velocities, count, boundary = boundary), "test")
+                    val p = setup.population
+                    // Of two spheres the straight flow of the boundary is taken as it is, whether it is there or not.
+                    if (count == 2 && !flow && setup.boundary.meanFlow != null) continue
+                    val read = granularTemperature(p, setup.boundary.meanFlow) * p.mass.average()
+                    assertEquals(1.0, read, 1e-12) { "$boundary, $count spheres, flow $flow" }
+                }
+            }
+        }
     }
 
     @Test

@@ -62,13 +62,19 @@ public class Analysis @JvmOverloads constructor(
      * @throws daphnis.core.format.FormatException when a state cannot be read
      */
     public fun numbers(): List<ReportNumber> {
-        val sections = Sections(study(Path.of("")), Sections.WITH_NUMBERS)
-        for (k in sections.states) sections.add(k)
+        val sections = withNumbers()
         return sections.numbers().map {
-            val isSteady = !(sections.isDrifting && it.isAverage)
+            val isSteady = it.unknown != Unknown.UNSTEADY
             val isJudged = !(sections.isUnjudged && it.isAverage)
             ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value, isSteady, isJudged)
         }
+    }
+
+    /** The same rows as the page shows them, with their errors. */
+    internal fun rows(): List<NumberRow> = withNumbers().numbers()
+
+    private fun withNumbers() = Sections(study(Path.of("")), Sections.WITH_NUMBERS).also {
+        for (k in it.states) it.add(k)
     }
 
     private fun study(directory: Path): Study {

@@ -4,25 +4,28 @@ import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.statistics.Steadiness.Verdict
 
 /**
- * Whether averages of a [study] are over a steady time, and so whether they have errors. Asked for when all states have
- * been seen.
+ * Whether averages from the time [from] on are over a steady time, and so whether they have errors.
+ *
+ * @param quantities the main ones over time, of which each is judged; asked for once, when all states have been seen
  */
-internal class Judgement(private val study: Study) {
-    /** The main quantities over time, of which each is judged. */
-    val histories: List<History> by lazy {
-        val (from, motion) = study.from to study.motion
-        RunHistory.of(study.input, from).ifEmpty {
-            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
-        }
+internal class Judgement(private val from: Double, quantities: () -> List<History>) {
+    val histories: List<History> by lazy(quantities)
+
+    private val found by lazy { histories.map { it.steadiness(from) } }
+
+    /**
+     * Whether the run as a whole is not steady over the time averaged: one of the main quantities drifts by more than
+     * chance makes of so many.
+     */
+    val isDrifting by lazy { found.any { it.isDriftingAmong(histories.size) } }
+
+    /** Numbers that drift, each by itself: those of a main quantity that does. */
+    private val drifting by lazy {
+        histories.indices.filter { found[it].verdict == Verdict.DRIFTING }.flatMap { histories[it].keys }.toSet()
     }
 
-    private val verdicts by lazy { histories.map { it.steadiness(study.from).verdict } }
-
-    /** Whether one of the main quantities drifts over the time averaged. */
-    val isDrifting by lazy { Verdict.DRIFTING in verdicts }
-
     /** Whether none is seen to drift, but one has too few rows to tell. */
-    val isUnjudged by lazy { !isDrifting && Verdict.TOO_SHORT in verdicts }
+    val isUnjudged by lazy { !isDrifting && found.any { it.verdict == Verdict.TOO_SHORT } }
 
     /** The standard error of [average], NaN where the run drifts. */
     fun error(average: BlockAverage): Double = if (isDrifting) Double.NaN else average.error
@@ -30,8 +33,9 @@ internal class Judgement(private val study: Study) {
     /** [errors] of averages, NaN where the run drifts. */
     fun errors(errors: DoubleArray): DoubleArray = if (isDrifting) DoubleArray(errors.size) { Double.NaN } else errors
 
-    /** [rows] as they are shown: averages over a time in which the run drifts have no error. */
-    fun shown(rows: List<NumberRow>): List<NumberRow> = if (isDrifting) rows.map { it.unsteady() } else rows
+    /** [rows] as they are shown: averages over a time in which they, or the run, drift have no error. */
+    fun shown(rows: List<NumberRow>): List<NumberRow> =
+        rows.map { if (isDrifting || it.key in drifting) it.unsteady() else it }
 
     /** What the bars of a chart are; [steady] where the run does not drift. */
     fun bars(steady: String = BARS): String = if (isDrifting) NO_BARS else steady

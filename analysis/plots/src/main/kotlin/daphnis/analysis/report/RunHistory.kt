@@ -3,6 +3,7 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.statistics.Steadiness
+import daphnis.analysis.transport.Transport
 import daphnis.analysis.transport.TransportTable
 import daphnis.core.run.SeriesColumns
 import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
@@ -11,8 +12,18 @@ import daphnis.core.run.TransportColumns.moment
 import kotlin.math.abs
 import kotlin.math.sqrt
 
-/** A quantity over the whole of a run; [times] ascending. */
-internal class History(val name: String, val times: DoubleArray, val values: DoubleArray) {
+/**
+ * A quantity over the whole of a run.
+ *
+ * @property times ascending
+ * @property keys of the numbers of the report that drift with it
+ */
+internal class History(
+    val name: String,
+    val times: DoubleArray,
+    val values: DoubleArray,
+    val keys: Set<String> = emptySet(),
+) {
     /** Index of the first value at [from] or later; the number of values when there is none. */
     fun first(from: Double): Int = times.indexOfFirst { it >= from }.let { if (it < 0) times.size else it }
 
@@ -42,7 +53,15 @@ internal object RunHistory {
         val series = input.series?.let { ofSeries(it) }.orEmpty()
         val transport = input.transport?.takeIf { it.size >= 2 } ?: return series
         val isShort = transport[TransportColumns.TIME].count { it >= from } < Steadiness.FEWEST
-        return if (isShort && series.isNotEmpty()) series else ofTransport(transport, input.omega != null)
+        if (isShort && series.isNotEmpty()) return series
+        val shear = input.state(input.size - 1).boundary.meanFlow?.rate ?: 0.0
+        return ofTransport(transport, input.omega != null) + listOfNotNull(viscosity(transport, shear))
+    }
+
+    private fun viscosity(t: TransportTable, shear: Double): History? {
+        if (shear == 0.0) return null
+        val times = t[TransportColumns.TIME].copyOfRange(1, t.size)
+        return History("viscosity", times, Transport(t, shear).viscosities(), OF_STRESS)
     }
 
     private fun ofTransport(t: TransportTable, ring: Boolean): List<History> {
@@ -50,11 +69,11 @@ internal object RunHistory {
         val time = t[TransportColumns.TIME]
         val speeds = if (ring) {
             listOf(
-                History("velocity dispersion", time, DoubleArray(t.size) { sqrt(trace[it]) }),
-                History("scale height", time, t[TransportColumns.SCALE_HEIGHT]),
+                History("velocity dispersion", time, DoubleArray(t.size) { sqrt(trace[it]) }, OF_SPEED),
+                History("scale height", time, t[TransportColumns.SCALE_HEIGHT], OF_HEIGHT),
             )
         } else {
-            listOf(History("granular temperature", time, DoubleArray(t.size) { trace[it] / 3 }))
+            listOf(History("granular temperature", time, DoubleArray(t.size) { trace[it] / 3 }, OF_SPEED))
         }
         return speeds + rate(time, t[TransportColumns.COLLISIONS], t[TransportColumns.PARTICLES])
     }
@@ -63,7 +82,7 @@ internal object RunHistory {
         if (s.size < 2) return emptyList()
         val rates = rate(s[SeriesColumns.TIME], s[SeriesColumns.COLLISIONS], s[SeriesColumns.PARTICLES])
         if (GRANULAR_TEMPERATURE !in s) return listOf(rates)
-        return listOf(History("granular temperature", s[SeriesColumns.TIME], s[GRANULAR_TEMPERATURE]), rates)
+        return listOf(History("granular temperature", s[SeriesColumns.TIME], s[GRANULAR_TEMPERATURE], OF_SPEED), rates)
     }
 
     /** Collisions per particle and time between rows, at the time of the later one. */
@@ -72,6 +91,29 @@ internal object RunHistory {
             2 * (collisions[it + 1] - collisions[it]) / particles[it] /
                 (time[it + 1] - time[it])
         }
-        return History("collisions per particle", time.copyOfRange(1, time.size), rates)
+        return History("collisions per particle", time.copyOfRange(1, time.size), rates, OF_COLLISIONS)
     }
+
+    private val OF_SPEED = setOf(
+        "velocity_dispersion",
+        "sigma_x",
+        "sigma_y",
+        "sigma_z",
+        "ellipsoid_orientation",
+        "granular_temperature",
+        "reduced_temperature",
+        "mean_impact_speed",
+        "toomre_q",
+    )
+    private val OF_HEIGHT = setOf("scale_height", "midplane_filling_factor")
+    private val OF_COLLISIONS = setOf("collisions_per_particle", "compressibility", "reduced_pressure")
+    private val OF_STRESS = setOf(
+        "viscosity_translational",
+        "viscosity_collisional",
+        "viscosity_gravitational",
+        "viscosity_total",
+        "viscosity_total_in_run_units",
+        "reduced_shear_stress",
+        "shear_work_over_dissipation",
+    )
 }

@@ -30,7 +30,11 @@ internal class Study(
     val last: State = input.state(input.size - 1, lastSnapshot)
     val bulk: Bulk = Bulk(last, input)
     val motion: Motion = Motion(input, from, last)
-    val judgement: Judgement = Judgement(this)
+    val judgement: Judgement = Judgement(from) {
+        RunHistory.of(input, from).ifEmpty {
+            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
+        }
+    }
     val plots: Path = directory.resolve("plots")
     val tables: Path = directory.resolve("tables")
     val units: UnitNames = input.units

@@ -30,7 +30,7 @@ class ReportNumberTest {
             "elastic-gas",
             "particles={\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[0.5,0.3]},\"density\":1}",
             "box.lengths=[8,8,8]",
-            "until=8",
+            "until=16",
             "output.snapshotEvery=2",
             "velocities={\"type\":\"gaussian\",\"temperature\":1,\"exact\":true}",
         )

@@ -1,0 +1,55 @@
+package daphnis.analysis.report
+
+import daphnis.core.initial.SeededRandom
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class JudgementTest {
+    private val time = DoubleArray(400) { it * 1.0 }
+
+    /** Noise, and a drift by so many of the errors that a line through it has. */
+    private fun history(name: String, errors: Double, key: String): History {
+        val random = SeededRandom(4)
+        val noise = DoubleArray(400) { 10 + random.nextGaussian() }
+        val still = History(name, time, noise).steadiness(0.0)
+        val drift = errors * still.error - still.change
+        return History(name, time, DoubleArray(400) { noise[it] + drift * it / 399 }, setOf(key))
+    }
+
+    private val rows = listOf("scale_height", "viscosity_total", "self_diffusion").map {
+        NumberRow(it, 1.0, 0.1, "", key = it)
+    }
+
+    private fun judged(height: Double) = Judgement(0.0) {
+        listOf(
+            history("scale height", height, "scale_height"),
+            history("viscosity", 0.0, "viscosity_total"),
+            history("a", 0.0, "a"),
+            history("b", 0.0, "b"),
+        )
+    }
+
+    private fun marked(judgement: Judgement) =
+        judgement.shown(rows).filter { it.unknown == Unknown.UNSTEADY }.map { it.key }
+
+    @Test
+    fun `a steady run keeps all errors, a small drift takes those that go with it, and a large one all`() {
+        assertEquals(emptyList<String>(), marked(judged(2.9)))
+        assertEquals(listOf("scale_height"), marked(judged(3.2)))
+        assertFalse(judged(3.2).isDrifting)
+        // Of four quantities, one beyond 4.5 errors.
+        assertEquals(listOf("scale_height"), marked(judged(4.4)))
+        assertEquals(rows.map { it.key }, marked(judged(4.6)))
+        assertTrue(judged(4.6).isDrifting && "no bars" in judged(4.6).bars())
+    }
+
+    @Test
+    fun `a drift that takes only its own error says so, and one without words is none`() {
+        val text = SteadinessText(0.0, "orbit", 1.0)
+        assertTrue("what goes with it has no ±" in text.of(judged(3.2).histories).first())
+        assertTrue("so no ± is given" in text.of(judged(4.6).histories).first())
+        assertTrue(judged(3.2).isUnjudged.not())
+    }
+}
