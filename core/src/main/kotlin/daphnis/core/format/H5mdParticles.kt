@@ -37,28 +37,53 @@ internal class H5mdParticles(
         return Valued(read("$all/$part/value", shape.take(2)), true)
     }
 
-    /** Moves particles that are all between 0 and the edge of a periodic box, so that it is centred on the origin. */
-    fun centre(periodic: BooleanArray, lengths: List<DoubleArray>) {
+    /**
+     * Moves particles that are all between 0 and the edge of a periodic box in every frame, so that it is centred on the
+     * origin.
+     *
+     * @return what was taken off by frame and axis
+     */
+    fun centre(periodic: BooleanArray, cells: List<FileCell>): List<DoubleArray> {
+        val shifts = cells.map { DoubleArray(3) }
         for (axis in 0..2) {
-            val length = lengths.firstOrNull()?.get(axis) ?: return
-            if (!periodic[axis] || !(length > 0)) continue
-            val places = axis until position.size step 3
-            if (places.any { position[it] < 0 || position[it] > length }) continue
-            if (places.none { position[it] > length / 2 }) continue
-            for (k in places) position[k] -= length / 2
+            if (!periodic[axis] || cells.any { !(it.lengths[axis] > 0) }) continue
+            var isBehindMiddle = false
+            val isFromZero = (0 until position.size / 3).all { k ->
+                val length = cells[k / maxOf(1, count)].edges[axis][axis]
+                val p = position[3 * k + axis]
+                if (p > length / 2) isBehindMiddle = true
+                p >= 0 && p <= length
+            }
+            if (!isFromZero || !isBehindMiddle) continue
+            for (t in cells.indices) {
+                val half = cells[t].edges[axis][axis] / 2
+                shifts[t][axis] = half
+                for (k in 0 until count) position[cube(t, k, axis)] -= half
+            }
         }
+        return shifts
+    }
+
+    /** What a frame is besides its particles. */
+    class Head(
+        val step: Long,
+        val time: Double,
+        val hasTime: Boolean,
+        val lengths: DoubleArray,
+        val periodic: BooleanArray,
+        val lean: Lean,
+        val shift: DoubleArray,
+    ) {
+        /** The state without a particle. */
+        fun empty(): Snapshot = Snapshot(
+            step, time, lengths, periodic, lean.offset, IntArray(0), Array(3) { DoubleArray(0) },
+            Array(3) { DoubleArray(0) }, DoubleArray(0), DoubleArray(0), lean.normalAxis, lean.slideAxis,
+            hasTime = hasTime,
+        )
     }
 
     /** Frame [t], particles in the order of their ids. */
-    fun state(
-        t: Int,
-        step: Long,
-        time: Double,
-        lengths: DoubleArray,
-        periodic: BooleanArray,
-        offset: Double,
-        axes: IntArray,
-    ): Snapshot {
+    fun state(t: Int, head: Head): Snapshot {
         val ids = IntArray(count) { k -> id?.let { it.data[at(it.isByFrame, t, k)] } ?: k }
         val isSorted = (1 until count).none { ids[it] < ids[it - 1] }
         val order = if (isSorted) IntArray(count) { it } else (0 until count).sortedBy { ids[it] }.toIntArray()
@@ -66,10 +91,11 @@ internal class H5mdParticles(
         fun single(of: Valued<DoubleArray>?, otherwise: Double) =
             DoubleArray(count) { k -> of?.let { it.data[at(it.isByFrame, t, order[k])] } ?: otherwise }
         return Snapshot(
-            step, time, lengths, periodic, offset, IntArray(count) { ids[order[it]] },
+            head.step, head.time, head.lengths, head.periodic, head.lean.offset, IntArray(count) { ids[order[it]] },
             Array(3) { column(position, it) }, Array(3) { column(velocity, it) },
-            single(radius, RADIUS), single(mass, 1.0), axes[0], axes[1], hasMass, hasRadius,
+            single(radius, RADIUS), single(mass, 1.0), head.lean.normalAxis, head.lean.slideAxis, hasMass, hasRadius,
             image?.let { data -> Array(3) { axis -> IntArray(count) { data[cube(t, order[it], axis)] } } },
+            head.hasTime, head.shift,
         )
     }
 
