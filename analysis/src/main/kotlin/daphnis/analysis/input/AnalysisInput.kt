@@ -52,8 +52,8 @@ public class AnalysisInput internal constructor(
     public val impacts: ImpactTable?,
     public val directory: RunDirectory?,
     public val notices: List<String>,
-    public val hasTimes: Boolean = true,
-    private val followed: IntArray? = null,
+    public val hasTimes: Boolean,
+    private val followed: IntArray?,
 ) {
     /** Names of the units of all numbers. */
     public val units: UnitNames = UnitNames(scenario?.units, if (hasTimes) null else "steps")
@@ -63,6 +63,7 @@ public class AnalysisInput internal constructor(
 
     /** The last state, which is kept: bins, pictures and the box of open space come from it. */
     private val last: Snapshot by lazy { load(size - 1) }
+    private val lastPopulation by lazy { last.population() }
 
     /**
      * State [k] as its file holds it, not to be changed. Read anew each time, except for the last.
@@ -87,7 +88,7 @@ public class AnalysisInput internal constructor(
     public fun state(k: Int, snapshot: Snapshot): State {
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
         // Of open space the box around the last state, so that bins and maps of one are those of another.
-        val bounds = boundary(k).let { if (it.box.isFinite) it else bounded(it, last.population()) }
+        val bounds = boundary(k).let { if (it.box.isFinite) it else bounded(it, lastPopulation) }
         return State(snapshot.population(), bounds, times[k], omega, firstBody, factor)
     }
 
@@ -194,7 +195,7 @@ public class AnalysisInput internal constructor(
             val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
             return AnalysisInput(
                 name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, { boundary }, omega,
-                transport, series, impacts, run, notices,
+                transport, series, impacts, run, notices, true, null,
             )
         }
 
@@ -223,12 +224,7 @@ public class AnalysisInput internal constructor(
          */
         @JvmStatic
         @JvmOverloads
-        public fun ofFile(
-            path: Path,
-            scenario: Scenario?,
-            source: String,
-            timeStep: Double? = null,
-        ): AnalysisInput {
+        public fun ofFile(path: Path, scenario: Scenario?, source: String, timeStep: Double? = null): AnalysisInput {
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
             val around = scenario?.let { Surroundings.of(it, source) }
             val file = FileStates(path, around, source, timeStep)
@@ -262,7 +258,10 @@ public class AnalysisInput internal constructor(
         ): AnalysisInput {
             require(times.isNotEmpty()) { "there is no state" }
             return AnalysisInput(
-                name, null, Int.MAX_VALUE, null, times, read::apply, { boundary }, omega, null, null, null, null, emptyList(),
+                name, null, Int.MAX_VALUE, null, times, read::apply, {
+                    boundary
+                }, omega, null, null, null, null, emptyList(), true,
+                null,
             )
         }
     }

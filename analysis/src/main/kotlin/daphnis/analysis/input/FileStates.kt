@@ -45,7 +45,7 @@ internal class FileStates(
         val once = once(if (timeStep == null) read else timed(read, timeStep))
         common = common(once)
         states = placed(once)
-        if (states.none { it.hasRadius }) notices += withoutRadii(states[0])
+        states.find { !it.hasRadius }?.let { notices += withoutRadii(it) }
     }
 
     private fun knowsTimes(read: List<Snapshot>): Boolean {
@@ -86,17 +86,19 @@ internal class FileStates(
                 continue
             }
             val before = frames[state.time]
-            val when_ = moment(state)
-            if (before == null) throw FormatException("$path: frame $k is of $when_, after ${moment(last)}; $ASCEND")
+            val moment = moment(state)
+            if (before == null) throw FormatException("$path: frame $k is of $moment, after ${number(last)}; $ASCEND")
             if (!isSame(read[before], state)) {
-                throw FormatException("$path: frames $before and $k are both of $when_ and differ; $ASCEND")
+                throw FormatException("$path: frames $before and $k are both of $moment and differ; $ASCEND")
             }
-            notices += "$path: frame $k is frame $before again, of $when_, and is left out"
+            notices += "$path: frame $k is frame $before again, of $moment, and is left out"
         }
         return kept
     }
 
-    private fun moment(state: Snapshot) = if (hasTimes) "time ${state.time}" else "step ${state.step}"
+    private fun moment(state: Snapshot) = "${if (hasTimes) "time" else "step"} ${number(state)}"
+
+    private fun number(state: Snapshot): Number = if (hasTimes) state.time else state.step
 
     /** Whether two states are the same but for digits that a file may have lost. */
     private fun isSame(a: Snapshot, b: Snapshot): Boolean {
@@ -135,6 +137,7 @@ internal class FileStates(
                 val difference = BoxDifference.of(given, state, state.time, "frame $k of $path")
                 if (difference != null) throw InputException(source, difference.key, difference.problem)
             }
+            given?.let { requireNear(it, state, "$path: frame $k") }
             val hasBox = (0..2).all { given?.repeats(it) != true || state.periodic[it] && !state.lengths[it].isNaN() }
             if (hasBox) known.folded() else known.folded(given)
         }
@@ -160,10 +163,11 @@ internal class FileStates(
     }
 
     private fun jumps(a: Snapshot, b: Snapshot) = (0..2).any { axis ->
-        a.periodic[axis] && common.any { id ->
-            val from = a.position[axis][java.util.Arrays.binarySearch(a.id, id)]
-            abs(b.position[axis][java.util.Arrays.binarySearch(b.id, id)] - from) > a.lengths[axis] / 2
-        }
+        a.periodic[axis] &&
+            common.any { id ->
+                val from = a.position[axis][java.util.Arrays.binarySearch(a.id, id)]
+                abs(b.position[axis][java.util.Arrays.binarySearch(b.id, id)] - from) > a.lengths[axis] / 2
+            }
     }
 
     private fun withoutRadii(snapshot: Snapshot): String {

@@ -1,7 +1,7 @@
 package daphnis.analysis.table
 
-import daphnis.core.format.PackedFile
 import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.table.TableColumns
 import daphnis.core.table.UnitsOfDimensions

@@ -1,7 +1,7 @@
 package daphnis.analysis.transport
 
-import daphnis.core.format.PackedFile
 import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.run.ImpactColumns
 import daphnis.core.table.Column

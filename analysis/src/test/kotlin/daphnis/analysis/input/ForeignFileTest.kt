@@ -233,7 +233,12 @@ class ForeignFileTest {
 
     @Test
     fun `a box that leans and stands still has no flow, and one of a gas at rest is upright`() {
-        val still = sheared(0.0, List(5) { it * 1.0 }).map { with(it) { snapshot(step, time, position, velocity, offset = 2.5) } }
+        val still = sheared(
+            0.0,
+            List(5) {
+                it * 1.0
+            },
+        ).map { with(it) { snapshot(step, time, position, velocity, offset = 2.5) } }
         val input = input(export("lammps", still))
         assertNull(input.state(0).boundary.meanFlow)
         assertEquals(2.5, input.state(3).boundary.shear!!.offset(3.0), 1e-12)
@@ -247,7 +252,11 @@ class ForeignFileTest {
     fun `a flow in a box that says nothing is doubted in words`() {
         val input = input(export("xyz", sheared(1.0, listOf(0.0))))
         assertNull(input.state(0).boundary.shear)
-        assertTrue(input.notices.any { "velocities along x change by" in it && "scenario" in it }) { "${input.notices}" }
+        assertTrue(
+            input.notices.any {
+                "velocities along x change by" in it && "scenario" in it
+            },
+        ) { "${input.notices}" }
         // Neither a slide by whole boxes nor any other steady one.
         val other = sheared(1.0, List(4) { it * 0.31 }).map { with(it) { snapshot(step, time, position, velocity) } }
         val upright = input(export("lammps", other))
@@ -258,9 +267,15 @@ class ForeignFileTest {
     @Test
     fun `two ways to lean in one file are refused`() {
         val states = sheared(1.0, listOf(0.0, 0.2)) + sheared(1.0, listOf(0.4), 0 to 1)
-        val later = states.mapIndexed { k, it -> if (k == 2) with(it) {
-            snapshot(2, 0.4, position, velocity, offset = 4.0, axes = 0 to 1)
-        } else it }
+        val later = states.mapIndexed { k, it ->
+            if (k == 2) {
+                with(it) {
+                    snapshot(2, 0.4, position, velocity, offset = 4.0, axes = 0 to 1)
+                }
+            } else {
+                it
+            }
+        }
         refused("frame 1", "frame 2", "one way") { input(export("xyz", later)) }
     }
 

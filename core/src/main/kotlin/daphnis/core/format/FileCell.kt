@@ -51,8 +51,7 @@ internal class FileCell(
         private const val ROUND_OFF = 1e-12
 
         /** Open space. */
-        fun open(): FileCell =
-            FileCell(DoubleArray(3), Array(3) { DoubleArray(3) }, BooleanArray(3), BooleanArray(3))
+        fun open(): FileCell = FileCell(DoubleArray(3), Array(3) { DoubleArray(3) }, BooleanArray(3), BooleanArray(3))
 
         /** From bounds, along x and tilted by [tilt] = xy, xz, yz. */
         fun of(

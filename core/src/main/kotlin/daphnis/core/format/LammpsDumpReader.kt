@@ -62,7 +62,14 @@ internal class LammpsDumpReader(
         if (kind == listOf("abc", "origin")) {
             val rows = Array(3) { numbers(4) }
             val edges = Array(3) { rows[it].copyOf(3) }
-            return FileCell(DoubleArray(3) { rows[it][3] }, edges, periodic, bounded).also { it.normalAxis(lines::fail) }
+            return FileCell(
+                DoubleArray(3) {
+                    rows[it][3]
+                },
+                edges,
+                periodic,
+                bounded,
+            ).also { it.normalAxis(lines::fail) }
         }
         if (kind.isNotEmpty() && kind != listOf("xy", "xz", "yz")) {
             lines.fail("$BOX is of '${TextLines.shown(kind.joinToString(" "))}'; known are xy xz yz, and abc origin")

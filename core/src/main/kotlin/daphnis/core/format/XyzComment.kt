@@ -27,16 +27,17 @@ internal class XyzComment(private val text: String, private val fail: (String) -
     operator fun get(vararg keys: String): String? = keys.firstNotNullOfOrNull { values[it] }
 
     /** The words of a value, without what marks a list. */
-    fun list(vararg keys: String): List<String>? =
-        get(*keys)?.split(SEPARATORS)?.filter { it.isNotEmpty() }
+    fun list(vararg keys: String): List<String>? = get(*keys)?.split(SEPARATORS)?.filter { it.isNotEmpty() }
 
     private fun skip() {
         while (at < text.length && (text[at].isWhitespace() || text[at] == ',')) at++
     }
 
     private fun value(): String {
-        at++
+        val behind = ++at
         while (at < text.length && text[at].isWhitespace()) at++
+        // Where the next pair follows at once, the value is empty.
+        if (at > behind && PAIR.matchesAt(text, at)) return ""
         return when {
             at == text.length -> ""
             text[at] in QUOTES -> quoted()
@@ -82,6 +83,7 @@ internal class XyzComment(private val text: String, private val fail: (String) -
         const val QUOTES = "\"'"
         const val OPENING = "[{("
         const val CLOSING = "]})"
+        val PAIR = Regex("""[^\s="']++\s*+=""")
         val SEPARATORS = Regex("""[\s,;\[\]{}()"']+""")
     }
 }

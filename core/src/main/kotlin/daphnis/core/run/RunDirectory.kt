@@ -72,7 +72,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
      * @throws InputException when the directory cannot be read
      */
     public fun snapshotSteps(): List<Long> = try {
-        val files = if (snapshots.isDirectory()) snapshots.listDirectoryEntries("*.{h5,h5.gz}") else emptyList()
+        val files = if (snapshots.isDirectory()) snapshots.listDirectoryEntries("*.{h5,h5.gz}").toSet() else emptySet()
         val steps = files.mapNotNull { PackedFile.plainName(it).removeSuffix(".h5").toLongOrNull() }.distinct()
         steps.filter { snapshot(it) in files || packed(it) in files }.sorted()
     } catch (e: IOException) {

@@ -1,8 +1,8 @@
 package daphnis.core.run
 
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.format.PackedFile
 import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.PlacementSpec

@@ -55,7 +55,13 @@ public class BoxDifference private constructor(public val key: String, public va
             val slid = "has images that slid by $here along ${"xyz"[shear.slideAxis]} " +
                 "across ${"xyz"[shear.normalAxis]} at time $time"
             if (snapshot.lengths.any { it.isNaN() }) return null
-            if (isOtherWay && !leans && isWhole(here, length) || isWhole(here - snapshot.shearOffset, length)) return null
+            if (isOtherWay &&
+                !leans &&
+                isWhole(here, length) ||
+                isWhole(here - snapshot.shearOffset, length)
+            ) {
+                return null
+            }
             return BoxDifference("boundary", "$slid; $there")
         }
 

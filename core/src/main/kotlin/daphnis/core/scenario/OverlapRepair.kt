@@ -99,7 +99,13 @@ internal class OverlapRepair(
         val found = ArrayList<Pair>()
         val p = population
         for (slot in 0 until p.size) {
-            near.forEach(runs, slot, p.radius[near.index(slot)] * factor + p.radius.max() * (factor - 1)) { k, j, x, y, z ->
+            near.forEach(runs, slot, p.radius[near.index(slot)] * factor + p.radius.max() * (factor - 1)) {
+                    k,
+                    j,
+                    x,
+                    y,
+                    z,
+                ->
                 val s = (p.radius[k] + p.radius[j]) * factor
                 if (x * x + y * y + z * z >= s * s) return@forEach
                 val shift = doubleArrayOf(x - (p.x[j] - p.x[k]), y - (p.y[j] - p.y[k]), z - (p.z[j] - p.z[k]))

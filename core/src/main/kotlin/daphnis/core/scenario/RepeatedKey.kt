@@ -81,7 +81,13 @@ internal class RepeatedKey private constructor(val path: String, val offset: Int
 
         private fun escaped(): Char {
             val letter = text.getOrElse(at + 1) { '"' }
-            val code = if (letter == 'u' && at + 6 <= text.length) text.substring(at + 2, at + 6).toIntOrNull(16) else null
+            val code = if (letter == 'u' &&
+                at + 6 <= text.length
+            ) {
+                text.substring(at + 2, at + 6).toIntOrNull(16)
+            } else {
+                null
+            }
             at += if (code == null) 2 else 6
             return code?.toChar() ?: ESCAPES[letter] ?: letter
         }

@@ -54,7 +54,8 @@ internal class StateRepair(
         if (count == 0) return
         boundary.putBack(population, scenario.startTime)
         val who = if (count == 1) "1 sphere is" else "$count spheres are"
-        notices += "${spec.path}: $who outside the box, by up to ${shown(farthest)}, and put where their images in it are"
+        notices +=
+            "${spec.path}: $who outside the box, by up to ${shown(farthest)}, and put where their images in it are"
     }
 
     /** By how much [p] is outside the box along [axis]. */

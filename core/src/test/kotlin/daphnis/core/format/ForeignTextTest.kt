@@ -45,10 +45,14 @@ class ForeignTextTest {
             "pbc=\"T T F\"", "pbc=\"[T, T, F]\"", "pbc=[T, T, F]", "pbc=[True, True, False]", "pbc=\"1 1 0\"",
             "pbc=[1,1,0]", "pbc={T T F}", "pbc='true true false'", "pbc = \"T T F\"", "PBC=\"t t f\"", "pbc=TTF",
             "pbc=\".TRUE. .TRUE. .FALSE.\"", "note=\"a \\\"quoted pbc=F\\\" word\" pbc=\"T T F\"", "flag pbc=\"T T F\"",
+            "empty= pbc=\"T T F\"", "v=\"1 2 3\" m=[[1, 2], [3, 4]] pbc=\"T T F\" Time = 3 Step=4",
         ],
     )
     fun `faces are read in every way that programs write lists`(pbc: String) {
-        assertArrayEquals(booleanArrayOf(true, true, false), comment("$box Properties=species:S:1:pos:R:3 $pbc").periodic)
+        assertArrayEquals(
+            booleanArrayOf(true, true, false),
+            comment("$box Properties=species:S:1:pos:R:3 $pbc").periodic,
+        )
         assertArrayEquals(booleanArrayOf(true, true, false), comment("$pbc $box").periodic)
     }
 
@@ -70,7 +74,8 @@ class ForeignTextTest {
         val rows = "7 1 2 3 1\n3 1e200 0 0 1\n5 4 5 6 1\n"
         refused("a.xyz", "3\n$head\n$rows", "a.xyz:4:", "particle 3")
         refused("a.xyz", "3\n$head\n7 1 2 3 1\n5 4 5 6 1\n5 6 5 6 1\n", "a.xyz:5:", "id 5 occurs twice")
-        val dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS\n0 9\n0 9\n0 9\nITEM: ATOMS id x y z radius\n"
+        val bounds = "ITEM: BOX BOUNDS\n0 9\n0 9\n0 9\n"
+        val dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\n${bounds}ITEM: ATOMS id x y z radius\n"
         refused("a.dump", dump + rows, "a.dump:11:", "particle 3")
     }
 
@@ -125,13 +130,17 @@ class ForeignTextTest {
         val known = comment("Step=40").at(2.0)
         assertTrue(known.hasTime)
         assertEquals(2.0, known.time)
-        val frame = "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS\n0 1\n0 1\n0 1\nITEM: ATOMS x y z\n0 0 0\n"
+        val bounds = "ITEM: BOX BOUNDS\n0 1\n0 1\n0 1\n"
+        val frame = "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\n${bounds}ITEM: ATOMS x y z\n0 0 0\n"
         assertFalse(read("a.dump", frame).single().hasTime)
         assertTrue(read("a.dump", "ITEM: TIME\n3.5\n$frame").single().hasTime)
     }
 
     private fun dump(columns: String, row: String, bounds: String = "BOX BOUNDS pp pp pp\n0 10\n0 10\n0 10"): Snapshot =
-        read("a.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: $bounds\nITEM: ATOMS $columns\n$row\n").single()
+        read(
+            "a.dump",
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: $bounds\nITEM: ATOMS $columns\n$row\n",
+        ).single()
 
     @ParameterizedTest
     @ValueSource(
@@ -157,8 +166,13 @@ class ForeignTextTest {
         assertNull(dump("x y z ix iy", "1 2 3 1 1").image)
         assertNull(dump("x y z", "1 2 3").image)
         assertEquals(1, dump("x y z ix iy", "1 2 3 1 1", "BOX BOUNDS pp pp mm\n0 10\n0 10\n0 10").image!![0][0])
-        refused("a.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 12 2\n" +
-            "0 10 0\n0 10 0\nITEM: ATOMS xs y z\n.1 2 3\n", "a.dump:9:", "scaled")
+        refused(
+            "a.dump",
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 12 2\n" +
+                "0 10 0\n0 10 0\nITEM: ATOMS xs y z\n.1 2 3\n",
+            "a.dump:9:",
+            "scaled",
+        )
     }
 
     @Test
@@ -206,8 +220,14 @@ class ForeignTextTest {
     @Test
     fun `every format is read as gzip has packed it`() {
         val gas = Population(
-            doubleArrayOf(1.0, 2.0), doubleArrayOf(0.0, 1.0), DoubleArray(2), DoubleArray(2), DoubleArray(2),
-            DoubleArray(2), doubleArrayOf(0.25, 0.5), doubleArrayOf(1.0, 2.0),
+            doubleArrayOf(1.0, 2.0),
+            doubleArrayOf(0.0, 1.0),
+            DoubleArray(2),
+            DoubleArray(2),
+            DoubleArray(2),
+            DoubleArray(2),
+            doubleArrayOf(0.25, 0.5),
+            doubleArrayOf(1.0, 2.0),
         )
         val state = Snapshot.of(gas, LeesEdwards(Box.centred(10.0, 10.0, 10.0), 1.0), 3, 0.25)
         for (format in SnapshotFormats.writable.filterIsInstance<ReadableFormat>()) {

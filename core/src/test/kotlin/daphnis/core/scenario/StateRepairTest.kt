@@ -91,7 +91,10 @@ class StateRepairTest {
         }
         for (k in 0 until 60) {
             fun place(i: Int) = 1.25 + 2.5 * i + next() * 1e-6
-            rows += "${k + 1} ${place(k % 4)} ${place(k / 4 % 4)} ${place(k / 16)} ${next()} ${next()} ${next()} $r ${1 + k % 2}"
+            rows +=
+                "${k + 1} ${place(
+                    k % 4,
+                )} ${place(k / 4 % 4)} ${place(k / 16)} ${next()} ${next()} ${next()} $r ${1 + k % 2}"
         }
         return upright(*rows.toTypedArray())
     }
@@ -114,8 +117,12 @@ class StateRepairTest {
 
     /** Pairs and a chain across a face with room around them. */
     private val loose = upright(
-        "1 0.2 5 5 1 0 0 0.5 1", "2 9.2004 5 5 0 2 0 0.5 3", "3 8.204 5.001 5 0 0 3 0.5 1",
-        "4 5 5 5 -1 0 0 0.5 1", "5 5 5.7 5.7 0 0 0 0.49999 1", "6 3 3 3 0 0 0 0.5 1",
+        "1 0.2 5 5 1 0 0 0.5 1",
+        "2 9.2004 5 5 0 2 0 0.5 3",
+        "3 8.204 5.001 5 0 0 3 0.5 1",
+        "4 5 5 5 -1 0 0 0.5 1",
+        "5 5 5.7 5.7 0 0 0 0.49999 1",
+        "6 3 3 3 0 0 0 0.5 1",
     )
 
     @Test
@@ -128,7 +135,10 @@ class StateRepairTest {
             assertArrayEquals(again.position(axis), p.position(axis))
             // Once moved across a face, a sphere is a box away.
             val sum = (0 until p.size).sumOf { p.mass[it] * p.position(axis)[it] }
-            val was = listOf(doubleArrayOf(0.2, 9.2004, 8.204, 5.0, 5.0, 3.0), doubleArrayOf(5.0, 5.0, 5.001, 5.0, 5.7, 3.0))
+            val was = listOf(
+                doubleArrayOf(0.2, 9.2004, 8.204, 5.0, 5.0, 3.0),
+                doubleArrayOf(5.0, 5.0, 5.001, 5.0, 5.7, 3.0),
+            )
                 .getOrElse(axis) { doubleArrayOf(5.0, 5.0, 5.0, 5.0, 5.7, 3.0) }
                 .withIndex().sumOf { p.mass[it.index] * (it.value - 5) }
             assertEquals(was, sum, 1e-12)

@@ -34,7 +34,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
             "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +
                 "${study.time(study.from)} on; it takes ${MeanSquareDisplacement.FEWEST_TIMES} (output.snapshotEvery)"
-        !input.hasTimes -> "the file has no times, so nothing per unit of time is known (--time-step)"
+        !input.hasTimes -> "the file has no times; the time of a step would make its steps times"
         last.image == null -> "the states do not say how often particles crossed the box"
         displacement == null -> "too few particles"
         else -> null
@@ -46,7 +46,8 @@ internal class DiffusionSection(private val study: Study) : Section {
         trajectories?.add(snapshot)
     }
 
-    private fun isExpected() = chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty() && input.hasTimes
+    private fun isExpected() =
+        chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty() && input.hasTimes
 
     /** D along each coordinate that counts, and their mean. */
     override fun numbers(): List<NumberRow> {
