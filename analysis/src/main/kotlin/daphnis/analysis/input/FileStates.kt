@@ -69,7 +69,7 @@ internal class FileStates(
     private fun timed(read: List<Snapshot>, timeStep: Double): List<Snapshot> {
         fun refuse(why: String): Nothing = throw InputException("timeStep", null, why, isArgument = true)
         if (!(timeStep > 0 && timeStep.isFinite())) refuse("is $timeStep; it must be > 0")
-        val speaking = read.find { it.hasTime && read.size > 1 }
+        val speaking = read.find { it.hasTime }
         if (speaking != null) refuse("is $timeStep; leave it out, since $path has times, such as ${speaking.time}")
         return read.map { it.at(it.step * timeStep) }
     }

@@ -141,6 +141,7 @@ class ForeignFileTest {
         val known = file("b.xyz", row(0, "Time=0", 1.0) + row(50, "Time=2", 2.0))
         assertTrue(input(known).hasTimes)
         refused("timeStep", "leave it out", "has times") { input(known, 0.02) }
+        refused("timeStep", "has times") { input(file("e.xyz", row(0, "Time=1", 1.0)), 0.02) }
         refused("frame 1 has no time", "frame 0 has one") {
             input(file("c.xyz", row(0, "Time=0", 1.0) + row(50, "", 2.0)))
         }

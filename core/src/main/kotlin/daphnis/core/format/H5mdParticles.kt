@@ -38,8 +38,8 @@ internal class H5mdParticles(
     }
 
     /**
-     * Moves particles that are all between 0 and the edge of a periodic box in every frame, so that it is centred on the
-     * origin.
+     * Moves particles that are between 0 and the edge of a periodic box, so that it is centred on the origin. In the
+     * first frame some may be a hair outside; later they may go on beyond the box.
      *
      * @return what was taken off by frame and axis
      */
@@ -47,14 +47,7 @@ internal class H5mdParticles(
         val shifts = cells.map { DoubleArray(3) }
         for (axis in 0..2) {
             if (!periodic[axis] || cells.any { !(it.lengths[axis] > 0) }) continue
-            var isBehindMiddle = false
-            val isFromZero = (0 until position.size / 3).all { k ->
-                val length = cells[k / maxOf(1, count)].edges[axis][axis]
-                val p = position[3 * k + axis]
-                if (p > length / 2) isBehindMiddle = true
-                p >= 0 && p <= length
-            }
-            if (!isFromZero || !isBehindMiddle) continue
+            if (!isFromZero(axis) { cells[it].edges[axis][axis] }) continue
             for (t in cells.indices) {
                 val half = cells[t].edges[axis][axis] / 2
                 shifts[t][axis] = half
@@ -62,6 +55,14 @@ internal class H5mdParticles(
             }
         }
         return shifts
+    }
+
+    private inline fun isFromZero(axis: Int, length: (Int) -> Double): Boolean {
+        val outside = (0 until count).count { position[cube(0, it, axis)] !in 0.0..length(0) }
+        if (outside > count * MOST_OUTSIDE) return false
+        return (0 until frames.toInt()).any { t ->
+            (0 until count).any { position[cube(t, it, axis)] in length(t) / 2..length(t) }
+        }
     }
 
     /** What a frame is besides its particles. */
@@ -105,6 +106,9 @@ internal class H5mdParticles(
 
     private companion object {
         val ANY = Int.MIN_VALUE..Int.MAX_VALUE
+
+        /** The part of the particles that may be outside a box in its first frame. */
+        const val MOST_OUTSIDE = 0.05
 
         /** In place of radii that a file does not have. */
         const val RADIUS = 0.5

@@ -33,6 +33,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
         if (isAtomic) massesByType(rows)
         val cell = FileCell.of(low, high, tilt, bounded, bounded)
         return rows.snapshot(step, 0.0, cell, { "$path" }, { throw FormatException("$path: $it") })
+            .with(hasTime = false)
     }
 
     /** The first line is free text, in which LAMMPS names the step. */

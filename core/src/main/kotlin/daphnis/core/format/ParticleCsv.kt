@@ -117,7 +117,7 @@ public object ParticleCsv : ReadableFormat {
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
                 arrayOf(column("x"), column("y"), column("z")), arrayOf(column("vx"), column("vy"), column("vz")),
-                radius, mass, hasMass = hasMass,
+                radius, mass, hasMass = hasMass, hasTime = false,
             )
         }
 

@@ -37,7 +37,8 @@ internal class FileState(
         val population = try {
             val snapshot = start ?: chosen(read(notices))
             requireTime(snapshot)
-            requireBox(snapshot)
+            // A state of a run has been compared with the other scenario.
+            if (start == null) requireBox(snapshot)
             StateRepair(scenario, boundary, spec, check, notices).repaired(withMasses(snapshot, notices))
         } catch (e: FormatException) {
             check.fail(KEY, e.message.orEmpty())
