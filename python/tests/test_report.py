@@ -61,6 +61,10 @@ def test_wrong_options_are_refused(ring: daphnis.Run, options: dict[str, Any], w
 
 def test_a_file_of_states_is_analysed_with_a_scenario(ring: daphnis.Run, tmp_path: Path) -> None:
     file = ring.path / "snapshots" / "0000000060.h5"
+    with pytest.raises(daphnis.InputError, match="has times"):
+        daphnis.analyze(file, scenario=ring.scenario, time_step=0.1, out=tmp_path)
+    with pytest.raises(daphnis.InputError, match="runs have times"):
+        ring.analyze(time_step=0.1)
     found = daphnis.analyze(file, scenario=ring.scenario, out=tmp_path)
     state = ring.last()
     assert found["optical_depth"] == pytest.approx(np.pi * (state.radius**2).sum() / 1600, rel=1e-12)

@@ -117,6 +117,7 @@ def analyze(
     what: Any,
     *,
     scenario: Any = None,
+    time_step: float | None = None,
     from_: float | None = None,
     slabs: int = 0,
     groups: int = 0,
@@ -131,6 +132,7 @@ def analyze(
     Args:
         what: a `Run`, the path of a run directory, or of a file of states (H5MD, extended XYZ, LAMMPS, …).
         scenario: what box, frame and units of a file are, or of a run with laws or forces of Python.
+        time_step: time of a step, for a file that has no times.
         from_: averages begin at this time, in units of time; without it after 3/8 of the run, or where it is steady.
         slabs: slabs of azimuth for streamlines; 0 chooses by the number of particles.
         groups: groups of equal count in each; 0 as for `slabs`.
@@ -153,8 +155,11 @@ def analyze(
     with translated():
         given = None if scenario is None else as_scenario(scenario)
         if path.is_file():
-            source = inputs.ofFile(there, given and given.java, "" if given is None else given.source)
+            step = None if time_step is None else java("java.lang.Double")(time_step)
+            source = inputs.ofFile(there, given and given.java, "" if given is None else given.source, step)
             directory = path.with_name(f"{path.name}-analysis")
+        elif time_step is not None:
+            raise InputError(f"time_step: is {time_step}; it is for files, and runs have times")
         else:
             source = inputs.ofRun(there, accept_loss, given and given.java)
             directory = path

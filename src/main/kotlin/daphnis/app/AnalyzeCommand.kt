@@ -35,6 +35,10 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         metavar = "path=value",
         help = "with --scenario: replace any key of it",
     ).multiple()
+    private val timeStep by option(
+        "--time-step",
+        help = "for a file that has no times: time of a step, in the unit of its velocities",
+    ).double()
     private val from by option(
         "--from",
         help = "averages begin at this time, in the scenario's unit of time (default: after 3/8 of the run)",
@@ -76,8 +80,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         val path = pathOf(what, "dir-or-file")
         val given = scenario?.let { scenarioNamed(it, settings) }
         val input = if (Files.isRegularFile(path)) {
-            AnalysisInput.ofFile(path, given, scenario.orEmpty())
+            AnalysisInput.ofFile(path, given, scenario.orEmpty(), timeStep)
         } else {
+            timeStep?.let { throw InputException("--time-step", null, "is $it; it is for files, and runs have times") }
             AnalysisInput.ofRun(path, acceptLoss, given)
         }
         for (notice in input.notices) warn(notice)

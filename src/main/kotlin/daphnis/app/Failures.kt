@@ -51,7 +51,7 @@ private fun inFlags(wayOut: WayOut): String = when (wayOut) {
 }
 
 /** Arguments whose flag has another name. */
-private val FLAGS = mapOf("settings" to "--set")
+private val FLAGS = mapOf("settings" to "--set", "timeStep" to "--time-step")
 
 /** [warn]. @return [code] */
 internal fun complain(message: String, code: Int): Int {

@@ -171,7 +171,7 @@ class PlacementFileTest {
             home.resolve("scale.xyz"),
             "1\nScale=0 Properties=species:S:1:pos:R:3:radius:R:1\nX 0 0 0 1\n",
         )
-        assertRefused(daphnis("describe", from("scale.xyz")), "scale.xyz:3", "Scale is 0.0")
+        assertRefused(daphnis("describe", from("scale.xyz")), "scale.xyz:2", "Scale is 0.0")
     }
 
     @Test

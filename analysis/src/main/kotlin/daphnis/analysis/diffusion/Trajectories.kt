@@ -35,7 +35,9 @@ public sealed interface Coordinate {
                 checkNotNull(snapshot.image) {
                     "the state at time ${snapshot.time} does not say how often particles crossed the box"
                 }
-            return if (snapshot.periodic[axis]) image[axis][index] * snapshot.lengths[axis] else 0.0
+            val own = if (snapshot.periodic[axis]) image[axis][index] * snapshot.lengths[axis] else 0.0
+            if (axis != snapshot.slideAxis || snapshot.shearOffset == 0.0) return own
+            return own + image[snapshot.normalAxis][index] * snapshot.shearOffset
         }
     }
 }

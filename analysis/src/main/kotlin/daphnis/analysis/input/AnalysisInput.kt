@@ -7,9 +7,9 @@ import daphnis.analysis.transport.ImpactTable
 import daphnis.analysis.transport.TransportTable
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
-import daphnis.core.population.Population
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
@@ -26,7 +26,6 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.function.IntFunction
 import kotlin.io.path.isRegularFile
-import kotlin.io.path.name
 
 /**
  * What there is to analyse: the states of a run or of a foreign file, and what is known about them.
@@ -36,6 +35,7 @@ import kotlin.io.path.name
  * @property series the time series of a run that wrote it, else null
  * @property impacts the distribution of impact speeds of a run that wrote it, else null
  * @property notices what a user should know of the files, a line each
+ * @property hasTimes whether [times] are times; false for a file that has none, whose steps they are
  * @property scenario of a run, or the one given beside a file; null when there is none
  */
 public class AnalysisInput internal constructor(
@@ -45,22 +45,25 @@ public class AnalysisInput internal constructor(
     public val summary: Summary?,
     public val times: DoubleArray,
     private val load: (Int) -> Snapshot,
-    private val boundary: (Population) -> BoundaryConditions,
+    private val boundary: (Int) -> BoundaryConditions,
     public val omega: Double?,
     public val transport: TransportTable?,
     public val series: SeriesTable?,
     public val impacts: ImpactTable?,
     public val directory: RunDirectory?,
     public val notices: List<String>,
+    public val hasTimes: Boolean,
+    private val followed: IntArray?,
 ) {
     /** Names of the units of all numbers. */
-    public val units: UnitNames = UnitNames(scenario?.units)
+    public val units: UnitNames = UnitNames(scenario?.units, if (hasTimes) null else "steps")
 
     /** Number of states. */
     public val size: Int get() = times.size
 
     /** The last state, which is kept: bins, pictures and the box of open space come from it. */
     private val last: Snapshot by lazy { load(size - 1) }
+    private val lastPopulation by lazy { last.population() }
 
     /**
      * State [k] as its file holds it, not to be changed. Read anew each time, except for the last.
@@ -69,8 +72,11 @@ public class AnalysisInput internal constructor(
      */
     public fun snapshot(k: Int): Snapshot = if (k == size - 1) last else load(k)
 
-    // Of open space the box around the last state, for all states, so that bins and maps of one are those of another.
-    private val bounds: BoundaryConditions by lazy { boundary(last.population()) }
+    /**
+     * Ids of particles that are in every state, ascending: those of the last, as particles of a run only ever leave,
+     * without those that are not in another state of a file.
+     */
+    public fun idsThroughout(): IntArray = followed ?: last.id
 
     /** Whether the sphere with [id] is one of the scenario's bodies. */
     public fun isBody(id: Int): Boolean = firstBody != Int.MAX_VALUE && id >= firstBody
@@ -81,6 +87,8 @@ public class AnalysisInput internal constructor(
     /** State [k], which [snapshot], as [snapshot] gives it, is: without a second look into the file. */
     public fun state(k: Int, snapshot: Snapshot): State {
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
+        // Of open space the box around the last state, so that bins and maps of one are those of another.
+        val bounds = boundary(k).let { if (it.box.isFinite) it else bounded(it, lastPopulation) }
         return State(snapshot.population(), bounds, times[k], omega, firstBody, factor)
     }
 
@@ -136,6 +144,7 @@ public class AnalysisInput internal constructor(
                 }
                 snapshot.time
             }
+            val boundary = FileBoxes(run.path, listOf(run.readSnapshot(steps[0])), hasTimes = true).boundaries[0]
             val notice = "${run.path}: is of $record: without a scenario units, rotating frame and bodies are not known"
             return ofRun(
                 run,
@@ -143,7 +152,7 @@ public class AnalysisInput internal constructor(
                 null,
                 steps,
                 times,
-                boundaryOf(run.readSnapshot(steps[0])),
+                boundary,
                 null,
                 notices + notice,
             )
@@ -184,10 +193,9 @@ public class AnalysisInput internal constructor(
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
             val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
-            val bounds = { population: Population -> bounded(boundary, population) }
             return AnalysisInput(
-                name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, bounds, omega,
-                transport, series, impacts, run, notices,
+                name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, { boundary }, omega,
+                transport, series, impacts, run, notices, true, null,
             )
         }
 
@@ -209,32 +217,26 @@ public class AnalysisInput internal constructor(
         /**
          * The states of a foreign file, of any format of [SnapshotFormats].
          *
-         * @param scenario what the box, its faces and the frame are; without one they are the file's, and open where it
-         *   does not say
+         * @param scenario what the box, its faces and the frame are; without one they are the file's, of each state its
+         *   own, and open where it does not say
+         * @param timeStep time of a step, for a file that has no times
+         * @throws InputException when [scenario] is of another box, or [timeStep] is not needed or not > 0
          */
         @JvmStatic
-        public fun ofFile(path: Path, scenario: Scenario?, source: String): AnalysisInput {
+        @JvmOverloads
+        public fun ofFile(path: Path, scenario: Scenario?, source: String, timeStep: Double? = null): AnalysisInput {
             if (!path.isRegularFile()) throw InputException(path.toString(), null, "no such file or run directory")
-            val snapshots = SnapshotFormats.read(path)
-            if (snapshots.isEmpty()) throw FormatException("$path: holds no frame")
-            for ((k, snapshot) in snapshots.withIndex()) {
-                if (snapshot.size == 0) throw FormatException("$path: holds no particle in frame $k")
-                val before = if (k == 0) snapshot.time else snapshots[k - 1].time
-                if (snapshot.time < before) {
-                    val order = "is of time ${snapshot.time}, after $before; times must ascend"
-                    throw FormatException("$path: frame $k $order")
-                }
-            }
             val around = scenario?.let { Surroundings.of(it, source) }
-            val given = around?.boundary ?: boundaryOf(snapshots[0])
-            if (around != null) for ((k, it) in snapshots.withIndex()) requireNear(given, it, "$path: frame $k")
-            val silent = snapshots.find { !it.hasRadius }
-            val firstBody = scenario?.firstBody(snapshots[0].size) ?: Int.MAX_VALUE
+            val file = FileStates(path, around, source, timeStep)
+            val states = file.states
+            val boxes = if (around == null) FileBoxes(path, states, file.hasTimes) else null
+            val firstBody = scenario?.firstBody(states[0].size) ?: Int.MAX_VALUE
             return AnalysisInput(
-                path.name.substringBeforeLast('.'), scenario, firstBody, null,
-                DoubleArray(snapshots.size) { snapshots[it].time }, { snapshots[it] }, { bounded(given, it) },
+                PackedFile.plainName(path).substringBeforeLast('.'), scenario, firstBody, null,
+                DoubleArray(states.size) { states[it].time }, { states[it] },
+                { k -> boxes?.boundaries?.get(k) ?: around!!.boundary },
                 around?.angularSpeed, null, null, null, null,
-                listOfNotNull(silent?.let { withoutRadii(path, it) }, SnapshotFormats.remark(path)),
+                file.notices + listOfNotNull(boxes?.notice), file.hasTimes, file.common,
             )
         }
 
@@ -255,15 +257,12 @@ public class AnalysisInput internal constructor(
             read: IntFunction<Snapshot>,
         ): AnalysisInput {
             require(times.isNotEmpty()) { "there is no state" }
-            val bounds = { population: Population -> bounded(boundary, population) }
             return AnalysisInput(
-                name, null, Int.MAX_VALUE, null, times, read::apply, bounds, omega, null, null, null, null, emptyList(),
+                name, null, Int.MAX_VALUE, null, times, read::apply, {
+                    boundary
+                }, omega, null, null, null, null, emptyList(), true,
+                null,
             )
-        }
-
-        private fun withoutRadii(path: Path, snapshot: Snapshot): String {
-            val taken = snapshot.radius.firstOrNull()
-            return "$path has no radii: $taken is taken for each; depths, filling factors and occultations are of that"
         }
     }
 }

@@ -2,7 +2,6 @@ package daphnis.analysis.input
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
@@ -10,29 +9,17 @@ import daphnis.core.population.Population
 import daphnis.core.run.RunDirectory
 import daphnis.core.scenario.InputException
 
-private const val MOST_BOXES = 1000
+private const val MOST_BOXES = 1_000_000
 
-/** The box of a file, and where it repeats. */
-internal fun boundaryOf(snapshot: Snapshot): BoundaryConditions {
-    if (snapshot.lengths.any { it.isNaN() }) return Open
-    if (snapshot.shearOffset != 0.0) {
-        val why = "is missing; images slide in this file, and the scenario has to say how"
-        throw InputException("scenario", null, why, isArgument = true)
-    }
-    return Periodic(
-        Box.centred(snapshot.lengths[0], snapshot.lengths[1], snapshot.lengths[2]),
-        snapshot.periodic[0],
-        snapshot.periodic[1],
-        snapshot.periodic[2],
-    )
-}
+/** Open space ends where the spheres of [last] do. */
+internal fun bounded(boundary: BoundaryConditions, last: Population): BoundaryConditions =
+    if (boundary.box.isFinite || last.size == 0) boundary else Periodic(extent(last), false, false, false)
 
-/** Open space ends where the spheres do. */
-internal fun bounded(boundary: BoundaryConditions, p: Population): BoundaryConditions {
-    if (boundary.box.isFinite || p.size == 0) return boundary
+/** The box around the spheres of [p]. */
+internal fun extent(p: Population): Box {
     fun low(a: DoubleArray) = a.indices.minOf { a[it] - p.radius[it] }
     fun high(a: DoubleArray) = a.indices.maxOf { a[it] + p.radius[it] }
-    return Periodic(Box(low(p.x), low(p.y), low(p.z), high(p.x), high(p.y), high(p.z)), false, false, false)
+    return Box(low(p.x), low(p.y), low(p.z), high(p.x), high(p.y), high(p.z))
 }
 
 /** The box of a scenario is not that which a file's places were checked against. */

@@ -1,12 +1,12 @@
 package daphnis.analysis.table
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.table.TableColumns
 import daphnis.core.table.UnitsOfDimensions
 import daphnis.core.table.needed
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** Reads a CSV file of numbers that a run appends to, by the names of its columns. */
@@ -23,7 +23,7 @@ internal object NumberColumns {
     fun read(path: Path, declared: TableColumns): Map<String, DoubleArray> {
         val needed = declared.needed
         val text = try {
-            Files.readString(path)
+            PackedFile.text(path)
         } catch (e: IOException) {
             throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         }

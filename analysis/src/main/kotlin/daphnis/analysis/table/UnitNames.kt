@@ -7,12 +7,16 @@ import daphnis.core.table.UnitsOfDimensions
 /**
  * What the units of a scenario are called: `m`, `m/s` where they are metric, else by what they measure, `units of
  * length`, `units of length^2/time`. Powers are written `^2`, as tables in CSV have them; [raised] makes them readable.
+ *
+ * @param clock what states are counted in, such as `steps` of a file without times; null for the unit of time
  */
-public class UnitNames(units: UnitsSpec?) {
+public class UnitNames @JvmOverloads constructor(units: UnitsSpec?, clock: String? = null) {
     private val names = UnitsOfDimensions(units)
 
     public val length: String = of(Dimension.LENGTH)
-    public val time: String = of(Dimension.TIME)
+
+    /** Of the times of states; other quantities have the scenario's unit of time in any case. */
+    public val time: String = clock ?: of(Dimension.TIME)
     public val mass: String = of(Dimension.MASS)
     public val speed: String = of(Dimension.SPEED)
 

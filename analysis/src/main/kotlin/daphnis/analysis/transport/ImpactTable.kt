@@ -1,11 +1,11 @@
 package daphnis.analysis.transport
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.run.ImpactColumns
 import daphnis.core.table.Column
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -28,7 +28,7 @@ public class ImpactTable private constructor(
         @JvmStatic
         public fun read(path: Path): ImpactTable {
             val lines = try {
-                Files.readString(path).lines().drop(1).dropLastWhile { it.isEmpty() }
+                PackedFile.text(path).lines().drop(1).dropLastWhile { it.isEmpty() }
             } catch (e: IOException) {
                 throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
             }

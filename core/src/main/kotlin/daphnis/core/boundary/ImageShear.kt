@@ -10,7 +10,15 @@ import daphnis.core.population.Population
  * @param flow of the spheres in [box]; images one box away move with the flow that is there
  * @throws IllegalArgumentException when the flow is along its own normal or along z, along which no image can slide
  */
-public class ImageShear(private val box: Box, flow: MeanFlow) {
+public class ImageShear private constructor(
+    private val box: Box,
+    flow: MeanFlow,
+    private val start: Double,
+    private val startTime: Double,
+) {
+    /** Images that stand above one another at time 0. */
+    public constructor(box: Box, flow: MeanFlow) : this(box, flow, Double.NaN, 0.0)
+
     public val normalAxis: Int = flow.normalAxis
     public val slideAxis: Int = flow.flowAxis
 
@@ -29,12 +37,14 @@ public class ImageShear(private val box: Box, flow: MeanFlow) {
      * Displacement of the image at +1 at [time], reduced to [0, length along the slide axis). A pure function of time.
      */
     public fun offset(time: Double): Double {
-        val raw = (velocity * time) % slideLength
+        val raw = slid(time) % slideLength
         return if (raw < 0) raw + slideLength else raw
     }
 
-    /** Whole lengths of the box that [offset] does not contain: `velocity · time = turns · length + offset`. */
-    public fun turns(time: Double): Double = Math.rint((velocity * time - offset(time)) / slideLength)
+    /** Whole lengths of the box that [offset] does not contain: what was slid is `turns · length + offset`. */
+    public fun turns(time: Double): Double = Math.rint((slid(time) - offset(time)) / slideLength)
+
+    private fun slid(time: Double) = if (start.isNaN()) velocity * time else start + velocity * (time - startTime)
 
     /**
      * Puts the spheres [from] until [to] back across the normal axis: to the place of their image in the box at [time],
@@ -50,5 +60,12 @@ public class ImageShear(private val box: Box, flow: MeanFlow) {
             speed[k] -= boxes * velocity
             population.addCrossing(k, slideAxis, (-boxes * turns).toInt())
         }
+    }
+
+    public companion object {
+        /** Images of which the one at +1 is displaced by [offset] at [time]. */
+        @JvmStatic
+        public fun at(box: Box, flow: MeanFlow, offset: Double, time: Double): ImageShear =
+            ImageShear(box, flow, offset, time)
     }
 }

@@ -35,9 +35,14 @@ public object CartAndRad : ReadableFormat, WritableFormat {
         return Exported(directory, remark = left)
     }
 
-    /** Reads [path] as a state at step and time 0, masses from density 1. */
-    override fun read(path: Path): List<Snapshot> {
-        val snapshot = Snapshot.of(population(path), Open, 0, 0.0, hasMass = false)
+    /** Reads [path] as a state at step and time 0, masses from density 1. Spins behind the radii are left out. */
+    override fun read(path: Path, notices: MutableList<String>): List<Snapshot> {
+        val bytes = contents(path)
+        val population = population(bytes, path, 1.0)
+        if (population.size > 0 && bytes.size.toLong() == size(population.size, true)) {
+            notices += "$path has spins, which are not used: spheres here are smooth"
+        }
+        val snapshot = Snapshot.of(population, Open, 0, 0.0, hasMass = false).with(hasTime = false)
         SnapshotCheck.check(snapshot, "$path")
         return listOf(snapshot)
     }
@@ -69,22 +74,33 @@ public object CartAndRad : ReadableFormat, WritableFormat {
      * Reads [path]; ids are 0, 1, 2, …
      *
      * @param density mass per volume, since the file has no masses
-     * @throws FormatException when the length does not agree with N, a number is not finite, or a radius is not
-     *   positive
+     * @throws FormatException when the length does not agree with N, with or without three numbers of spin for each, a
+     *   number is not finite, or a radius is not positive
      */
     @JvmStatic
     @JvmOverloads
     @Throws(IOException::class)
-    public fun population(path: Path, density: Double = 1.0): Population {
-        val size = Files.size(path)
-        if (size < 4 || size > Int.MAX_VALUE) throw FormatException("$path: $size bytes is no CartAndRad file")
-        val head = Files.newInputStream(path).use { it.readNBytes(4) }
-        val n = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN).getInt()
-        if (n < 0 || size != 4L + (ROW + 8L) * n) {
-            val needed = 4L + (ROW + 8L) * n
-            throw FormatException("$path: declares $n spheres, which would be $needed bytes; it has $size")
+    public fun population(path: Path, density: Double = 1.0): Population = population(contents(path), path, density)
+
+    /** The bytes of a file that is as long as its number of spheres says. */
+    private fun contents(path: Path): ByteArray {
+        val longest = PackedFile.mostBytes(path)
+        val head = PackedFile.open(path).use { it.readNBytes(4) }
+        if (head.size < 4 || Files.size(path) > Int.MAX_VALUE) {
+            throw FormatException("$path: ${Files.size(path)} bytes is no CartAndRad file")
         }
-        val buffer = ByteBuffer.wrap(Files.readAllBytes(path)).order(ByteOrder.LITTLE_ENDIAN).position(4)
+        val n = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN).getInt()
+        fun refused(bytes: Long) =
+            FormatException("$path: declares $n spheres, which would be ${size(n, false)} bytes; it has $bytes")
+        if (n < 0 || size(n, false) > minOf(longest, LARGEST)) throw refused(Files.size(path))
+        val all = PackedFile.open(path).use { it.readNBytes(minOf(size(n, true) + 1, LARGEST).toInt()) }
+        if (all.size.toLong() in listOf(size(n, false), size(n, true))) return all
+        throw refused(maxOf(all.size.toLong(), if (PackedFile.isPacked(path)) 0 else Files.size(path)))
+    }
+
+    private fun population(bytes: ByteArray, path: Path, density: Double): Population {
+        val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
+        val n = buffer.getInt()
         val columns = Array(6) { DoubleArray(n) }
         for (k in 0 until n) for (c in columns) c[k] = buffer.getDouble()
         val radius = DoubleArray(n) { buffer.getDouble() }
@@ -102,5 +118,14 @@ public object CartAndRad : ReadableFormat, WritableFormat {
         }
     }
 
+    /** Size of a file of [n] spheres, with or without their spins. */
+    private fun size(n: Int, hasSpins: Boolean): Long = 4L + (ROW + 8L + if (hasSpins) SPIN else 0) * n
+
     private const val ROW = 48
+
+    /** Three numbers, behind all radii. */
+    private const val SPIN = 24
+
+    /** The longest array. */
+    private const val LARGEST = Int.MAX_VALUE - 8L
 }

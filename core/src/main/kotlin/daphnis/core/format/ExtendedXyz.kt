@@ -70,18 +70,19 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     }
 
     /**
-     * Reads every snapshot of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius`, `mass` and `id` are read
-     * where they are there, and are otherwise 0, 1/2, 1 and the line number. A `Lattice` with edges along the axes
-     * gives the lengths. One that leans along x or y, as sliding images do, also gives the offset. Any other is
-     * refused. Lengths and velocities are divided by the `Scale` in the comment line, which is the factor by which
-     * [write] multiplied them.
+     * Reads every snapshot of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius` or `diameter`, `mass`, `id` and
+     * `map_shift` (boxes crossed) are read where they are there, and are otherwise 0, 1/2, 1, the line number and not
+     * known. ASE's `momenta` are divided by `masses`. A `Lattice` with edges along the axes gives the lengths. One edge
+     * may lean along x or y, as sliding images do, and gives the offset. Any other is refused. Lengths and velocities
+     * are divided by the `Scale` in the comment line, which is the factor by which [write] multiplied them. Without
+     * `Time` there is none ([Snapshot.hasTime]), without `Step` frames are counted.
      *
      * @throws FormatException that names the line of the error
      */
-    override fun read(path: Path): List<Snapshot> {
+    override fun read(path: Path, notices: MutableList<String>): List<Snapshot> {
         val snapshots = ArrayList<Snapshot>()
         TextLines(path).use { lines ->
-            val reader = XyzReader(lines, path)
+            val reader = XyzReader(lines, path, notices)
             while (true) snapshots += reader.snapshot(snapshots.size) ?: break
         }
         return snapshots

@@ -21,8 +21,12 @@ import java.nio.file.Path
  * its type of numbers, it is returned as doubles or longs.
  */
 internal class H5Source(private val path: Path) : AutoCloseable {
-    private val file = HdfFile(path)
-    private val bytes = Files.size(path).toDouble()
+    private val unpacked: ByteArray? = if (PackedFile.isPacked(path)) PackedFile.bytes(path, most()) else null
+    private val file: HdfFile = if (unpacked == null) HdfFile(path) else HdfFile.fromBytes(unpacked)
+    private val bytes: Double = (unpacked?.size?.toLong() ?: Files.size(path)).toDouble()
+
+    /** As much as may be held in memory beside what is read from it. */
+    private fun most() = minOf(Runtime.getRuntime().maxMemory() / 2, Int.MAX_VALUE - 8L).toInt()
 
     /** Whether there is an object with the path [name], from the root, with `/` between. */
     fun has(name: String): Boolean = find(name) != null

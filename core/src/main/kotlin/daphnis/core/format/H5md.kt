@@ -159,7 +159,7 @@ public object H5md : ReadableFormat, WritableFormat {
      *
      * @throws FormatException when it is not such a file, or is damaged
      */
-    override fun read(path: Path): List<Snapshot> = H5mdReader.read(path)
+    override fun read(path: Path, notices: MutableList<String>): List<Snapshot> = H5mdReader.read(path, notices)
 
     private const val CHUNK = 32_768
     private const val DEFLATE = 4

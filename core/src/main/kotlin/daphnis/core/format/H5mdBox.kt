@@ -10,27 +10,62 @@ import java.nio.file.Path
 internal class H5mdBox(private val source: H5Source, all: String, private val path: Path, private val isOwn: Boolean) {
     private val edges = "$all/box/edges"
 
-    /** The lengths of [count] frames; NaN when the file has none. */
-    fun lengths(count: Int): List<DoubleArray> {
-        if (!source.has(edges)) return List(count) { DoubleArray(3) { Double.NaN } }
-        val isFixed = !source.has("$edges/value")
-        val name = if (isFixed) edges else "$edges/value"
-        val frames = if (isFixed) emptyList() else listOf(count.toLong())
-        val isMatrix = source.shape(name).size == frames.size + 2
+    private val hasEdges = source.has(edges)
+    private val isFixed = !source.has("$edges/value")
+    private val name = if (isFixed) edges else "$edges/value"
+    private val isMatrix = hasEdges && source.shape(name).size == (if (isFixed) 2 else 3)
+
+    /** The cells of the frames after [steps]; their lengths are NaN when the file has no edges. */
+    fun cells(steps: LongArray, periodic: BooleanArray): List<FileCell> {
+        if (!hasEdges) {
+            val nowhere = Array(3) { DoubleArray(3) }
+            return steps.map { FileCell(DoubleArray(3), nowhere, periodic, BooleanArray(3)) }
+        }
+        val frames = if (isFixed) emptyList() else source.shape(name).take(1)
         val data = source.doubles(name, frames + if (isMatrix) listOf(3L, 3L) else listOf(3L))
-        val rows = if (isMatrix) MATRIX else 3
-        if (isMatrix && !isOwn) requireStraight(name, data)
-        return List(count) { t ->
-            val at = if (isFixed) 0 else t * rows
-            DoubleArray(3) { data[at + if (isMatrix) 4 * it else it] }
+        val rows = places(steps)
+        return steps.indices.map { t ->
+            val cell = cell(data, rows[t], periodic)
+            // Of daphnis' own, the offset of sliding images is beside them.
+            if (!isOwn) cell.normalAxis { throw FormatException("$path: frame $t: $name: $it") }
+            cell
         }
     }
 
-    private fun requireStraight(name: String, data: DoubleArray) {
-        for (k in data.indices) {
-            val entry = k % MATRIX
-            if (entry / 3 == entry % 3 || data[k] == 0.0) continue
-            throw FormatException("$path: $name leans; edges must be along x, y and z")
+    private fun cell(data: DoubleArray, row: Int, periodic: BooleanArray): FileCell {
+        val at = row * if (isMatrix) MATRIX else 3
+        val vectors = Array(3) { a ->
+            DoubleArray(3) { b ->
+                if (isMatrix) {
+                    data[at + 3 * a + b]
+                } else if (a == b) {
+                    data[at + a]
+                } else {
+                    0.0
+                }
+            }
+        }
+        return FileCell(DoubleArray(3) { -vectors[it][it] / 2 }, vectors, periodic)
+    }
+
+    /** The row of the edges for each frame, which may be stored less often than positions, or at other steps. */
+    private fun places(steps: LongArray): IntArray {
+        if (isFixed) return IntArray(steps.size)
+        val count = source.shape(name)[0]
+        val stepName = "$edges/step"
+        val given = if (source.has(stepName) && !source.isScalar(stepName)) {
+            source.longs(stepName, listOf(count))
+        } else {
+            steps
+        }
+        if (given.size.toLong() != count) {
+            throw FormatException("$path: $name has $count frames, positions have ${steps.size}")
+        }
+        if (given.contentEquals(steps)) return IntArray(steps.size) { it }
+        return IntArray(steps.size) { t ->
+            given.indexOf(steps[t]).also {
+                if (it < 0) throw FormatException("$path: $name has no edges for step ${steps[t]}, of frame $t")
+            }
         }
     }
 

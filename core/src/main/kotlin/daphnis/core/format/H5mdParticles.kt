@@ -37,28 +37,54 @@ internal class H5mdParticles(
         return Valued(read("$all/$part/value", shape.take(2)), true)
     }
 
-    /** Moves particles that are all between 0 and the edge of a periodic box, so that it is centred on the origin. */
-    fun centre(periodic: BooleanArray, lengths: List<DoubleArray>) {
+    /**
+     * Moves particles that are between 0 and the edge of a periodic box, so that it is centred on the origin. In the
+     * first frame some may be a hair outside; later they may go on beyond the box.
+     *
+     * @return what was taken off by frame and axis
+     */
+    fun centre(periodic: BooleanArray, cells: List<FileCell>): List<DoubleArray> {
+        val shifts = cells.map { DoubleArray(3) }
         for (axis in 0..2) {
-            val length = lengths.firstOrNull()?.get(axis) ?: return
-            if (!periodic[axis] || !(length > 0)) continue
-            val places = axis until position.size step 3
-            if (places.any { position[it] < 0 || position[it] > length }) continue
-            if (places.none { position[it] > length / 2 }) continue
-            for (k in places) position[k] -= length / 2
+            if (!periodic[axis] || cells.any { !(it.lengths[axis] > 0) }) continue
+            if (!isFromZero(axis) { cells[it].edges[axis][axis] }) continue
+            for (t in cells.indices) {
+                val half = cells[t].edges[axis][axis] / 2
+                shifts[t][axis] = half
+                for (k in 0 until count) position[cube(t, k, axis)] -= half
+            }
+        }
+        return shifts
+    }
+
+    private inline fun isFromZero(axis: Int, length: (Int) -> Double): Boolean {
+        val outside = (0 until count).count { position[cube(0, it, axis)] !in 0.0..length(0) }
+        if (outside > count * MOST_OUTSIDE) return false
+        return (0 until frames.toInt()).any { t ->
+            (0 until count).any { position[cube(t, it, axis)] in length(t) / 2..length(t) }
         }
     }
 
+    /** What a frame is besides its particles. */
+    class Head(
+        val step: Long,
+        val time: Double,
+        val hasTime: Boolean,
+        val lengths: DoubleArray,
+        val periodic: BooleanArray,
+        val lean: Lean,
+        val shift: DoubleArray,
+    ) {
+        /** The state without a particle. */
+        fun empty(): Snapshot = Snapshot(
+            step, time, lengths, periodic, lean.offset, IntArray(0), Array(3) { DoubleArray(0) },
+            Array(3) { DoubleArray(0) }, DoubleArray(0), DoubleArray(0), lean.normalAxis, lean.slideAxis,
+            hasTime = hasTime,
+        )
+    }
+
     /** Frame [t], particles in the order of their ids. */
-    fun state(
-        t: Int,
-        step: Long,
-        time: Double,
-        lengths: DoubleArray,
-        periodic: BooleanArray,
-        offset: Double,
-        axes: IntArray,
-    ): Snapshot {
+    fun state(t: Int, head: Head): Snapshot {
         val ids = IntArray(count) { k -> id?.let { it.data[at(it.isByFrame, t, k)] } ?: k }
         val isSorted = (1 until count).none { ids[it] < ids[it - 1] }
         val order = if (isSorted) IntArray(count) { it } else (0 until count).sortedBy { ids[it] }.toIntArray()
@@ -66,10 +92,11 @@ internal class H5mdParticles(
         fun single(of: Valued<DoubleArray>?, otherwise: Double) =
             DoubleArray(count) { k -> of?.let { it.data[at(it.isByFrame, t, order[k])] } ?: otherwise }
         return Snapshot(
-            step, time, lengths, periodic, offset, IntArray(count) { ids[order[it]] },
+            head.step, head.time, head.lengths, head.periodic, head.lean.offset, IntArray(count) { ids[order[it]] },
             Array(3) { column(position, it) }, Array(3) { column(velocity, it) },
-            single(radius, RADIUS), single(mass, 1.0), axes[0], axes[1], hasMass, hasRadius,
+            single(radius, RADIUS), single(mass, 1.0), head.lean.normalAxis, head.lean.slideAxis, hasMass, hasRadius,
             image?.let { data -> Array(3) { axis -> IntArray(count) { data[cube(t, order[it], axis)] } } },
+            head.hasTime, head.shift,
         )
     }
 
@@ -79,6 +106,9 @@ internal class H5mdParticles(
 
     private companion object {
         val ANY = Int.MIN_VALUE..Int.MAX_VALUE
+
+        /** The part of the particles that may be outside a box in its first frame. */
+        const val MOST_OUTSIDE = 0.05
 
         /** In place of radii that a file does not have. */
         const val RADIUS = 0.5

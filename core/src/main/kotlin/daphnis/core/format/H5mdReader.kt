@@ -7,7 +7,11 @@ import java.nio.file.Path
  * id, mass and radius may be missing; the last three may be datasets or elements with a value per frame. Other programs
  * may have the box begin at the origin: then particles are moved by half a box.
  */
-internal class H5mdReader(private val source: H5Source, private val path: Path) {
+internal class H5mdReader(
+    private val source: H5Source,
+    private val path: Path,
+    private val notices: MutableList<String>,
+) {
     private val all = "particles/${group()}"
     private val times = H5mdTimes(source, all, path)
 
@@ -26,27 +30,40 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
         val count = steps.size.toLong()
         val time = times.times(steps)
         val periodic = periodic()
-        val offsets = if (isOwn) source.doubles(OFFSET, listOf(count)) else DoubleArray(steps.size)
-        val shear = "parameters/shear_axes"
-        val axes = if (source.has(shear)) source.ints(shear, listOf(2L), 0..2) else intArrayOf(1, 0)
-        if (axes[0] == axes[1]) fail("parameters/shear_axes are both ${axes[0]}")
-        val lengths = H5mdBox(source, all, path, isOwn).lengths(steps.size)
+        val cells = H5mdBox(source, all, path, isOwn).cells(steps, periodic)
+        val lean = if (isOwn) ownLean(count) else cells.map { Lean.of(it) }
         // HDF5 as it is written here has no datasets of size 0, so a state without particles has no values at all.
         val hasParticles = PARTS.any { source.has("$all/$it") }
         val particles = if (hasParticles) H5mdParticles(source, all, path, count) else null
-        if (!isOwn) particles?.centre(periodic, lengths)
+        val shifts = if (isOwn) null else particles?.centre(periodic, cells)
         val snapshots = steps.indices.map { t ->
-            particles?.state(t, steps[t], time[t], lengths[t], periodic, offsets[t], axes) ?: Snapshot(
-                steps[t], time[t], lengths[t], periodic, offsets[t], IntArray(0), Array(3) { DoubleArray(0) },
-                Array(3) { DoubleArray(0) }, DoubleArray(0), DoubleArray(0), axes[0], axes[1],
+            val head = H5mdParticles.Head(
+                steps[t],
+                time[t],
+                times.areKnown,
+                cells[t].lengths,
+                periodic,
+                lean[t],
+                shifts?.get(t) ?: DoubleArray(3),
             )
+            particles?.state(t, head) ?: head.empty()
         }
         val checksum = source.number("parameters", H5mdChecksum.ATTRIBUTE)
         if (checksum != null && snapshots.isNotEmpty() && checksum != H5mdChecksum.of(snapshots)) {
             throw FormatException("$path: is damaged: its checksum is wrong")
         }
         for ((t, snapshot) in snapshots.withIndex()) SnapshotCheck.check(snapshot, "$path: frame $t")
+        for (name in source.names(all)) if (name !in USED) notices += "$path: $all/$name is not used"
         return snapshots
+    }
+
+    /** How far images slid in a file of daphnis. */
+    private fun ownLean(count: Long): List<Lean> {
+        val offsets = source.doubles(OFFSET, listOf(count))
+        val shear = "parameters/shear_axes"
+        val axes = if (source.has(shear)) source.ints(shear, listOf(2L), 0..2) else intArrayOf(1, 0)
+        if (axes[0] == axes[1]) fail("parameters/shear_axes are both ${axes[0]}")
+        return offsets.map { Lean(it, axes[0], axes[1]) }
     }
 
     private fun periodic(): BooleanArray {
@@ -61,15 +78,17 @@ internal class H5mdReader(private val source: H5Source, private val path: Path) 
 
     companion object {
         private const val OFFSET = "parameters/shear_offset"
+        private val USED = setOf("box", "position", "velocity", "image", "id", "mass", "radius", "species")
         private val PARTS = listOf("id", "velocity", "position/value")
 
         /**
          * Every snapshot of [path].
          *
+         * @param notices receives what is there and not used
          * @throws FormatException for every error of the library with a file that is damaged or not HDF5, in one line
          */
-        fun read(path: Path): List<Snapshot> = try {
-            H5Source(path).use { H5mdReader(it, path).snapshots() }
+        fun read(path: Path, notices: MutableList<String>): List<Snapshot> = try {
+            H5Source(path).use { H5mdReader(it, path, notices).snapshots() }
         } catch (e: FormatException) {
             throw e
         } catch (e: RuntimeException) {

@@ -2,10 +2,16 @@ package daphnis.core.format
 
 import java.nio.file.Path
 
-/** Steps and times of the frames of an H5MD file: listed, or in fixed intervals. Without times they are the steps. */
+/** Steps and times of the frames of an H5MD file: listed, or in fixed intervals. Without steps frames are counted. */
 internal class H5mdTimes(private val source: H5Source, private val all: String, private val path: Path) {
+    private val hasValues = source.has("$all/position/value")
+
+    /** Whether the file has times; without, those of [times] are the steps. */
+    val areKnown: Boolean = source.has("$all/position/time") || !hasValues
+
     fun steps(): LongArray {
         val name = "$all/position/step"
+        if (!source.has(name) && hasValues) return LongArray(frames()) { it.toLong() }
         if (!source.isScalar(name)) return source.longs(name, one(name))
         val interval = source.longs(name, emptyList())[0]
         val offset = source.offset(name, "offset").toLong()
@@ -15,11 +21,7 @@ internal class H5mdTimes(private val source: H5Source, private val all: String, 
     /** @param steps of the same frames */
     fun times(steps: LongArray): DoubleArray {
         val name = "$all/position/time"
-        if (!source.has(name) &&
-            source.has("$all/position/value")
-        ) {
-            return DoubleArray(steps.size) { steps[it].toDouble() }
-        }
+        if (!areKnown) return DoubleArray(steps.size) { steps[it].toDouble() }
         if (!source.isScalar(name)) return source.doubles(name, listOf(steps.size.toLong()))
         val interval = source.doubles(name, emptyList())[0]
         val offset = source.offset(name, "offset")

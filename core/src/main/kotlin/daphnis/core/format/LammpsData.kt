@@ -17,6 +17,6 @@ public object LammpsData : ReadableFormat {
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = ALWAYS, severalStates = false)
 
     /** Reads [path] as a state at time 0. @throws FormatException that names the line of the error */
-    override fun read(path: Path): List<Snapshot> =
+    override fun read(path: Path, notices: MutableList<String>): List<Snapshot> =
         TextLines(path).use { listOf(LammpsDataReader(it, path).snapshot()) }
 }

@@ -4,14 +4,14 @@ import java.nio.file.Path
 
 /** Reads a LAMMPS data file. */
 internal class LammpsDataReader(private val lines: TextLines, private val path: Path) {
-    private val words = LammpsWords(lines)
+    private val words = LineWords(lines)
     private val low = DoubleArray(3)
     private val high = DoubleArray(3)
     private val bounded = BooleanArray(3)
     private val tilt = DoubleArray(3)
     private val massOfType = HashMap<String, Double>()
     private var count: Int? = null
-    private var rows: LammpsRows? = null
+    private var rows: ParticleRows? = null
 
     /** Place of an id in [rows]. */
     private val places = HashMap<Int, Int>()
@@ -31,8 +31,9 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
         }
         val rows = rows ?: throw FormatException("$path: has no section Atoms")
         if (isAtomic) massesByType(rows)
-        val cell = LammpsCell.of(low, high, tilt, bounded, bounded)
-        return rows.snapshot(step, 0.0, cell, lines::fail).also { SnapshotCheck.check(it, "$path") }
+        val cell = FileCell.of(low, high, tilt, bounded, bounded)
+        return rows.snapshot(step, 0.0, cell, { "$path" }, { throw FormatException("$path: $it") })
+            .with(hasTime = false)
     }
 
     /** The first line is free text, in which LAMMPS names the step. */
@@ -72,7 +73,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
         }
         val n = count ?: lines.fail("the header has no line 'N atoms'")
         if (rows != null) lines.fail("a second section Atoms")
-        val rows = LammpsRows(n).also { this.rows = it }
+        val rows = ParticleRows(n).also { this.rows = it }
         for (k in 0 until n) {
             val cells = words.split(row(n, k))
             val widths = STYLES[style]
@@ -90,13 +91,17 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
             if (isSphere) sphere(rows, k, cells)
             val at = if (isSphere) SPHERE_PLACE else ATOMIC_PLACE
             for (axis in 0..2) rows.position[axis][k] = words.number(cells[at + axis])
+            if (cells.size > at + 3) {
+                val image = rows.image ?: Array(3) { IntArray(n) }.also { rows.image = it }
+                for (axis in 0..2) image[axis][k] = words.image(cells[at + 3 + axis])
+            }
         }
         rows.hasRadius = !isAtomic
         rows.hasMass = !isAtomic
         return section()
     }
 
-    private fun sphere(rows: LammpsRows, k: Int, cells: List<String>) {
+    private fun sphere(rows: ParticleRows, k: Int, cells: List<String>) {
         val r = words.positive("diameter", cells[2]) / 2
         rows.radius[k] = r
         rows.mass[k] = words.positive("density", cells[3]) * (4.0 / 3.0 * Math.PI * r * r * r)
@@ -129,7 +134,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
         }
     }
 
-    private fun massesByType(rows: LammpsRows) {
+    private fun massesByType(rows: ParticleRows) {
         if (massOfType.isEmpty()) return
         for (k in types.indices) {
             rows.mass[k] = massOfType[types[k]]

@@ -24,24 +24,38 @@ public object LammpsDump : ReadableFormat, WritableFormat {
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
         val file = directory.resolve("trajectory.lammpstrj")
         wholeFile(file) { part ->
-            Files.newBufferedWriter(part).use { out -> for (snapshot in snapshots) write(snapshot, out) }
+            Files.newBufferedWriter(part).use { out ->
+                // Ids of one file are from 1 in every state, or as they are in every state.
+                var isFromZero: Boolean? = null
+                for (snapshot in snapshots) {
+                    write(snapshot, out, isFromZero ?: (0 in snapshot.id).also { isFromZero = it })
+                }
+            }
         }
         return Exported(file)
     }
 
-    /** Appends one [snapshot] to [out]. Along open axes the bounds are those of the spheres. */
+    /**
+     * Appends one [snapshot] to [out]. Along open axes the bounds are those of the spheres.
+     *
+     * @param isFromZero whether ids are from 0, which LAMMPS refuses: then those in the file are higher by 1, and a
+     *   column `i_daphnis`, from which they are read back, has them as they are
+     */
     @JvmStatic
+    @JvmOverloads
     @Throws(IOException::class)
-    public fun write(snapshot: Snapshot, out: Writer) {
+    public fun write(snapshot: Snapshot, out: Writer, isFromZero: Boolean = 0 in snapshot.id) {
         out.append("ITEM: TIME\n${snapshot.time}\nITEM: TIMESTEP\n${snapshot.step}\n")
         out.append("ITEM: NUMBER OF ATOMS\n${snapshot.size}\n")
         bounds(snapshot, out)
-        out.append("ITEM: ATOMS id type x y z vx vy vz radius mass\n")
+        val own = if (isFromZero) " ${LammpsColumns.OWN_ID}" else ""
+        out.append("ITEM: ATOMS id type x y z vx vy vz radius mass$own\n")
         for (k in 0 until snapshot.size) {
-            out.append("${snapshot.id[k]} 1")
+            out.append("${snapshot.id[k] + if (isFromZero) 1L else 0L} 1")
             for (axis in 0..2) out.append(' ').append(snapshot.position[axis][k].toString())
             for (axis in 0..2) out.append(' ').append(snapshot.velocity[axis][k].toString())
-            out.append(" ${snapshot.radius[k]} ${snapshot.mass[k]}\n")
+            out.append(" ${snapshot.radius[k]} ${snapshot.mass[k]}")
+            out.append(if (isFromZero) " ${snapshot.id[k]}\n" else "\n")
         }
     }
 
@@ -86,14 +100,15 @@ public object LammpsDump : ReadableFormat, WritableFormat {
     /**
      * Reads every state of [path]. Columns `x y z` (or `xu yu zu`, or scaled `xs ys zs`, `xsu ysu zsu`) are needed.
      * `id`, `vx vy vz`, `radius` or `diameter` and `mass` are read where they are there, and are otherwise the place in
-     * the file, 0, 1/2 and 1. The time is `ITEM: TIME`, otherwise the number of the step.
+     * the file, 0, 1/2 and 1. Boxes crossed are `ix iy iz`, or none where positions go on beyond the box. The time is
+     * `ITEM: TIME`; without it there is none ([Snapshot.hasTime]).
      *
      * @throws FormatException that names the line of the error
      */
-    override fun read(path: Path): List<Snapshot> {
+    override fun read(path: Path, notices: MutableList<String>): List<Snapshot> {
         val snapshots = ArrayList<Snapshot>()
         TextLines(path).use { lines ->
-            val reader = LammpsDumpReader(lines, path)
+            val reader = LammpsDumpReader(lines, path, notices)
             while (true) snapshots += reader.snapshot() ?: break
         }
         return snapshots

@@ -32,7 +32,7 @@ public object ParticleCsv : ReadableFormat {
     public fun population(path: Path, density: Double = 1.0): Population = snapshot(path, density).population()
 
     /** Reads [path] as a state at step and time 0, masses from density 1 where it has none. */
-    override fun read(path: Path): List<Snapshot> = listOf(snapshot(path, 1.0))
+    override fun read(path: Path, notices: MutableList<String>): List<Snapshot> = listOf(snapshot(path, 1.0))
 
     private fun snapshot(path: Path, density: Double): Snapshot {
         val table = try {
@@ -46,8 +46,7 @@ public object ParticleCsv : ReadableFormat {
     private fun table(lines: TextLines, path: Path): Table {
         var table: Table? = null
         while (true) {
-            // Some programs mark UTF-8 at the beginning.
-            val line = (lines.next() ?: break).removePrefix("\uFEFF").trim()
+            val line = (lines.next() ?: break).trim()
             if (line.isEmpty() || line.startsWith("#")) continue
             val cells = line.split(',').map { it.trim() }
             if (table == null) table = Table(header(cells, path)) else table.rows += row(cells, table.names, lines)
@@ -118,7 +117,7 @@ public object ParticleCsv : ReadableFormat {
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
                 arrayOf(column("x"), column("y"), column("z")), arrayOf(column("vx"), column("vy"), column("vz")),
-                radius, mass, hasMass = hasMass,
+                radius, mass, hasMass = hasMass, hasTime = false,
             )
         }
 

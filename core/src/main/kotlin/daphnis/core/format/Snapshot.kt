@@ -13,6 +13,8 @@ import daphnis.core.population.Population
  * @property hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
  *   @property hasRadius the same for [radius]
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
+ * @property hasTime whether [time] is from the file; false when the file had none, and it is the number of the step
+ * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
 public class Snapshot @JvmOverloads constructor(
     public val step: Long,
@@ -30,9 +32,43 @@ public class Snapshot @JvmOverloads constructor(
     public val hasMass: Boolean = true,
     public val hasRadius: Boolean = true,
     public val image: Array<IntArray>? = null,
+    public val hasTime: Boolean = true,
+    public val shift: DoubleArray = DoubleArray(3),
 ) {
     /** Number of spheres. */
     public val size: Int get() = id.size
+
+    /** The same state, arrays shared, at a [time] which is then known. */
+    public fun at(time: Double): Snapshot = with(time = time, hasTime = true)
+
+    /**
+     * The same state with every sphere inside the box along the axes that repeat, and the boxes it is moved by in
+     * [image], where that is known. Along a sliding face a sphere moves to its image; velocities stay. Arrays that need
+     * no change are shared.
+     *
+     * @param boundary whose box it is, centred on the origin; null for the state's own
+     */
+    @JvmOverloads
+    public fun folded(boundary: BoundaryConditions? = null): Snapshot {
+        val places = Array(3) { position[it].copyOf() }
+        val boxes = (boundary?.let { FoldedCell.of(it, time) } ?: FoldedCell.of(this)).fold(places) ?: return this
+        val sum = image?.let { known -> Array(3) { axis -> IntArray(size) { known[axis][it] + boxes[axis][it] } } }
+        return with(position = places, image = sum)
+    }
+
+    /** The same state, where positions are known to be those without a box: no box was crossed. */
+    public fun unwrapped(): Snapshot = with(image = Array(3) { IntArray(size) })
+
+    internal fun with(
+        time: Double = this.time,
+        hasTime: Boolean = this.hasTime,
+        position: Array<DoubleArray> = this.position,
+        radius: DoubleArray = this.radius,
+        image: Array<IntArray>? = this.image,
+    ): Snapshot = Snapshot(
+        step, time, lengths, periodic, shearOffset, id, position, velocity, radius, mass, normalAxis, slideAxis,
+        hasMass, hasRadius, image, hasTime, shift,
+    )
 
     /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */
     public fun edges(): Array<DoubleArray> = Array(3) { row ->

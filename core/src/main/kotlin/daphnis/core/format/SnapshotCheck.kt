@@ -6,9 +6,9 @@ import kotlin.math.abs
  * Checks in one place what every format promises: that the numbers of a [snapshot] can be a state. Sizes and places are
  * kept so far from the limits of a double that volumes and squared distances neither underflow nor overflow.
  *
- * @param where file, and line or frame, for messages
+ * @param where file, and line or frame, for messages: of a particle, or of the state for −1
  */
-internal class SnapshotCheck private constructor(private val snapshot: Snapshot, private val where: String) {
+internal class SnapshotCheck private constructor(private val snapshot: Snapshot, private val where: (Int) -> String) {
     private fun check() {
         must(abs(snapshot.time) <= FARTHEST) { "the time is ${snapshot.time}; it must be a number within ±$FARTHEST" }
         must(snapshot.step >= 0) { "the step is ${snapshot.step}; it must be at least 0" }
@@ -21,17 +21,19 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
     }
 
     private fun ids() {
-        for (id in snapshot.id) must(id >= 0) { "id $id must be at least 0" }
+        for ((k, id) in snapshot.id.withIndex()) must(id >= 0, k) { "id $id must be at least 0" }
         val sorted = snapshot.id.copyOf().apply { sort() }
-        for (k in 1 until sorted.size) must(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
+        for (k in 1 until sorted.size) {
+            must(sorted[k] != sorted[k - 1], snapshot.id.lastIndexOf(sorted[k])) { "id ${sorted[k]} occurs twice" }
+        }
     }
 
     private fun sizes() {
         for (k in 0 until snapshot.size) {
-            must(snapshot.radius[k] in LEAST..MOST) {
+            must(snapshot.radius[k] in LEAST..MOST, k) {
                 "the radius of particle ${snapshot.id[k]} is ${snapshot.radius[k]}; it must be > 0, $LEAST to $MOST"
             }
-            must(snapshot.mass[k] > 0 && snapshot.mass[k].isFinite()) {
+            must(snapshot.mass[k] > 0 && snapshot.mass[k].isFinite(), k) {
                 "the mass of particle ${snapshot.id[k]} is ${snapshot.mass[k]}; it must be > 0 and finite"
             }
         }
@@ -62,14 +64,14 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         for (k in 0 until snapshot.size) {
             val p = snapshot.position[axis][k]
             val v = snapshot.velocity[axis][k]
-            must(abs(p) <= FARTHEST) {
+            must(abs(p) <= FARTHEST, k) {
                 "$name of particle ${snapshot.id[k]} is $p; it must be a number within ±$FARTHEST"
             }
-            must(abs(p) <= farthest) {
+            must(abs(p) <= farthest, k) {
                 "$name of particle ${snapshot.id[k]} is $p, more than $MOST_BOXES boxes of $length away; " +
                     "places must be wrapped into the box"
             }
-            must(abs(v) <= FARTHEST) {
+            must(abs(v) <= FARTHEST, k) {
                 "v$name of particle ${snapshot.id[k]} is $v; it must be a number within ±$FARTHEST"
             }
         }
@@ -86,8 +88,8 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         }
     }
 
-    private inline fun must(ok: Boolean, problem: () -> String) {
-        if (!ok) throw FormatException("$where: ${problem()}")
+    private inline fun must(ok: Boolean, particle: Int = -1, problem: () -> String) {
+        if (!ok) throw FormatException("${where(particle)}: ${problem()}")
     }
 
     companion object {
@@ -98,14 +100,19 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         /** Bound on coordinates, times and speeds, whose squares are finite. */
         private const val FARTHEST = 1e150
 
-        /** Bound on how far outside a periodic box a particle can be: a search goes through all images between. */
-        private const val MOST_BOXES = 1000
+        /** Bound on how far outside a periodic box a particle can be, whose boxes are counted. */
+        private const val MOST_BOXES = 1_000_000
 
         /** The part of a radius that must be resolved. */
         private const val VISIBLE = 0.01
 
         /** @throws FormatException for the first number that is wrong */
         fun check(snapshot: Snapshot, where: String) {
+            check(snapshot) { where }
+        }
+
+        /** The same, where a particle has a place of its own in the file. */
+        fun check(snapshot: Snapshot, where: (Int) -> String) {
             SnapshotCheck(snapshot, where).check()
         }
     }

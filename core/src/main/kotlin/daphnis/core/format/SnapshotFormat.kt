@@ -58,7 +58,15 @@ public interface ReadableFormat : SnapshotFormat {
      * @throws IOException when the file cannot be read
      */
     @Throws(IOException::class)
-    public fun read(path: Path): List<Snapshot>
+    public fun read(path: Path): List<Snapshot> = read(path, ArrayList())
+
+    /**
+     * The same.
+     *
+     * @param notices receives what the file holds and daphnis does not use, a line each
+     */
+    @Throws(IOException::class)
+    public fun read(path: Path, notices: MutableList<String>): List<Snapshot>
 }
 
 /** A format to which the snapshots of a run are exported. */

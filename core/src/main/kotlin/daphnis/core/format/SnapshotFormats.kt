@@ -2,7 +2,6 @@ package daphnis.core.format
 
 import java.io.IOException
 import java.nio.file.Path
-import kotlin.io.path.name
 
 /** The list of formats from which a scenario starts, which are analysed, and to which snapshots are exported. */
 public object SnapshotFormats {
@@ -39,14 +38,14 @@ public object SnapshotFormats {
     }
 
     /**
-     * The format of [path] by its name: by its ending, or by a [ReadableFormat.mark] anywhere in it unless the ending
+     * The format of [path] by its name, without `.gz` at its end ([PackedFile]): by its ending, or by a [ReadableFormat.mark] anywhere in it unless the ending
      * is the preferred one of a format; else by a [ReadableFormat.prefix].
      *
      * @throws FormatException when no format has such a name
      */
     @JvmStatic
     public fun of(path: Path): ReadableFormat {
-        val name = path.name.lowercase()
+        val name = PackedFile.plainName(path).lowercase()
         val ending = name.substringAfterLast('.', "")
         val byEnding = readable.find { ending in it.extensions }
         if (byEnding != null && ending == byEnding.extensions.first()) return byEnding
@@ -61,8 +60,16 @@ public object SnapshotFormats {
      * @throws FormatException for what is wrong, in one line
      */
     @JvmStatic
-    public fun read(path: Path): List<Snapshot> = try {
-        of(path).read(path)
+    public fun read(path: Path): List<Snapshot> = read(path, ArrayList())
+
+    /**
+     * The same.
+     *
+     * @param notices receives what a user should know of the file although it can be read, a line each
+     */
+    @JvmStatic
+    public fun read(path: Path, notices: MutableList<String>): List<Snapshot> = try {
+        of(path).read(path, notices).also { notices += listOfNotNull(remark(path)) }
     } catch (e: IOException) {
         throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
     }

@@ -11,6 +11,8 @@ import java.nio.file.Path
 internal object TextEnd {
     /** One line about [path]; null when nothing is to be said. */
     fun remark(path: Path): String? {
+        // What gzip packed says itself whether it is whole.
+        if (PackedFile.isPacked(path)) return null
         val last = lastLine(path) ?: return null
         if (last.isBlank() || last.trimStart().startsWith('#')) return null
         return "$path: the last line has no end, so if the file was cut short, its last number may be wrong; " +

@@ -3,19 +3,19 @@ package daphnis.core.format
 import java.io.IOException
 import java.io.Reader
 import java.nio.charset.CharacterCodingException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
  * The lines of a text file with any content. A line longer than [longest] characters is refused before it is held in
- * memory, and so are bytes that are not UTF-8 text. Lines end as those of [java.io.BufferedReader] do.
+ * memory, and so are bytes that are not UTF-8 text. Lines end as those of [java.io.BufferedReader] do. A mark of UTF-8 at
+ * the beginning is no part of the first; what gzip packed is unpacked.
  */
 internal class TextLines(private val path: Path, private val longest: Int = LONGEST) : AutoCloseable {
-    private val input: Reader = Files.newBufferedReader(path)
+    private val input: Reader = PackedFile.reader(path)
     private val text = StringBuilder()
 
-    /** Size of the file in bytes. */
-    val bytes: Long = Files.size(path)
+    /** Size of the file in bytes; of a packed one, the most it can be unpacked. */
+    val bytes: Long = PackedFile.mostBytes(path)
 
     /** Number of the line that [next] returned last, from 1. */
     var number = 0
@@ -34,6 +34,7 @@ internal class TextLines(private val path: Path, private val longest: Int = LONG
         try {
             while (true) {
                 val c = input.read()
+                if (c == MARK && number == 1 && text.isEmpty()) continue
                 if (c < 0) return if (text.isEmpty()) null else text.toString()
                 val isSecondOfPair = afterReturn && c == '\n'.code
                 afterReturn = c == '\r'.code
@@ -62,5 +63,8 @@ internal class TextLines(private val path: Path, private val longest: Int = LONG
         fun shown(word: String): String = word.take(MOST_SHOWN)
 
         private const val MOST_SHOWN = 40
+
+        /** With which some programs begin UTF-8. */
+        private const val MARK = 0xFEFF
     }
 }

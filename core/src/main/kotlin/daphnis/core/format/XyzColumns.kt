@@ -7,16 +7,10 @@ package daphnis.core.format
  * @param fail refuses the file
  */
 internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
-    var position = -1
-        private set
-    var velocity = -1
-        private set
-    var radius = -1
-        private set
-    var mass = -1
-        private set
-    var id = -1
-        private set
+    private val places = HashMap<Quantity, Int>()
+
+    /** Names of columns that are not used, but for those that tell what a particle is made of. */
+    val unused = ArrayList<String>()
     var width = 0
         private set
 
@@ -26,22 +20,42 @@ internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
             fail("Properties '${TextLines.shown(properties)}' must be repeated name:type:count")
         }
         for (k in parts.indices step 3) {
-            val count = parts[k + 2].toIntOrNull()?.takeIf { it in 1..MOST_WIDE }
+            val count = parts[k + 2].trim().toIntOrNull()?.takeIf { it in 1..MOST_WIDE }
                 ?: fail("Properties: '${TextLines.shown(parts[k + 2])}' must be a number of columns, 1 to $MOST_WIDE")
-            when (parts[k].lowercase()) {
-                "pos" -> if (count == 3) position = width
-                "velo", "vel", "velocity", "velocities" -> if (count == 3) velocity = width
-                "radius" -> radius = width
-                "mass", "masses" -> mass = width
-                "id" -> id = width
+            val name = parts[k].trim().lowercase()
+            val quantity = Quantity.entries.find { name in it.names && count == it.count }
+            if (quantity == null) {
+                if (name !in SILENT) unused += TextLines.shown(parts[k].trim())
+            } else if (places.putIfAbsent(quantity, width) != null) {
+                fail("Properties has two columns of ${quantity.names.joinToString()}")
             }
             width += count
             if (width > MOST_WIDE) fail("Properties has more than $MOST_WIDE columns")
         }
-        if (position < 0) fail("Properties has no pos:R:3")
+        if (Quantity.POSITION !in places) fail("Properties has no pos:R:3")
+    }
+
+    /** The first column of [quantity], −1 when it is not there. */
+    operator fun get(quantity: Quantity): Int = places[quantity] ?: -1
+
+    operator fun contains(quantity: Quantity): Boolean = quantity in places
+
+    /** What is read of a particle: [names] by which programs call it, lower case, and the [count] of its columns. */
+    enum class Quantity(val count: Int, vararg val names: String) {
+        POSITION(3, "pos", "positions", "position"),
+        VELOCITY(3, "velo", "vel", "velocity", "velocities"),
+
+        /** As ASE writes it, in place of velocities. */
+        MOMENTUM(3, "momenta", "momentum"),
+        RADIUS(1, "radius", "radii"),
+        DIAMETER(1, "diameter", "diameters"),
+        MASS(1, "mass", "masses"),
+        ID(1, "id", "ids"),
+        IMAGE(3, "map_shift", "image", "images", "periodic_image"),
     }
 
     private companion object {
         const val MOST_WIDE = 100_000
+        val SILENT = setOf("species", "element", "type", "z", "numbers")
     }
 }

@@ -1,11 +1,11 @@
 package daphnis.core.run
 
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** `run.json`: the program that made a run, in place of a scenario. */
@@ -24,7 +24,7 @@ public class ProgramRecord internal constructor(public val program: String, publ
         /** Reads the `run.json` of a run. @throws InputException when it cannot be read or is not such a file */
         @JvmStatic
         public fun read(path: Path): ProgramRecord = try {
-            parse(Files.readString(path), "$path")
+            parse(PackedFile.text(path), "$path")
         } catch (e: IOException) {
             throw InputException("$path", null, "cannot be read: ${reasonOf(e, path)}")
         }

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
+import daphnis.core.format.PackedFile
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
 import daphnis.core.format.WholeFile
@@ -38,7 +39,8 @@ public class RunDirectory internal constructor(public val path: Path, internal v
 
     /** Copy of the particle file a scenario started from, if it did. */
     internal fun initial(original: Path): Path = path.resolve(
-        "initial." + SnapshotFormats.of(original).extensions.first(),
+        "initial." + SnapshotFormats.of(original).extensions.first() +
+            if (original.name.endsWith(PackedFile.ENDING, ignoreCase = true)) PackedFile.ENDING else "",
     )
 
     /** The state of another run from which this one started, if it did. */
@@ -61,14 +63,18 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     /** The file for the snapshot after [step]. */
     public fun snapshot(step: Long): Path = snapshots.resolve("%010d.h5".format(java.util.Locale.ROOT, step))
 
+    /** The same, after somebody packed it. */
+    private fun packed(step: Long): Path = snapshot(step).let { it.resolveSibling("${it.name}${PackedFile.ENDING}") }
+
     /**
      * Steps that have a snapshot, ascending.
      *
      * @throws InputException when the directory cannot be read
      */
     public fun snapshotSteps(): List<Long> = try {
-        val files = if (snapshots.isDirectory()) snapshots.listDirectoryEntries("*.h5") else emptyList()
-        files.mapNotNull { it.name.removeSuffix(".h5").toLongOrNull() }.filter { snapshot(it) in files }.sorted()
+        val files = if (snapshots.isDirectory()) snapshots.listDirectoryEntries("*.{h5,h5.gz}").toSet() else emptySet()
+        val steps = files.mapNotNull { PackedFile.plainName(it).removeSuffix(".h5").toLongOrNull() }.distinct()
+        steps.filter { snapshot(it) in files || packed(it) in files }.sorted()
     } catch (e: IOException) {
         throw InputException(snapshots.toString(), null, "cannot be read: ${reasonOf(e, snapshots)}")
     }
@@ -79,7 +85,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
      * @throws FormatException when it cannot be read, is damaged or belongs to another step
      */
     public fun readSnapshot(step: Long): Snapshot {
-        val file = snapshot(step)
+        val file = snapshot(step).let { if (it.exists()) it else packed(step).takeIf(Path::exists) ?: it }
         val snapshot = try {
             H5md.read(file).firstOrNull() ?: throw FormatException("$file: holds no state")
         } catch (e: FormatException) {

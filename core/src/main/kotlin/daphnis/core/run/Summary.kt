@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.PlacementSpec
@@ -67,7 +68,7 @@ public class Summary @JvmOverloads constructor(
          */
         @JvmStatic
         public fun read(path: Path): Summary = try {
-            JSON.decodeFromString(serializer(), Files.readString(path))
+            JSON.decodeFromString(serializer(), PackedFile.text(path))
         } catch (e: CharacterCodingException) {
             throw FormatException("$path: is not UTF-8 text")
         } catch (e: IOException) {

@@ -37,7 +37,9 @@ internal class FileState(
         val population = try {
             val snapshot = start ?: chosen(read(notices))
             requireTime(snapshot)
-            withMasses(snapshot, notices).population()
+            // A state of a run has been compared with the other scenario.
+            if (start == null) requireBox(snapshot)
+            StateRepair(scenario, boundary, spec, check, notices).repaired(withMasses(snapshot, notices))
         } catch (e: FormatException) {
             check.fail(KEY, e.message.orEmpty())
         } catch (e: IllegalArgumentException) {
@@ -54,7 +56,7 @@ internal class FileState(
             "is a directory; name one file in it, such as a snapshot of a run"
         }
         check.that(KEY, spec.path, Files.isRegularFile(path)) { "no such file" }
-        return SnapshotFormats.read(path).also { notices += listOfNotNull(SnapshotFormats.remark(path)) }
+        return SnapshotFormats.read(path, notices)
     }
 
     /** In the scenario of a run that started from another one, bodies are the spheres from `firstBody` on. */
@@ -94,6 +96,12 @@ internal class FileState(
         check.must("placement.time", boundary.shear == null) {
             "is missing; images slide, and the state in ${spec.path} is of time ${snapshot.time}"
         }
+    }
+
+    /** In another box spheres would be elsewhere, or touch other images. */
+    private fun requireBox(snapshot: Snapshot) {
+        val difference = BoxDifference.of(boundary, snapshot, scenario.startTime, spec.path) ?: return
+        check.fail(difference.key, difference.problem)
     }
 
     /** A file has all masses or none. */

@@ -21,6 +21,9 @@ public sealed interface PlacementSpec {
      * @property time of the state, which determines the places of sliding images and of satellites; null for 0
      * @property step of the state to take from a file that holds several; the last one when left out
      * @property density mass per volume, for a file that has no masses
+     * @property wrap whether spheres outside the box are put back along axes that repeat, however far they are; without
+     *   it only those that the rounding of single precision put outside
+     * @property overlaps what becomes of spheres that overlap
      * @property run the run directory whose state it is, when a run was started from that
      * @property clock of that run
      */
@@ -33,6 +36,8 @@ public sealed interface PlacementSpec {
         public val density: Double? = null,
         public val run: String? = null,
         public val clock: ClockSpec? = null,
+        public val wrap: Boolean = false,
+        public val overlaps: OverlapsName = OverlapsName.REFUSE,
     ) : PlacementSpec {
         /** Where a state of another [run] is from, in words; null when it is from a file that a user named. */
         public val origin: String? get() = run?.let { "step ${step ?: 0} of $it, time ${time ?: 0.0}" }
@@ -44,6 +49,22 @@ public sealed interface PlacementSpec {
  */
 @Serializable
 public data class ClockSpec(public val start: Double, public val steps: Long)
+
+/** What becomes of spheres of a file that overlap. */
+@Serializable
+public enum class OverlapsName {
+    /** The file is refused. */
+    @SerialName("refuse")
+    REFUSE,
+
+    /** All radii are multiplied by the one factor with which none overlap; masses stay. */
+    @SerialName("shrink")
+    SHRINK,
+
+    /** Spheres that overlap are moved apart; radii and velocities stay. */
+    @SerialName("relax")
+    RELAX,
+}
 
 @Serializable
 public enum class LatticeName {

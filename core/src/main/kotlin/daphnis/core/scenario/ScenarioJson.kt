@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerializationException
@@ -35,7 +36,7 @@ public object ScenarioJson {
     @JvmStatic
     @JvmOverloads
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
-        val tree = Settings.apply(parseTree(text, source), settings)
+        val tree = Settings.apply(parseTree(text.removePrefix("\uFEFF"), source), settings)
         SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
         checkOutput(tree, source)
         json.decodeFromJsonElement(Scenario.serializer(), tree)
@@ -47,7 +48,7 @@ public object ScenarioJson {
         throw InputException(source, null, "is nested too deeply")
     }
 
-    /** Reads the file [path]. */
+    /** Reads the file [path], which gzip may have packed. */
     @JvmStatic
     @JvmOverloads
     public fun read(path: Path, settings: List<String> = emptyList()): Scenario {
@@ -55,7 +56,7 @@ public object ScenarioJson {
             if (Files.size(path) > LARGEST) {
                 throw InputException(path.toString(), null, "is larger than $LARGEST bytes, which is no scenario")
             }
-            Files.readString(path)
+            PackedFile.text(path, LARGEST.toInt())
         } catch (e: NoSuchFileException) {
             throw InputException(path.toString(), null, "no such file")
         } catch (e: CharacterCodingException) {
@@ -98,7 +99,14 @@ public object ScenarioJson {
     }
 
     private fun parseTree(text: String, source: String): JsonElement = try {
-        json.parseToJsonElement(text)
+        json.parseToJsonElement(text).also { _ ->
+            val twice = RepeatedKey.find(text)
+            if (twice != null) {
+                val first = place(text, twice.firstOffset).substringBefore(':')
+                val why = "is given twice, first in line $first; leave one of them out"
+                throw InputException("$source:${place(text, twice.offset)}", twice.path, why)
+            }
+        }
     } catch (e: SerializationException) {
         throw malformed(e, text, source)
     }
@@ -108,9 +116,14 @@ public object ScenarioJson {
         val offset = Regex("""offset (-?\d+)""").find(message)?.groupValues?.get(1)?.toInt()?.coerceIn(0, text.length)
         val problem = message.substringAfter(": ").lineSequence().first().substringBefore(" at path").trim()
         if (offset == null) return InputException(source, null, "malformed JSON: $problem")
+        return InputException("$source:${place(text, offset)}", null, "malformed JSON: $problem")
+    }
+
+    /** Line and column of [offset] in [text], both from 1. */
+    private fun place(text: String, offset: Int): String {
         val line = text.substring(0, offset).count { it == '\n' } + 1
         val column = offset - (text.lastIndexOf('\n', offset - 1) + 1) + 1
-        return InputException("$source:$line:$column", null, "malformed JSON: $problem")
+        return "$line:$column"
     }
 
     private const val LARGEST = 64L shl 20

@@ -55,6 +55,7 @@ internal object Settings {
     private fun value(path: String, text: String): JsonElement = try {
         Json.parseToJsonElement(text).let {
             if (it.isDeeperThan(MOST_LEVELS)) throw tooDeep(path)
+            RepeatedKey.find(text)?.let { twice -> throw wrongArgument(SETTINGS, path, "has ${twice.path} twice") }
             if (it is JsonPrimitive && !it.isString && !isLiteral(it.content)) {
                 JsonPrimitive(text)
             } else {

@@ -56,10 +56,11 @@ internal class StartCheck(
         val overlap = computable("box") {
             Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
         }
-        val key = if (scenario.placement is PlacementSpec.File) "placement.path" else "placement"
-        check.must(key, overlap.depth <= TOLERANCE) {
+        val isOfFile = scenario.placement is PlacementSpec.File
+        check.must(if (isOfFile) "placement.path" else "placement", overlap.depth <= TOLERANCE) {
+            val wayOut = if (isOfFile && overlap.depth <= OverlapRepair.DEEPEST) "; ${OverlapRepair.WAY_OUT}" else ""
             "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; " +
-                "spheres must not overlap at the start"
+                "spheres must not overlap at the start$wayOut"
         }
     }
 
@@ -122,14 +123,15 @@ internal class StartCheck(
         }
     }
 
-    private companion object {
+    internal companion object {
+        /** The part of a size by which spheres may overlap. */
         const val TOLERANCE = 1e-9
-        const val MOST_SLIDE = 4
+        private const val MOST_SLIDE = 4
 
         /**
          * Bound on the paths of two spheres in a step, in boxes. Longer ones would still be right, but every image in
          * between would be searched.
          */
-        const val MOST_BOXES = 3
+        private const val MOST_BOXES = 3
     }
 }

@@ -84,6 +84,61 @@ class ForeignH5mdTest {
         assertTrue(first.hasMass && first.hasRadius)
     }
 
+    /** A frame for each [x], where one of 40 particles is, in a cubic box of edge 10 with [edges]. */
+    private fun box(x: DoubleArray, edges: (WritableGroup) -> Unit): Path {
+        val path = home.resolve("box.h5")
+        HdfFile.write(path).use { file ->
+            val group = file.putGroup("particles").putGroup("atoms")
+            val box = group.putGroup("box")
+            box.putAttribute("boundary", arrayOf("periodic", "periodic", "periodic"))
+            edges(box)
+            val position = group.putGroup("position")
+            position.putDataset("step", LongArray(x.size) { 10L * it })
+            val rows = Array(x.size) { t -> Array(40) { k -> DoubleArray(3) { if (k == 0) x[t] else 0.25 * k } } }
+            position.putDataset("value", rows)
+            group.putDataset("charge", DoubleArray(40))
+        }
+        return path
+    }
+
+    private fun upright(box: WritableGroup) {
+        box.putDataset("edges", doubleArrayOf(10.0, 10.0, 10.0))
+    }
+
+    @Test
+    fun `a box from 0 is known with a particle a hair outside, and with places that go on beyond it`() {
+        for (x in listOf(doubleArrayOf(10.01, 10.01), doubleArrayOf(5.0, 27.0), doubleArrayOf(-0.01, -33.0))) {
+            val states = H5md.read(box(x, ::upright))
+            assertEquals(x.map { it - 5 }, states.map { it.position[0][0] })
+            assertEquals(listOf(5.0, 5.0, 5.0), states[1].shift.asList())
+            assertFalse(states[0].hasTime)
+        }
+    }
+
+    @Test
+    fun `edges are those of each frame, lengths or vectors, and may be stored at steps of their own`() {
+        val vectors = Array(2) { t -> Array(3) { a -> DoubleArray(3) { if (a == it) 10.0 + t else 0.0 } } }
+        vectors[1][1][0] = 2.5
+        fun edges(steps: LongArray, value: Any) = box(doubleArrayOf(5.0, 5.0)) { group ->
+            val own = group.putGroup("edges")
+            own.putDataset("step", steps)
+            own.putDataset("value", value)
+        }
+        val (first, second) = H5md.read(edges(longArrayOf(0, 10), vectors))
+        assertEquals(10.0 to 0.0, first.lengths[0] to first.shearOffset)
+        assertEquals(11.0 to 2.5, second.lengths[0] to second.shearOffset)
+        assertEquals(1 to 0, second.normalAxis to second.slideAxis)
+        val lengths = Array(3) { t -> DoubleArray(3) { 10.0 + t } }
+        val others = H5md.read(edges(longArrayOf(10, 5, 0), lengths))
+        assertEquals(listOf(12.0, 10.0), others.map { it.lengths[2] })
+        refused(edges(longArrayOf(0, 5, 20), lengths), "no edges for step 10", "frame 1")
+        vectors[1][2][0] = 1.0
+        refused(edges(longArrayOf(0, 10), vectors), "frame 1", "leans")
+        val notices = ArrayList<String>()
+        H5md.read(box(doubleArrayOf(5.0), ::upright), notices)
+        assertTrue(notices.single().endsWith("atoms/charge is not used")) { "$notices" }
+    }
+
     @Test
     fun `steps and times in fixed intervals`() {
         val (first, second) = H5md.read(write(steps = 10L))

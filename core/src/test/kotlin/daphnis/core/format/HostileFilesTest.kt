@@ -154,7 +154,7 @@ class HostileFilesTest {
         }
         wrong("must exceed the largest diameter, 0.5") { write(path, edge = 0.4) }
         for (place in listOf(Double.NaN, 1e300)) wrong("x of particle") { write(path, place = place) }
-        wrong("more than 1000 boxes of 8.0 away") { write(path, place = 1e4) }
+        wrong("more than 1000000 boxes of 8.0 away") { write(path, place = 1e7) }
         for (time in listOf(Double.NaN, Double.NEGATIVE_INFINITY)) wrong("time is $time") { write(path, time = time) }
         wrong("id 1 occurs twice") { write(path, id = intArrayOf(0, 1, 1)) }
         wrong("particles/all/id", "-1") { write(path, id = intArrayOf(0, -1, 2)) }

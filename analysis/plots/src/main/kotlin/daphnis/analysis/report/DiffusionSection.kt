@@ -34,6 +34,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
             "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +
                 "${study.time(study.from)} on; it takes ${MeanSquareDisplacement.FEWEST_TIMES} (output.snapshotEvery)"
+        !input.hasTimes -> "the file has no times; the time of a step would make its steps times"
         last.image == null -> "the states do not say how often particles crossed the box"
         displacement == null -> "too few particles"
         else -> null
@@ -45,7 +46,8 @@ internal class DiffusionSection(private val study: Study) : Section {
         trajectories?.add(snapshot)
     }
 
-    private fun isExpected() = chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty()
+    private fun isExpected() =
+        chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty() && input.hasTimes
 
     /** D along each coordinate that counts, and their mean. */
     override fun numbers(): List<NumberRow> {
@@ -116,8 +118,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     }
 
     private fun begun(): Trajectories? {
-        // Particles only ever leave, so those that are there at the end were there throughout.
-        val there = last.id.filter { !input.isBody(it) }
+        val there = input.idsThroughout().filter { !input.isBody(it) }
         val every = (there.size + MOST_PARTICLES - 1) / MOST_PARTICLES
         val ids = there.filterIndexed { k, _ -> k % maxOf(1, every) == 0 }.toIntArray()
         return if (ids.size < 2) null else Trajectories(coordinates, ids)

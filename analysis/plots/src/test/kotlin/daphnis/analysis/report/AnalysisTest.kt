@@ -10,11 +10,11 @@ import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
-import daphnis.core.hill.HillSheet
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.SizesSpec
+import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.WayOut
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -264,7 +264,8 @@ class AnalysisTest {
     @Test
     fun `a patch that lets no light through is opaque, one that does in some states has a finite depth`() {
         fun rows(opaque: Int): String {
-            val boundary = HillSheet(Box.centred(4.0, 4.0, 2.0), 1.0)
+            val scenario = BuiltIn.scenario("ring-patch", listOf("box.lengths=[4,4,2]", "forces=[]"))
+            val boundary = Surroundings.of(scenario, "ring-patch").boundary
             val states = List(3) { k ->
                 val p = uniform(60, boundary, radius = 1.0).population
                 // All in one place.
@@ -273,7 +274,6 @@ class AnalysisTest {
             }
             val file = directory.resolve("light.h5")
             H5md.write(states, file, "test")
-            val scenario = BuiltIn.scenario("ring-patch", listOf("box.lengths=[4,4,2]", "forces=[]"))
             Analysis(AnalysisInput.ofFile(file, scenario, "ring-patch"), AnalysisOptions(from = -1.0)).write(directory)
             val html = Files.readString(directory.resolve("report.html"))
             assertFalse("2147483647" in html || "Infinity" in html || "∞" in html)
@@ -374,11 +374,11 @@ class AnalysisTest {
     fun `foreign files give the states they hold`() {
         val path = run("elastic-gas", "until=0.2", "particles.count=300", "output.snapshotEvery=1")
         val original = AnalysisInput.ofRun(path).state(0).population
-        val state = Snapshot.of(original, Periodic(Box.centred(10.0, 10.0, 10.0)), 0, 0.5)
+        val state = Snapshot.of(original, Periodic(Box.centred(40.0, 40.0, 40.0)), 0, 0.5)
         val xyz = directory.resolve("a.xyz")
         Files.newBufferedWriter(xyz).use {
             ExtendedXyz.write(state, it)
-            ExtendedXyz.write(state, it)
+            ExtendedXyz.write(state.at(1.5), it)
         }
         val h5 = directory.resolve("a.h5")
         H5md.write(listOf(state), h5, "test")

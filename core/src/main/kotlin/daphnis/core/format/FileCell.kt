@@ -1,12 +1,12 @@
 package daphnis.core.format
 
 /**
- * The cell of a LAMMPS file: [edges] by row from [origin].
+ * The box of a text file: [edges] by row from [origin].
  *
  * @property periodic whether it repeats along x, y, z
  * @property bounded whether it has faces along x, y, z that stay where they are, or fits itself to the particles
  */
-internal class LammpsCell(
+internal class FileCell(
     val origin: DoubleArray,
     val edges: Array<DoubleArray>,
     val periodic: BooleanArray,
@@ -31,21 +31,27 @@ internal class LammpsCell(
      * @param fail refuses a cell that leans in another way than sliding images do
      */
     fun normalAxis(fail: (String) -> Nothing): Int {
-        val leaning = (0..8).filter { it / 3 != it % 3 && edges[it / 3][it % 3] != 0.0 }
+        val leaning = leaning()
         if (leaning.isEmpty()) return -1
-        if (leaning.size > 1 || leaning[0] !in SLIDING) {
-            fail(
-                "the box leans in a way that sliding images do not; only xy, or y of the first edge, may differ from 0",
-            )
+        if (leaning.size > 1 || leaning[0] % 3 == 2) {
+            fail("the box leans in a way that sliding images do not; only one of its edges may lean, along x or y")
         }
         return leaning[0] / 3
+    }
+
+    /** The axis along which images slide across [normal]; x when they do not. */
+    fun slideAxis(normal: Int): Int = if (normal < 0) 0 else leaning().first() % 3
+
+    /** Entries of the edges off the diagonal that are more than round-off. */
+    private fun leaning() = (0..8).filter {
+        it / 3 != it % 3 && Math.abs(edges[it / 3][it % 3]) > ROUND_OFF * Math.abs(edges[it % 3][it % 3])
     }
 
     companion object {
         private const val ROUND_OFF = 1e-12
 
-        /** Entries of the edges off the diagonal that may be other than 0: x of the second and y of the first. */
-        private val SLIDING = setOf(3, 1)
+        /** Open space. */
+        fun open(): FileCell = FileCell(DoubleArray(3), Array(3) { DoubleArray(3) }, BooleanArray(3), BooleanArray(3))
 
         /** From bounds, along x and tilted by [tilt] = xy, xz, yz. */
         fun of(
@@ -54,12 +60,24 @@ internal class LammpsCell(
             tilt: DoubleArray,
             periodic: BooleanArray,
             bounded: BooleanArray,
-        ): LammpsCell {
+        ): FileCell {
             val edges = Array(3) { row -> DoubleArray(3) { if (it == row) high[row] - low[row] else 0.0 } }
             edges[1][0] = tilt[0]
             edges[2][0] = tilt[1]
             edges[2][1] = tilt[2]
-            return LammpsCell(low, edges, periodic, bounded)
+            return FileCell(low, edges, periodic, bounded)
+        }
+    }
+}
+
+/** By how much the image one box along [normalAxis] is displaced along [slideAxis]. */
+internal class Lean(val offset: Double, val normalAxis: Int, val slideAxis: Int) {
+    companion object {
+        /** That of a [cell] of which one edge may lean. */
+        fun of(cell: FileCell): Lean {
+            val normal = cell.normalAxis { throw IllegalArgumentException(it) }
+            val slide = cell.slideAxis(normal)
+            return if (normal < 0) Lean(0.0, 1, 0) else Lean(cell.edges[normal][slide], normal, slide)
         }
     }
 }

@@ -1,0 +1,117 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.core.format.ExportOptions
+import daphnis.core.format.H5md
+import daphnis.core.format.Snapshot
+import daphnis.core.format.SnapshotFormats
+import daphnis.core.run.Run
+import daphnis.core.run.RunDirectory
+import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Random
+
+/** What reports say of files of other programs. */
+@Tag("jdk-neutral")
+class ForeignReportTest {
+    @TempDir
+    lateinit var home: Path
+
+    private fun numbers(input: AnalysisInput) =
+        Analysis(input, AnalysisOptions(from = 0.0)).numbers().associate { it.key to it.value }
+
+    @Test
+    fun `a sheared gas has the temperature of its scenario without it, in every format that has a box`() {
+        val settings = listOf("particles.count=500", "box.lengths=[9.55,9.55,9.55]", "timeStep.dt=0.05", "until=6")
+        // With every 20 steps the box is upright in each state.
+        for (every in listOf(20, 7)) {
+            val scenario = BuiltIn.scenario("shear-cell", settings + "output.snapshotEvery=$every")
+            val path = home.resolve("run$every")
+            Run.start(scenario, "shear-cell", path).use { it.execute() }
+            val run = RunDirectory(path)
+            val states = run.snapshotSteps().map { run.readSnapshot(it) }
+            for (word in listOf("xyz", "lammps", "h5md")) {
+                val directory = Files.createDirectories(home.resolve("$word$every"))
+                val format = SnapshotFormats.named(word)
+                val file = format.export(states.asSequence(), directory, ExportOptions("test")).path
+                val with = numbers(AnalysisInput.ofFile(file, scenario, "shear-cell"))
+                val without = numbers(AnalysisInput.ofFile(file, null, ""))
+                val key = "granular_temperature"
+                assertEquals(with.getValue(key), without.getValue(key), 1e-9 * with.getValue(key)) { "$word $every" }
+                assertTrue(without.getValue(key) < 2) { "$without" }
+            }
+        }
+    }
+
+    /** A walk of 200 particles with D = 1/2, in a box of edge 10 and 60 states, of which [id] names the particles. */
+    private fun walk(hasTimes: Boolean, id: (Int) -> IntArray): Path {
+        val random = Random(5)
+        val at = Array(3) { DoubleArray(200) { random.nextDouble() * 10 - 5 } }
+        val none = DoubleArray(200)
+        val states = List(60) { k ->
+            for (axis in 0..2) for (i in 0 until 200) at[axis][i] += random.nextGaussian()
+            Snapshot(
+                10L * k, k.toDouble(), doubleArrayOf(10.0, 10.0, 10.0), BooleanArray(3) { true }, 0.0, id(k),
+                Array(3) { at[it].copyOf() }, arrayOf(none, none, none), DoubleArray(200) { 0.1 },
+                DoubleArray(200) { 1.0 },
+            ).unwrapped().folded()
+        }
+        val file = home.resolve("walk.dump")
+        Files.newBufferedWriter(file).use { out ->
+            for (s in states) {
+                if (hasTimes) out.append("ITEM: TIME\n${s.time}\n")
+                out.append("ITEM: TIMESTEP\n${s.step}\nITEM: NUMBER OF ATOMS\n200\nITEM: BOX BOUNDS pp pp pp\n")
+                repeat(3) { out.append("-5 5\n") }
+                out.append("ITEM: ATOMS id x y z ix iy iz radius\n")
+                for (i in 0 until 200) {
+                    val places = (0..2).joinToString(" ") { "${s.position[it][i]}" }
+                    out.append("${s.id[i]} $places ${(0..2).joinToString(" ") { "${s.image!![it][i]}" }} 0.1\n")
+                }
+            }
+        }
+        return file
+    }
+
+    private val all = IntArray(200) { it + 1 }
+
+    @Test
+    fun `steps are no times for diffusion, and the report says what would make them`() {
+        val file = walk(hasTimes = false) { all }
+        val silent = AnalysisInput.ofFile(file, null, "")
+        assertTrue(numbers(silent).keys.none { "diffusion" in it })
+        val out = Files.createDirectories(home.resolve("out"))
+        Analysis(silent, AnalysisOptions(from = 0.0)).write(out)
+        val page = Files.readString(out.resolve("report.html"))
+        assertTrue("Diffusion: the file has no times" in page)
+        assertTrue("time 0 to 590 steps" in page)
+        assertEquals(0.5, numbers(AnalysisInput.ofFile(file, null, "", 0.1)).getValue("self_diffusion"), 0.05)
+        assertEquals(0.5, numbers(AnalysisInput.ofFile(walk(true) { all }, null, "")).getValue("self_diffusion"), 0.05)
+    }
+
+    @Test
+    fun `diffusion is of the particles that are in every state`() {
+        val file = walk(hasTimes = true) { k -> if (k < 30) all else all.copyOf().also { it[199] = 900 } }
+        assertEquals(0.5, numbers(AnalysisInput.ofFile(file, null, "")).getValue("self_diffusion"), 0.05)
+    }
+
+    @Test
+    fun `a box that shrinks is reported as it is at the end`() {
+        val states = listOf(20.0, 10.0).mapIndexed { k, l ->
+            val p = doubleArrayOf(-3.0, 3.0)
+            Snapshot(
+                k.toLong(), k.toDouble(), doubleArrayOf(l, l, l), BooleanArray(3) { true }, 0.0, intArrayOf(0, 1),
+                arrayOf(p, DoubleArray(2), DoubleArray(2)), Array(3) { DoubleArray(2) }, doubleArrayOf(1.0, 1.0),
+                doubleArrayOf(1.0, 1.0),
+            )
+        }
+        val file = home.resolve("shrinks.h5")
+        H5md.write(states, file, "test")
+        assertEquals(8 * Math.PI / 3000, numbers(AnalysisInput.ofFile(file, null, "")).getValue("filling_factor"), 1e-9)
+    }
+}

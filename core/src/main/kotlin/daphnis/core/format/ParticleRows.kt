@@ -1,0 +1,83 @@
+package daphnis.core.format
+
+/** The particles of a state in a text file, with substitutes for what the file does not have. */
+internal class ParticleRows(private val size: Int) {
+    val id = IntArray(size) { it }
+    val position = Array(3) { DoubleArray(size) }
+    val velocity = Array(3) { DoubleArray(size) }
+    val radius = DoubleArray(size) { 0.5 }
+    val mass = DoubleArray(size) { 1.0 }
+
+    /** Boxes crossed, `[axis][k]`; null where the file does not tell. */
+    var image: Array<IntArray>? = null
+    var hasMass = false
+    var hasRadius = false
+
+    /**
+     * The state in the order of ids, in a box that is centred on the origin.
+     *
+     * @param where names the line of the particle that is the k-th in the file, of the state for −1
+     * @param fail refuses a box that leans in another way than sliding images do
+     */
+    fun snapshot(
+        step: Long,
+        time: Double?,
+        cell: FileCell,
+        where: (Int) -> String,
+        fail: (String) -> Nothing,
+    ): Snapshot {
+        val shift = DoubleArray(3) { cell.centre(it) }
+        for (axis in 0..2) if (shift[axis] != 0.0) for (k in 0 until size) position[axis][k] -= shift[axis]
+        cell.normalAxis(fail)
+        val lean = Lean.of(cell)
+        val isSorted = (1 until size).none { id[it] < id[it - 1] }
+        val order = if (isSorted) IntArray(size) { it } else (0 until size).sortedBy { id[it] }.toIntArray()
+        fun sorted(a: DoubleArray) = DoubleArray(size) { a[order[it]] }
+        val snapshot = Snapshot(
+            step, time ?: step.toDouble(), cell.lengths, cell.periodic, lean.offset, IntArray(size) { id[order[it]] },
+            Array(3) { sorted(position[it]) }, Array(3) { sorted(velocity[it]) }, sorted(radius), sorted(mass),
+            lean.normalAxis, lean.slideAxis, hasMass, hasRadius,
+            image?.let { all -> Array(3) { axis -> IntArray(size) { all[axis][order[it]] } } }, time != null, shift,
+        )
+        SnapshotCheck.check(snapshot) { k -> where(if (k < 0) k else order[k]) }
+        return snapshot
+    }
+}
+
+/** The words of a line in a text file as numbers, refused with the file and the line. */
+internal class LineWords(private val lines: TextLines) {
+    fun number(text: String): Double = text.toDoubleOrNull()?.takeIf { it.isFinite() }
+        ?: lines.fail("'${TextLines.shown(text)}' must be a finite number")
+
+    fun positive(name: String, text: String): Double =
+        number(text).also { if (it <= 0) lines.fail("$name is $it; it must be > 0") }
+
+    fun id(text: String): Int = text.toIntOrNull()?.takeIf { it >= 0 }
+        ?: lines.fail("id is '${TextLines.shown(text)}'; it must be a whole number in 0..${Int.MAX_VALUE}")
+
+    /** Boxes crossed. */
+    fun image(text: String): Int = text.toIntOrNull()?.takeIf { it in -MOST_IMAGES..MOST_IMAGES }
+        ?: lines.fail("the image is '${TextLines.shown(text)}'; it must be a whole number within ±$MOST_IMAGES")
+
+    /** A number of particles, if the file is long enough for so many. */
+    fun count(text: String): Int {
+        val n = text.trim().toIntOrNull()?.takeIf { it >= 0 }
+            ?: lines.fail("'${TextLines.shown(text)}' must be the number of particles")
+        if (n > lines.bytes / LEAST_BYTES) {
+            lines.fail("$n particles are declared; a file of ${lines.bytes} bytes cannot hold so many")
+        }
+        return n
+    }
+
+    fun split(line: String): List<String> = line.trim().split(SPACES)
+
+    private companion object {
+        val SPACES = Regex("\\s+")
+
+        /** A line of a particle is no shorter than `0 0 0` and its end. */
+        const val LEAST_BYTES = 6
+
+        /** As many boxes can be added to it as a particle can be outside. */
+        const val MOST_IMAGES = 1_000_000_000
+    }
+}

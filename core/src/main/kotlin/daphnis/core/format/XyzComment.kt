@@ -1,0 +1,89 @@
+package daphnis.core.format
+
+/**
+ * The second line of a frame in extended XYZ: `key=value` pairs, as ASE and OVITO write them. Values, and keys too, may
+ * stand in quotes, in which `\` takes away the meaning of the next letter; lists may stand in `[]` or `{}`. A key alone
+ * is true.
+ *
+ * @param fail refuses the file
+ */
+internal class XyzComment(private val text: String, private val fail: (String) -> Nothing) {
+    private val values = HashMap<String, String>()
+    private var at = 0
+
+    init {
+        while (true) {
+            skip()
+            if (at == text.length) break
+            val key = if (text[at] in QUOTES) quoted() else word { it == '=' || it.isWhitespace() }
+            skip()
+            val value = if (at < text.length && text[at] == '=') value() else "T"
+            val before = values.put(key.lowercase(), value)
+            if (before != null && before != value) fail("'${TextLines.shown(key)}' occurs twice, with other values")
+        }
+    }
+
+    /** The value of the first of [keys], lower case, that is there. */
+    operator fun get(vararg keys: String): String? = keys.firstNotNullOfOrNull { values[it] }
+
+    /** The words of a value, without what marks a list. */
+    fun list(vararg keys: String): List<String>? = get(*keys)?.split(SEPARATORS)?.filter { it.isNotEmpty() }
+
+    private fun skip() {
+        while (at < text.length && (text[at].isWhitespace() || text[at] == ',')) at++
+    }
+
+    private fun value(): String {
+        val behind = ++at
+        while (at < text.length && text[at].isWhitespace()) at++
+        // Where the next pair follows at once, the value is empty.
+        if (at > behind && PAIR.matchesAt(text, at)) return ""
+        return when {
+            at == text.length -> ""
+            text[at] in QUOTES -> quoted()
+            text[at] in OPENING -> bracketed()
+            else -> word { it.isWhitespace() }
+        }
+    }
+
+    private inline fun word(isEnd: (Char) -> Boolean): String {
+        val from = at
+        // A '=' without a key is taken for a part of a word, so that the end of the line is reached.
+        if (text[at] == '=') at++
+        while (at < text.length && !isEnd(text[at])) at++
+        return text.substring(from, at)
+    }
+
+    private fun quoted(): String {
+        val quote = text[at++]
+        val held = StringBuilder()
+        while (at < text.length && text[at] != quote) {
+            if (text[at] == '\\' && at + 1 < text.length) at++
+            held.append(text[at++])
+        }
+        if (at == text.length) fail("the comment line has a $quote without its counterpart")
+        at++
+        return held.toString()
+    }
+
+    /** A list, in which there may be others. */
+    private fun bracketed(): String {
+        val from = at
+        var depth = 0
+        do {
+            if (at == text.length) fail("the comment line has a ${text[from]} without its counterpart")
+            val c = text[at++]
+            if (c in OPENING) depth++
+            if (c in CLOSING) depth--
+        } while (depth > 0)
+        return text.substring(from, at)
+    }
+
+    private companion object {
+        const val QUOTES = "\"'"
+        const val OPENING = "[{("
+        const val CLOSING = "]})"
+        val PAIR = Regex("""[^\s="']++\s*+=""")
+        val SEPARATORS = Regex("""[\s,;\[\]{}()"']+""")
+    }
+}
