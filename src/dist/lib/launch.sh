@@ -98,7 +98,15 @@ launch() {
     # time. The heap grows from little, and all but 64 MB of it may be arrays. Who names a collector gets that one.
     collector=
     case $command in
-    analyze | export | compare | movie) ;;
+    # An analysis is much code that runs for a moment: the second compiler would cost more than it gives, and so would a
+    # collector with threads of its own.
+    analyze)
+        case "${JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-} ${JDK_JAVA_OPTIONS:-}" in
+        *-XX:+Use*GC*) collector='-XX:TieredStopAtLevel=1' ;;
+        *) collector='-XX:TieredStopAtLevel=1 -XX:+UseSerialGC' ;;
+        esac
+        ;;
+    export | compare | movie) ;;
     *)
         case "${JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-} ${JDK_JAVA_OPTIONS:-}" in
         *-XX:+Use*GC*) ;;

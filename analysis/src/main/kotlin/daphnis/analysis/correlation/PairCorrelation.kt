@@ -69,16 +69,22 @@ public class PairCorrelation @JvmOverloads constructor(
         val p = if (inPlane) flat(state.population) else state.population
         val pairs = NearPairs(p, state.boundary, state.time, structure = SearchStructure.GRID)
         val runs = pairs.runs()
+        val bodies = state.firstBody != Int.MAX_VALUE
+        // Most that are looked at are farther away: they need no root.
+        val far = farthest * farthest * (1 + ROUNDING)
         var n = 0
         for (slot in 0 until p.size) {
             if (!state.isParticle(pairs.index(slot))) continue
             n++
             // A sphere of that size touches every sphere that is near enough.
             pairs.forEach(runs, slot, farthest) { _, j, dx, dy, dz ->
-                val distance = sqrt(dx * dx + dy * dy + dz * dz)
-                if (distance >= nearest && state.isParticle(j)) {
-                    val bin = ((distance - nearest) / width).toInt()
-                    if (bin < bins) counts[bin]++
+                val square = dx * dx + dy * dy + dz * dz
+                if (square < far && (!bodies || state.isParticle(j))) {
+                    val distance = sqrt(square)
+                    if (distance >= nearest) {
+                        val bin = ((distance - nearest) / width).toInt()
+                        if (bin < bins) counts[bin]++
+                    }
                 }
             }
         }
@@ -87,7 +93,11 @@ public class PairCorrelation @JvmOverloads constructor(
 
     /** The spheres of [p] all at the height of the first, in the same order. */
     private fun flat(p: Population): Population =
-        if (p.size == 0) p else Population(p.x, p.y, DoubleArray(p.size) { p.z[0] }, p.vx, p.vy, p.vz, p.radius, p.mass, p.id)
+        if (p.size == 0) {
+            p
+        } else {
+            Population(p.x, p.y, DoubleArray(p.size) { p.z[0] }, p.vx, p.vy, p.vz, p.radius, p.mass, p.id)
+        }
 
     public companion object {
         /** Whether distances are counted in the x-y plane: where [boundary] has no images along z. */

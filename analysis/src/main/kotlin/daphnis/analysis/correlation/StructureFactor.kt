@@ -63,27 +63,24 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
      * @param axis along which a row goes, 0 or 1
      */
     private class Waves(state: State, axis: Int, private val step: Double) {
-        private val particles = (0 until state.population.size).filter(state::isParticle).toIntArray()
-        private val n = particles.size
-        private val onRow = particles.let { all -> DoubleArray(n) { state.population.position(axis)[all[it]] } }
-        private val across = particles.let { all -> DoubleArray(n) { state.population.position(1 - axis)[all[it]] } }
+        private val onRow = places(state, axis)
+        private val across = places(state, 1 - axis)
+        private val n = onRow.size
         private val turnCos = DoubleArray(n) { cos(step * onRow[it]) }
         private val turnSin = DoubleArray(n) { sin(step * onRow[it]) }
         private val phaseCos = DoubleArray(n)
         private val phaseSin = DoubleArray(n)
         private var isInRow = false
 
+        private fun places(state: State, axis: Int): DoubleArray {
+            val all = state.population.position(axis)
+            return all.indices.filter(state::isParticle).map { all[it] }.toDoubleArray()
+        }
+
         /** Of the wave vector with [k] along the row and [other] along the other axis; the next of its row if any. */
         fun power(k: Double, other: Double): Double {
             if (n == 0) return Double.NaN
-            if (isInRow) turn() else begin(k, other)
-            var c = 0.0
-            var s = 0.0
-            for (i in 0 until n) {
-                c += phaseCos[i]
-                s += phaseSin[i]
-            }
-            return (c * c + s * s) / n
+            return if (isInRow) turned() else begun(k, other)
         }
 
         /** The next wave vector begins a row. */
@@ -91,25 +88,40 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
             isInRow = false
         }
 
-        private fun begin(k: Double, other: Double) {
+        private fun begun(k: Double, other: Double): Double {
             isInRow = true
+            var c = 0.0
+            var s = 0.0
             for (i in 0 until n) {
                 val phase = k * onRow[i] + other * across[i]
                 phaseCos[i] = cos(phase)
                 phaseSin[i] = sin(phase)
+                c += phaseCos[i]
+                s += phaseSin[i]
             }
+            return (c * c + s * s) / n
         }
 
-        private fun turn() {
+        private fun turned(): Double {
+            var c = 0.0
+            var s = 0.0
             val a = phaseCos
             val b = phaseSin
             val u = turnCos
             val v = turnSin
             for (i in 0 until n) {
-                val re = a[i] * u[i] - b[i] * v[i]
-                b[i] = a[i] * v[i] + b[i] * u[i]
+                val x = a[i]
+                val y = b[i]
+                val turnX = u[i]
+                val turnY = v[i]
+                val re = x * turnX - y * turnY
+                val im = x * turnY + y * turnX
                 a[i] = re
+                b[i] = im
+                c += re
+                s += im
             }
+            return (c * c + s * s) / n
         }
     }
 
