@@ -173,7 +173,7 @@ def test_a_failure_of_java_is_not_taken_for_an_earlier_one_of_a_function() -> No
 
 def test_a_failure_within_a_step_that_ended_well_is_forgotten() -> None:
     from daphnis._execution import _Execution
-    from daphnis._interrupts import CtrlC
+    from daphnis._interrupts import CtrlC, Termination
 
     class Halted:
         def getSimulation(self) -> None:
@@ -181,7 +181,7 @@ def test_a_failure_within_a_step_that_ended_well_is_forgotten() -> None:
 
     java("daphnis.core.Output")
     failure = PythonFailure()
-    execution = _Execution(Halted(), None, False, failure, CtrlC(failure, True))
+    execution = _Execution(Halted(), None, False, failure, CtrlC(failure, True), Termination())
     with translated(failure):
         failure.keep(ValueError("stale"))
         jpype.JObject(execution.watcher(), java("daphnis.core.Output")).write(None)
