@@ -151,18 +151,20 @@ def test_a_run_with_a_law_goes_on_to_the_same_bits_and_with_that_law_only(
     patch: dict[str, Any], tmp_path: Path
 ) -> None:
     whole = daphnis.run("ring-patch", tmp_path / "whole", set=patch, steps=30, restitution=ice, forces=[spring])
-    until = whole.summary["time"]  # type: ignore[index]
+    until = whole.summary["time"]
     asked: dict[str, Any] = {"set": {**patch, "until": until}, "restitution": ice, "forces": [spring]}
     part = daphnis.run("ring-patch", tmp_path / "part", **asked, watch=lambda simulation: simulation.step == 11)
-    assert not part.summary["finished"]  # type: ignore[index]
+    assert not part.summary["finished"]
     with pytest.raises(daphnis.InputError, match="would make another run"):
         daphnis.resume(part.path, "ring-patch", **{**asked, "restitution": lambda speed: 0.5})
     with pytest.raises(daphnis.InputError, match="only it can continue the run"):
         daphnis.resume(part.path)
     rest = daphnis.resume(part.path, "ring-patch", **asked)
-    assert rest.summary["stateDigest"] == whole.summary["stateDigest"]  # type: ignore[index]
+    assert rest.summary["stateDigest"] == whole.summary["stateDigest"]
     assert rest.transport.equals(whole.transport)
-    assert rest.scenario is None and len(rest.last()) == 116
+    assert not rest.has_scenario and len(rest.last()) == 116
+    with pytest.raises(daphnis.InputError, match="laws or forces of Python took part"):
+        rest.scenario.name
     assert np.isfinite(rest.series["potential_energy"]).all()
 
 
@@ -180,7 +182,7 @@ def test_an_exception_in_a_run_comes_out_and_the_run_goes_on(patch: dict[str, An
     with pytest.raises(OSError, match="the law's own"):
         daphnis.run("ring-patch", tmp_path / "run", **asked)
     limits[0] = 10**9
-    assert daphnis.resume(tmp_path / "run", "ring-patch", **asked).summary["finished"]  # type: ignore[index]
+    assert daphnis.resume(tmp_path / "run", "ring-patch", **asked).summary["finished"]
 
 
 def test_a_fingerprint_is_of_the_code_and_not_of_its_place() -> None:
