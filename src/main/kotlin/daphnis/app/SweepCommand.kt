@@ -92,7 +92,10 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
         writing(place.path.toAbsolutePath().parent) {
             place.claim(record)
-        }.use { carryOut(plan, place, KeyLabel(base.units), scenarios::getValue) }
+        }.use { lock ->
+            lock.notice?.let(::warn)
+            carryOut(plan, place, KeyLabel(base.units), scenarios::getValue)
+        }
     }
 
     private fun scenarioOf(run: PlannedRun): Scenario {
