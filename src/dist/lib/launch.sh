@@ -134,7 +134,11 @@ launch() {
     shared=
     if archived && [ -s "$archive" ]; then shared=yes; fi
 
-    set -- -jar "$jar" "$@"
+    # By which name it was called, for what it says to be typed next: alone where the shell finds that.
+    called=$0
+    [ "$(command -v -- "${0##*/}" 2>/dev/null)" != "$0" ] || called=${0##*/}
+
+    set -- "-Ddaphnis.called=$called" -jar "$jar" "$@"
     # Words of options, but no names of files: nothing that looks for files may follow.
     set -f
     # shellcheck disable=SC2086

@@ -74,7 +74,7 @@ internal class Effective(private val settings: ClusterSettings) {
             throw ClusterSettings.wrong(
                 open.first,
                 "${open.second} is open to other machines, and there is no TLS; " +
-                    "set $ROOT.tls in a settings file, or say insecure where the network is trusted",
+                    "set $ROOT.tls in a settings file (--config), or allow it by --insecure where the network is trusted",
             )
         }
         if (settings.secret.isNone) {

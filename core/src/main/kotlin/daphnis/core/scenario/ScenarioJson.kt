@@ -104,6 +104,10 @@ public object ScenarioJson {
     }
 
     private fun malformed(e: SerializationException, text: String, source: String): InputException {
+        if (text.isBlank()) {
+            val right = "a scenario is a JSON object, such as {\"until\": 10}; daphnis scenarios NAME prints a whole one"
+            return InputException(source, null, "is empty; $right")
+        }
         val message = e.message.orEmpty()
         val offset = Regex("""offset (-?\d+)""").find(message)?.groupValues?.get(1)?.toInt()?.coerceIn(0, text.length)
         val problem = message.substringAfter(": ").lineSequence().first().substringBefore(" at path").trim()
