@@ -92,12 +92,11 @@ public class PairCorrelation @JvmOverloads constructor(
     }
 
     /** The spheres of [p] all at the height of the first, in the same order. */
-    private fun flat(p: Population): Population =
-        if (p.size == 0) {
-            p
-        } else {
-            Population(p.x, p.y, DoubleArray(p.size) { p.z[0] }, p.vx, p.vy, p.vz, p.radius, p.mass, p.id)
-        }
+    private fun flat(p: Population): Population = if (p.size == 0) {
+        p
+    } else {
+        Population(p.x, p.y, DoubleArray(p.size) { p.z[0] }, p.vx, p.vy, p.vz, p.radius, p.mass, p.id)
+    }
 
     public companion object {
         /** Whether distances are counted in the x-y plane: where [boundary] has no images along z. */

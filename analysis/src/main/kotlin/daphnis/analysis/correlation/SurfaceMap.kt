@@ -97,9 +97,19 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
             val first = (-along).coerceIn(0, places)
             val end = (places - along).coerceIn(0, places)
             val own = i * row
-            if (isRing) for (j in 0 until first) sum += here[own + j * place] * other[base + (j + along + places) * place]
+            if (isRing) {
+                for (j in 0 until first) {
+                    sum +=
+                        here[own + j * place] * other[base + (j + along + places) * place]
+                }
+            }
             for (j in first until end) sum += here[own + j * place] * other[base + (j + along) * place]
-            if (isRing) for (j in end until places) sum += here[own + j * place] * other[base + (j + along - places) * place]
+            if (isRing) {
+                for (j in end until places) {
+                    sum +=
+                        here[own + j * place] * other[base + (j + along - places) * place]
+                }
+            }
             count += if (isRing) places else end - first
         }
         return sum / count

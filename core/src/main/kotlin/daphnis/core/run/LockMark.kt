@@ -79,14 +79,17 @@ internal class LockMark private constructor(private val file: Path) : AutoClosea
         }
 
         private fun read(file: Path): String? = try {
-            Files.readAllBytes(file).take(MOST_LETTERS).map { Char(it.toInt()) }.filter { it in ' '..'~' }.joinToString("")
+            Files.readAllBytes(file).take(MOST_LETTERS).map {
+                Char(it.toInt())
+            }.filter { it in ' '..'~' }.joinToString("")
         } catch (e: NoSuchFileException) {
             null
         }
 
         /** When the process [pid] of this machine began, in milliseconds; null when there is none. */
-        private fun started(pid: Long): String? =
-            ProcessHandle.of(pid).getOrNull()?.let { it.info().startInstant().getOrNull()?.toEpochMilli() ?: 0 }?.toString()
+        private fun started(pid: Long): String? = ProcessHandle.of(pid).getOrNull()?.let {
+            it.info().startInstant().getOrNull()?.toEpochMilli() ?: 0
+        }?.toString()
 
         private val HOST: String by lazy {
             val name = try {

@@ -35,7 +35,9 @@ class LockMarkTest {
         val mine = LockMark.make(home).use { Files.readString(file).trim().split(' ') }
         for (dead in listOf("${mine[0]} ${Int.MAX_VALUE} 5", "${mine[0]} ${mine[1]} 5")) {
             Files.writeString(file, dead)
-            LockMark.make(home).use { assertTrue(Files.readString(file).startsWith("${mine[0]} ${mine[1]} ${mine[2]}")) }
+            LockMark.make(home).use {
+                assertTrue(Files.readString(file).startsWith("${mine[0]} ${mine[1]} ${mine[2]}"))
+            }
             assertEquals(0, Files.list(home).use { it.count() })
         }
     }

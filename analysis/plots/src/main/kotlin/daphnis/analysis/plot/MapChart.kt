@@ -45,7 +45,13 @@ internal class MapChart(
         val ticks = Ticks.linear(-most, most, FEW)
         for ((k, place) in ticks.places.withIndex()) {
             val y = middle - half * place / most
-            sheet.text(ticks.labels[k], left + BAR + PlotFrame.GAP, y + PlotField.NUMBER / 3.0, PlotField.NUMBER, Anchor.START)
+            sheet.text(
+                ticks.labels[k],
+                left + BAR + PlotFrame.GAP,
+                y + PlotField.NUMBER / 3.0,
+                PlotField.NUMBER,
+                Anchor.START,
+            )
         }
     }
 

@@ -50,7 +50,13 @@ internal enum class Pattern(val dashes: Dashes?) {
         /** The corners in turn, x and then y of each, in units of [r] around ([x], [y]). */
         fun polygon(sheet: Sheet, x: Double, y: Double, r: Double, colour: String, corners: DoubleArray) {
             val n = corners.size / 2
-            sheet.area(DoubleArray(n) { x + r * corners[2 * it] }, DoubleArray(n) { y + r * corners[2 * it + 1] }, colour)
+            sheet.area(
+                DoubleArray(n) {
+                    x + r * corners[2 * it]
+                },
+                DoubleArray(n) { y + r * corners[2 * it + 1] },
+                colour,
+            )
         }
 
         fun edges(sheet: Sheet, x: Double, y: Double, r: Double, colour: String, corners: DoubleArray) {

@@ -1,11 +1,7 @@
 package daphnis.analysis.plot
 
 /** What stands above a plot: [title], [subtitle] and a legend of [entries], each of them or none. */
-internal class PlotHead(
-    private val title: String,
-    private val subtitle: String,
-    private val entries: List<Entry>,
-) {
+internal class PlotHead(private val title: String, private val subtitle: String, private val entries: List<Entry>) {
     /** A name in the legend, and what draws its sign in the middle of ([x], [y]). */
     class Entry(val name: String, val sign: (sheet: Sheet, x: Double, y: Double) -> Unit)
 

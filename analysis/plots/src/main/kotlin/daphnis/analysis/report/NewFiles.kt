@@ -1,6 +1,9 @@
 package daphnis.analysis.report
 
+import daphnis.core.format.WholeFile
 import java.io.IOException
+import java.io.UncheckedIOException
+import java.nio.file.AtomicMoveNotSupportedException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
@@ -28,7 +31,12 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
         for (file in files.sortedWith(compareByDescending<Path> { it.nameCount }.thenBy { it })) {
             val target = directory.resolve(place.relativize(file))
             Files.createDirectories(target.parent)
-            Files.move(file, target, ATOMIC_MOVE, REPLACE_EXISTING)
+            try {
+                Files.move(file, target, ATOMIC_MOVE, REPLACE_EXISTING)
+            } catch (e: AtomicMoveNotSupportedException) {
+                // A subdirectory that is a link to another disk.
+                WholeFile.write(target) { Files.copy(file, it, REPLACE_EXISTING) }
+            }
         }
     }
 
@@ -52,7 +60,7 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
                 Files.walk(place).use { all -> all.sorted(Comparator.reverseOrder()).forEach(Files::deleteIfExists) }
             } catch (e: IOException) {
                 Thread.sleep(PAUSE_MILLISECONDS)
-            } catch (e: java.io.UncheckedIOException) {
+            } catch (e: UncheckedIOException) {
                 Thread.sleep(PAUSE_MILLISECONDS)
             }
         }

@@ -68,6 +68,7 @@ class NewFilesTest {
             for ((name, bytes) in found) assertEquals(files(first.resolve(part))[name], bytes) { "$part/$name" }
         }
         val reports = listOf(first, second).map { Files.readString(it.resolve("report.html")).replace("$it", "RUN") }
+
         // With how many seconds it took.
         fun timeless(page: String) = page.lines().filter { ">engine<" !in it }
         assertTrue(timeless(reports[0]) == timeless(reports[1]))
