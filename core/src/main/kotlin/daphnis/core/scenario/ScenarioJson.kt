@@ -105,7 +105,7 @@ public object ScenarioJson {
 
     private fun malformed(e: SerializationException, text: String, source: String): InputException {
         if (text.isBlank()) {
-            val right = "a scenario is a JSON object, such as {\"until\": 10}; daphnis scenarios NAME prints a whole one"
+            val right = "a scenario is a JSON object; daphnis scenarios NAME prints one that is built in"
             return InputException(source, null, "is empty; $right")
         }
         val message = e.message.orEmpty()
