@@ -71,15 +71,17 @@ def test_what_the_documentation_shows_has_the_right_types(tmp_path: Path) -> Non
         name = re.sub(r"\W", "_", page.removesuffix(".md"))
         shown[name] = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S))
     for name, program in shown.items():
-        (tmp_path / f"{name}.py").write_text(program, "utf-8")
+        file = tmp_path / f"{name}.py"
+        file.write_text(program, "utf-8")
         # The package is typed, so its own modules are looked at as well as what is shown of them.
-        words = ["--strict", "--ignore-missing-imports", "--cache-dir", str(tmp_path / "cache"), str(tmp_path / f"{name}.py")]
+        words = ["--strict", "--ignore-missing-imports", "--cache-dir", str(tmp_path / "cache"), str(file)]
         found, problem, code = api.run(words)
         assert code == 0, f"{name}: {found}{problem}"
 
 
 def test_what_a_run_has_is_no_maybe() -> None:
     """Without mypy too: what documents use plainly is typed plainly."""
-    for kind, names in ((daphnis.Run, ("scenario", "summary", "units")), (daphnis.Scenario, ("omega", "orbit", "units"))):
+    plain = {daphnis.Run: ("scenario", "summary", "units"), daphnis.Scenario: ("omega", "orbit", "units")}
+    for kind, names in plain.items():
         for name in names:
             assert "None" not in str(getattr(kind, name).fget.__annotations__["return"]), name

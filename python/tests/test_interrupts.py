@@ -15,7 +15,6 @@ import daphnis
 from daphnis._errors import PythonFailure, translated
 from daphnis._jvm import java
 
-
 MANY = 100_000
 
 

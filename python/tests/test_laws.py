@@ -107,7 +107,7 @@ def test_an_acceleration_acts_for_the_whole_step(gas: dict[str, Any]) -> None:
         (lambda s, t: np.zeros((3, len(s))), r"it must be \(1000, 3\)"),
         (lambda s, t: 0.0, r"it must be \(1000, 3\)"),
         (lambda s, t: np.full((len(s), 3), np.inf), "it must be finite"),
-        (lambda s, t: None, "holds object"),
+        (lambda s, t: None, "gives None; it must be an array"),
     ],
 )
 def test_a_force_that_gives_no_accelerations_is_refused(
@@ -164,7 +164,7 @@ def test_a_run_with_a_law_goes_on_to_the_same_bits_and_with_that_law_only(
     assert rest.transport.equals(whole.transport)
     assert not rest.has_scenario and len(rest.last()) == 116
     with pytest.raises(daphnis.InputError, match="laws or forces of Python took part"):
-        rest.scenario.name
+        print(rest.scenario)
     assert np.isfinite(rest.series["potential_energy"]).all()
 
 
@@ -209,3 +209,28 @@ def test_a_fingerprint_is_of_the_code_and_not_of_its_place() -> None:
     assert len({fingerprint(function) for function in different}) == len(different)
     nested = [eval("lambda v: sum(k for k in (v, 1))") for _ in range(2)]
     assert fingerprint(nested[0]) == fingerprint(nested[1])
+
+
+@pytest.mark.parametrize(
+    "given, words", [(None, "gives None .* does it lack a return"), ("x", "gives 'x'"), (1.5, "gives 1.5")]
+)
+def test_a_law_that_gives_no_coefficient_is_told_in_one_line(
+    gas: dict[str, Any], spheres: dict[str, Any], given: Any, words: str
+) -> None:
+    def law(speed: float) -> Any:
+        return given
+
+    with daphnis.Simulation(gas, **spheres, restitution=law) as simulation:
+        with pytest.raises(daphnis.InputError, match=f"law: {words}") as caught:
+            simulation.advance(5)
+    assert "must be in [0, 1]" in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_force_that_gives_none_is_told_in_one_line(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    @daphnis.acceleration
+    def nothing(spheres: daphnis.Spheres, time: float) -> Any:
+        return None
+
+    with daphnis.Simulation(gas, **spheres, forces=[nothing]) as simulation:
+        with pytest.raises(daphnis.InputError, match="nothing: gives None; it must be an array of shape"):
+            simulation.advance(1)

@@ -31,7 +31,9 @@ print("went on")
 """
 
 
-def struck(path: Path, patch: dict[str, Any], name: str = "SIGTERM", before: str = "") -> subprocess.CompletedProcess[str]:
+def struck(
+    path: Path, patch: dict[str, Any], name: str = "SIGTERM", before: str = ""
+) -> subprocess.CompletedProcess[str]:
     program = RUN.format(name=name, patch=patch, before=textwrap.dedent(before))
     # Ignored by those who run tests in the background, perhaps.
     return subprocess.run(

@@ -54,8 +54,8 @@ class Termination:
     """Lets a run end with a checkpoint when the process is asked to end: by SIGTERM, or by SIGHUP of a closed terminal.
 
     Where nobody handles the signal it is noted, the run ends after its step, and then the process ends by that signal,
-    as it would have at once; the second one ends it at once. A handler of the program itself is called between two steps:
-    the run goes on after it, and ends with a checkpoint if it raises, which then comes out of the run. What is ignored
+    as it would have at once; the second one ends it at once. A handler of the program itself is called between two
+    steps: the run goes on after it, and ends with a checkpoint if it raises, which then comes out of the run. What is ignored
     stays so, and so does a handler that was not installed from Python. Signals reach the main thread only.
     """
 

@@ -102,7 +102,7 @@ class Restitution:
                 if not 0.0 <= value <= 1.0:
                     name = getattr(function, "__name__", "restitution")
                     lost = "; does it lack a return?" if given is None else ""
-                    right = f"it must be a number in [0, 1]{lost}"
+                    right = f"it must be in [0, 1]{lost}"
                     raise InputError(f"{name}: gives {given!r} at an impact speed of {float(speed)}; {right}")
                 return value
             except BaseException as e:
