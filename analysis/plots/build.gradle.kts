@@ -12,8 +12,6 @@ kotlin {
 }
 dependencies {
     api(project(":analysis"))
-    implementation(libs.lets.plot.kotlin)
-    implementation(libs.lets.plot.batik)
     implementation(libs.jcodec)
     testRuntimeOnly(libs.slf4j.nop)
 }

@@ -24,7 +24,10 @@ def run_blocks(page: Path) -> int:
     return len(blocks)
 
 
-@pytest.mark.parametrize("page", ["README.md", "python/README.md", "docs/python.md"])
+PAGES = ("README.md", "python/README.md", "docs/python.md")
+
+
+@pytest.mark.parametrize("page", PAGES)
 def test_blocks_of_python_run(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -57,3 +60,28 @@ def test_the_kotlin_descriptor_names_this_version_and_jars_that_are_there() -> N
     own = descriptor()
     assert own["imports"] == page["imports"] and "properties" not in own
     assert len(own["dependencies"]) > 10 and all(Path(jar).is_file() for jar in own["dependencies"])
+
+
+def test_what_the_documentation_shows_has_the_right_types(tmp_path: Path) -> None:
+    api = pytest.importorskip("mypy.api")
+    notebook = json.loads((CHECKOUT / "docs" / "notebooks" / "ring-patch.ipynb").read_text("utf-8"))
+    shown = {"notebook": "\n".join("".join(c["source"]) for c in notebook["cells"] if c["cell_type"] == "code")}
+    for page in PAGES:
+        text = (CHECKOUT / page).read_text("utf-8")
+        name = re.sub(r"\W", "_", page.removesuffix(".md"))
+        shown[name] = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S))
+    for name, program in shown.items():
+        file = tmp_path / f"{name}.py"
+        file.write_text(program, "utf-8")
+        # The package is typed, so its own modules are looked at as well as what is shown of them.
+        words = ["--strict", "--ignore-missing-imports", "--cache-dir", str(tmp_path / "cache"), str(file)]
+        found, problem, code = api.run(words)
+        assert code == 0, f"{name}: {found}{problem}"
+
+
+def test_what_a_run_has_is_no_maybe() -> None:
+    """Without mypy too: what documents use plainly is typed plainly."""
+    plain = {daphnis.Run: ("scenario", "summary", "units"), daphnis.Scenario: ("omega", "orbit", "units")}
+    for kind, names in plain.items():
+        for name in names:
+            assert "None" not in str(getattr(kind, name).fget.__annotations__["return"]), name

@@ -15,7 +15,6 @@ import daphnis
 from daphnis._errors import PythonFailure, translated
 from daphnis._jvm import java
 
-
 MANY = 100_000
 
 
@@ -84,7 +83,7 @@ def test_ctrl_c_in_the_law_of_a_run_is_not_lost(patch: dict[str, Any], tmp_path:
 
     with pytest.raises(daphnis.Interrupted, match="daphnis.resume") as caught:
         daphnis.run("ring-patch", tmp_path / "run", set=patch, steps=5000, restitution=law)
-    assert not daphnis.open(caught.value.path).summary["finished"]  # type: ignore[index]
+    assert not daphnis.open(caught.value.path).summary["finished"]
 
 
 def test_a_second_ctrl_c_breaks_off_a_run(patch: dict[str, Any], tmp_path: Path) -> None:
@@ -99,7 +98,7 @@ def test_a_second_ctrl_c_breaks_off_a_run(patch: dict[str, Any], tmp_path: Path)
     assert not isinstance(caught.value, daphnis.Interrupted)
     again = {"set": {**patch, "engine.name": "serial", "engine.threads": 1}, "steps": 1, "force": True}
     # Its lock is gone.
-    assert daphnis.run("ring-patch", tmp_path / "run", **again).summary["finished"]  # type: ignore[index]
+    assert daphnis.run("ring-patch", tmp_path / "run", **again).summary["finished"]
 
 
 def test_ctrl_c_while_a_run_starts_ends_it_with_a_checkpoint(
@@ -114,7 +113,7 @@ def test_ctrl_c_while_a_run_starts_ends_it_with_a_checkpoint(
     with pytest.raises(daphnis.Interrupted, match="interrupted after step 0") as caught:
         daphnis.run("ring-patch", tmp_path / "run", set=patch, steps=50)
     monkeypatch.undo()
-    assert daphnis.resume(caught.value.path).summary["finished"]  # type: ignore[index]
+    assert daphnis.resume(caught.value.path).summary["finished"]
 
 
 def test_a_handler_that_python_could_not_restore_stays(
@@ -148,7 +147,7 @@ def test_ctrl_c_that_is_ignored_stays_so_and_handlers_of_others_are_put_back(
     try:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         run = daphnis.run("ring-patch", tmp_path / "ignored", set=patch, steps=4, watch=watch)
-        assert run.summary["finished"]  # type: ignore[index]
+        assert run.summary["finished"]
         assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
         signal.signal(signal.SIGINT, other)
         with pytest.raises(daphnis.Interrupted):
@@ -173,7 +172,7 @@ def test_a_failure_of_java_is_not_taken_for_an_earlier_one_of_a_function() -> No
 
 def test_a_failure_within_a_step_that_ended_well_is_forgotten() -> None:
     from daphnis._execution import _Execution
-    from daphnis._interrupts import CtrlC
+    from daphnis._interrupts import CtrlC, Termination
 
     class Halted:
         def getSimulation(self) -> None:
@@ -181,7 +180,7 @@ def test_a_failure_within_a_step_that_ended_well_is_forgotten() -> None:
 
     java("daphnis.core.Output")
     failure = PythonFailure()
-    execution = _Execution(Halted(), None, False, failure, CtrlC(failure, True))
+    execution = _Execution(Halted(), None, False, failure, CtrlC(failure, True), Termination())
     with translated(failure):
         failure.keep(ValueError("stale"))
         jpype.JObject(execution.watcher(), java("daphnis.core.Output")).write(None)

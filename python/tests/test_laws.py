@@ -107,7 +107,7 @@ def test_an_acceleration_acts_for_the_whole_step(gas: dict[str, Any]) -> None:
         (lambda s, t: np.zeros((3, len(s))), r"it must be \(1000, 3\)"),
         (lambda s, t: 0.0, r"it must be \(1000, 3\)"),
         (lambda s, t: np.full((len(s), 3), np.inf), "it must be finite"),
-        (lambda s, t: None, "holds object"),
+        (lambda s, t: None, "gives None; it must be an array"),
     ],
 )
 def test_a_force_that_gives_no_accelerations_is_refused(
@@ -151,18 +151,20 @@ def test_a_run_with_a_law_goes_on_to_the_same_bits_and_with_that_law_only(
     patch: dict[str, Any], tmp_path: Path
 ) -> None:
     whole = daphnis.run("ring-patch", tmp_path / "whole", set=patch, steps=30, restitution=ice, forces=[spring])
-    until = whole.summary["time"]  # type: ignore[index]
+    until = whole.summary["time"]
     asked: dict[str, Any] = {"set": {**patch, "until": until}, "restitution": ice, "forces": [spring]}
     part = daphnis.run("ring-patch", tmp_path / "part", **asked, watch=lambda simulation: simulation.step == 11)
-    assert not part.summary["finished"]  # type: ignore[index]
+    assert not part.summary["finished"]
     with pytest.raises(daphnis.InputError, match="would make another run"):
         daphnis.resume(part.path, "ring-patch", **{**asked, "restitution": lambda speed: 0.5})
     with pytest.raises(daphnis.InputError, match="only it can continue the run"):
         daphnis.resume(part.path)
     rest = daphnis.resume(part.path, "ring-patch", **asked)
-    assert rest.summary["stateDigest"] == whole.summary["stateDigest"]  # type: ignore[index]
+    assert rest.summary["stateDigest"] == whole.summary["stateDigest"]
     assert rest.transport.equals(whole.transport)
-    assert rest.scenario is None and len(rest.last()) == 116
+    assert not rest.has_scenario and len(rest.last()) == 116
+    with pytest.raises(daphnis.InputError, match="laws or forces of Python took part"):
+        print(rest.scenario)
     assert np.isfinite(rest.series["potential_energy"]).all()
 
 
@@ -180,7 +182,7 @@ def test_an_exception_in_a_run_comes_out_and_the_run_goes_on(patch: dict[str, An
     with pytest.raises(OSError, match="the law's own"):
         daphnis.run("ring-patch", tmp_path / "run", **asked)
     limits[0] = 10**9
-    assert daphnis.resume(tmp_path / "run", "ring-patch", **asked).summary["finished"]  # type: ignore[index]
+    assert daphnis.resume(tmp_path / "run", "ring-patch", **asked).summary["finished"]
 
 
 def test_a_fingerprint_is_of_the_code_and_not_of_its_place() -> None:
@@ -207,3 +209,28 @@ def test_a_fingerprint_is_of_the_code_and_not_of_its_place() -> None:
     assert len({fingerprint(function) for function in different}) == len(different)
     nested = [eval("lambda v: sum(k for k in (v, 1))") for _ in range(2)]
     assert fingerprint(nested[0]) == fingerprint(nested[1])
+
+
+@pytest.mark.parametrize(
+    "given, words", [(None, "gives None .* does it lack a return"), ("x", "gives 'x'"), (1.5, "gives 1.5")]
+)
+def test_a_law_that_gives_no_coefficient_is_told_in_one_line(
+    gas: dict[str, Any], spheres: dict[str, Any], given: Any, words: str
+) -> None:
+    def law(speed: float) -> Any:
+        return given
+
+    with daphnis.Simulation(gas, **spheres, restitution=law) as simulation:
+        with pytest.raises(daphnis.InputError, match=f"law: {words}") as caught:
+            simulation.advance(5)
+    assert "must be in [0, 1]" in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_force_that_gives_none_is_told_in_one_line(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    @daphnis.acceleration
+    def nothing(spheres: daphnis.Spheres, time: float) -> Any:
+        return None
+
+    with daphnis.Simulation(gas, **spheres, forces=[nothing]) as simulation:
+        with pytest.raises(daphnis.InputError, match="nothing: gives None; it must be an array of shape"):
+            simulation.advance(1)

@@ -21,7 +21,7 @@ def test_a_run_gives_what_its_directory_holds(ring: daphnis.Run) -> None:
     assert ring.summary == summary
     assert summary["finished"] and summary["steps"] == 60
     assert ring.steps == [0, 20, 40, 60]
-    assert ring.scenario is not None and ring.scenario.name == "ring-patch"
+    assert ring.scenario.name == "ring-patch"
     assert "ring-patch" in ring._repr_html_()
 
 
@@ -32,9 +32,9 @@ def test_series_have_units_and_the_bits_of_the_file(ring: daphnis.Run) -> None:
     last = (ring.path / "series.csv").read_text().splitlines()[-1].split(",")
     for name, text in zip(series.columns, last, strict=True):
         assert series[name].iloc[-1] == float(text) or np.isnan(series[name].iloc[-1])
-    assert series["time"].iloc[-1] == ring.summary["time"]  # type: ignore[index]
+    assert series["time"].iloc[-1] == ring.summary["time"]
     assert set(ring.transport.attrs["units"]) == set(ring.transport.columns)
-    assert ring.impacts["collisions"].sum() == ring.summary["collisions"]  # type: ignore[index]
+    assert ring.impacts["collisions"].sum() == ring.summary["collisions"]
 
 
 def test_a_line_that_is_being_written_is_left_out(ring: daphnis.Run, tmp_path: Path) -> None:
@@ -57,7 +57,7 @@ def test_states_are_read_one_by_one_and_by_time(ring: daphnis.Run) -> None:
     found = ring.at(states[2].time)
     assert found.step == 40
     assert np.array_equal(found.position, states[2].position)
-    assert ring.scenario is not None and ring.scenario.orbit is not None
+    assert ring.scenario.is_hill
     orbits = states[1].time / ring.scenario.orbit
     assert ring.at(orbits=orbits).step == 20
     with pytest.raises(daphnis.InputError, match="next to it are those of step"):
@@ -129,7 +129,7 @@ def test_what_is_no_run_is_not_opened(tmp_path: Path) -> None:
 def test_a_run_that_was_ended_goes_on_to_the_same_bits(
     ring: daphnis.Run, patch: dict[str, Any], tmp_path: Path
 ) -> None:
-    until = ring.scenario.to_dict()["until"]  # type: ignore[union-attr]
+    until = ring.scenario.to_dict()["until"]
     times: list[float] = []
 
     def watch(simulation: daphnis.Simulation) -> bool:
@@ -139,10 +139,10 @@ def test_a_run_that_was_ended_goes_on_to_the_same_bits(
         return simulation.step == 25
 
     part = daphnis.run("ring-patch", tmp_path / "run", set=patch, until=until, threads=1, watch=watch)
-    assert part.summary["steps"] == 25 and not part.summary["finished"]  # type: ignore[index]
+    assert part.summary["steps"] == 25 and not part.summary["finished"]
     assert len(times) == 26 and times == sorted(times)
     whole = part.resume()
-    assert whole.summary["stateDigest"] == ring.summary["stateDigest"]  # type: ignore[index]
+    assert whole.summary["stateDigest"] == ring.summary["stateDigest"]
     assert whole.series.equals(ring.series)
 
 
@@ -158,7 +158,7 @@ def test_an_exception_of_the_watcher_comes_out(patch: dict[str, Any], tmp_path: 
 def test_a_run_starts_from_a_state_of_another(ring: daphnis.Run, tmp_path: Path) -> None:
     half = ring.at_step(40)
     rest = daphnis.run(from_=half, out=tmp_path / "rest", steps=20)
-    assert rest.summary["stateDigest"] == ring.summary["stateDigest"]  # type: ignore[index]
+    assert rest.summary["stateDigest"] == ring.summary["stateDigest"]
     with pytest.raises(daphnis.InputError, match="give steps or until"):
         daphnis.run(from_=ring, out=tmp_path / "none")
     with pytest.raises(daphnis.InputError, match="set: particles.opticalDepth: is of an initial state"):

@@ -159,7 +159,7 @@ def test_a_placed_state_may_be_late(gas: dict[str, Any], tmp_path: Path) -> None
 def test_a_scenario_is_simulated_in_memory_as_in_a_directory(ring: daphnis.Run, patch: dict[str, Any]) -> None:
     with daphnis.Simulation("ring-patch", set=patch) as simulation:
         simulation.advance(60)
-        assert simulation.digest == ring.summary["stateDigest"]  # type: ignore[index]
+        assert simulation.digest == ring.summary["stateDigest"]
         assert simulation.state().units.length == "m"
         assert np.array_equal(simulation.state().position, ring.last().position)
 

@@ -12,11 +12,5 @@ dependencies {
         api(project(":analysis"))
         api(project(":analysis:plots"))
         api(project(":"))
-        // What libraries of daphnis-plots bring along older than it should be.
-        api(libs.batik.codec)
-        api(libs.batik.transcoder)
-        api(libs.xmlgraphics.commons)
-        api(libs.commons.io)
-        api(libs.commons.logging)
     }
 }

@@ -1,4 +1,4 @@
-"""What happens beside a run: Ctrl-C, progress, and a function that watches it."""
+"""What happens beside a run: Ctrl-C, kills, progress, and a function that watches it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 import jpype
 
 from ._errors import Interrupted, PythonFailure, noted, translated
-from ._interrupts import CtrlC
+from ._interrupts import CtrlC, Termination
 from .simulation import Simulation
 
 Watch = Callable[[Simulation], object]
@@ -27,17 +27,21 @@ def carried_out(
 ) -> list[str]:
     """Carries out the ``daphnis.core.run.Run`` that `start` makes, and gives its notices."""
     # From here on, since a run whose start is torn would never be closed.
-    with CtrlC(failure, any_handler=True) as ctrl_c:
+    with Termination() as termination, CtrlC(failure, any_handler=True) as ctrl_c:
         with translated(failure):
             carried = start()
         notices = [str(notice) for notice in carried.getNotices()]
         try:
             noted(notices)
-            execution = _Execution(carried, watch, progress, failure, ctrl_c)
+            execution = _Execution(carried, watch, progress, failure, ctrl_c, termination)
             with execution, translated(failure):
                 summary = carried.execute(execution.watcher(), execution.cancelled())
         finally:
             carried.close()
+        if termination.signal is not None:
+            end = "at its end" if summary.getFinished() else f"after step {summary.getSteps()}"
+            way_on = "" if summary.getFinished() else f"; continue with: daphnis.resume({str(directory)!r})"
+            print(f"daphnis: ended by {termination.signal.name} {end}{way_on}", file=sys.stderr)
     if ctrl_c.pressed:
         if summary.getFinished():
             raise Interrupted("interrupted at the end: the run is complete, there is nothing to resume", directory)
@@ -47,10 +51,16 @@ def carried_out(
 
 
 class _Execution:
-    """What happens beside a run: Ctrl-C asks it to end after its step, and progress is shown."""
+    """What happens beside a run: Ctrl-C and kills ask it to end after its step, and progress is shown."""
 
     def __init__(
-        self, run: Any, watch: Watch | None, progress: bool | None, failure: PythonFailure, ctrl_c: CtrlC
+        self,
+        run: Any,
+        watch: Watch | None,
+        progress: bool | None,
+        failure: PythonFailure,
+        ctrl_c: CtrlC,
+        termination: Termination,
     ) -> None:
         self._ended = False
         self._run = run
@@ -59,6 +69,7 @@ class _Execution:
         self._shown = 0.0
         self._failure = failure
         self._ctrl_c = ctrl_c
+        self._termination = termination
 
     def __enter__(self) -> None:
         return None
@@ -74,7 +85,7 @@ class _Execution:
             try:
                 if self._progress:
                     self._show()
-                return self._ctrl_c.pressed or self._ended
+                return self._termination.asked() or self._ctrl_c.pressed or self._ended
             except BaseException as e:
                 self._failure.keep(e)
                 raise

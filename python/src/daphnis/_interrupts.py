@@ -1,8 +1,10 @@
-"""Ctrl-C while Java computes."""
+"""Ctrl-C, and polite kills, while Java computes."""
 
 from __future__ import annotations
 
+import os
 import signal
+import sys
 import threading
 from typing import Any
 
@@ -46,3 +48,63 @@ class CtrlC:
             self._failure.keep(again)
             raise again
         self.pressed = True
+
+
+class Termination:
+    """Lets a run end with a checkpoint when the process is asked to end: by SIGTERM, or by SIGHUP of a closed terminal.
+
+    Where nobody handles the signal it is noted, the run ends after its step, and then the process ends by that signal,
+    as it would have at once; the second one ends it at once. A handler of the program itself is called between two
+    steps: the run goes on after it, and ends with a checkpoint if it raises, which then comes out of the run. What is ignored
+    stays so, and so does a handler that was not installed from Python. Signals reach the main thread only.
+    """
+
+    def __init__(self) -> None:
+        self.signal: signal.Signals | None = None
+        """By which the process is to end; None unless that was asked for and nobody handles it."""
+        self._before: dict[int, Any] = {}
+        self._pending: list[int] = []
+        self._raised: BaseException | None = None
+
+    def __enter__(self) -> Termination:
+        if threading.current_thread() is threading.main_thread():
+            for number in (signal.SIGTERM, getattr(signal, "SIGHUP", None)):
+                before = None if number is None else signal.getsignal(number)
+                if number is not None and (before is signal.SIG_DFL or callable(before)):
+                    self._before[number] = before
+                    signal.signal(number, self._note)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, before in self._before.items():
+            signal.signal(number, before)
+        if self.signal is not None:
+            self._end(self.signal)
+        self.asked()
+        raised, self._raised = self._raised, None
+        if raised is not None:
+            raise raised
+
+    def asked(self) -> bool:
+        """Whether the run is to end; calls the handlers of signals that came since. Between two steps only."""
+        while self._pending and self._raised is None:
+            number = self._pending.pop(0)
+            try:
+                self._before[number](number, sys._getframe())
+            except BaseException as e:
+                self._raised = e
+        return self.signal is not None or self._raised is not None
+
+    def _note(self, number: int, frame: object) -> None:
+        if callable(self._before[number]):
+            self._pending.append(number)
+        elif self.signal is not None:
+            self._end(self.signal)
+        else:
+            self.signal = signal.Signals(number)
+
+    def _end(self, number: signal.Signals) -> None:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        signal.signal(number, signal.SIG_DFL)
+        os.kill(os.getpid(), number)

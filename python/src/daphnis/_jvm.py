@@ -128,6 +128,8 @@ def flags(java: Java, given: Sequence[str] = ()) -> list[str]:
         "--enable-native-access=ALL-UNNAMED",
         "-Dsun.misc.unsafe.memory.access=allow",
         "-Djava.awt.headless=true",
+        # Signals stay Python's. Java's own handler of SIGTERM would end it under the threads that are in it: a crash.
+        "-Xrs",
     ]
     if not re.search(r"-XX:\+Use\w*GC", " ".join(all_given)):
         options += ["-XX:+UseSerialGC", "-XX:MaxNewSize=64m"]

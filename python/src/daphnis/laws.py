@@ -93,17 +93,29 @@ class Restitution:
 
         def coefficient(speed: float) -> float:
             try:
-                value = float(function(float(speed)))
+                given = function(float(speed))
+                try:
+                    value = float(given)
+                except (TypeError, ValueError):
+                    value = math.nan
                 # NaN is in no range.
                 if not 0.0 <= value <= 1.0:
                     name = getattr(function, "__name__", "restitution")
-                    raise InputError(f"{name}: gives {value} at an impact speed of {speed}; it must be in [0, 1]")
+                    lost = "; does it lack a return?" if given is None else ""
+                    right = f"it must be in [0, 1]{lost}"
+                    raise InputError(f"{name}: gives {given!r} at an impact speed of {float(speed)}; {right}")
                 return value
             except BaseException as e:
                 failure.keep(e)
                 raise
 
         return jpype.JProxy(java("daphnis.core.collision.Restitution"), dict={"coefficient": coefficient})
+
+
+def _given(name: str, value: Any, shape: tuple[int, ...]) -> Any:
+    if value is None:
+        raise InputError(f"{name}: gives None; it must be an array of shape {shape}; does it lack a return?")
+    return value
 
 
 class Force:
@@ -131,15 +143,16 @@ class Force:
         name = getattr(self.function, "__name__", "force")
         shape = (len(spheres), 3)
         if self._takes_duration:
-            return _arrays.numbers(name, self.function(spheres, time, duration), shape)
-        return _arrays.numbers(name, self.function(spheres, time), shape) * duration
+            return _arrays.numbers(name, _given(name, self.function(spheres, time, duration), shape), shape)
+        return _arrays.numbers(name, _given(name, self.function(spheres, time), shape), shape) * duration
 
     def energy(self, spheres: Spheres, time: float) -> float:
         """Sum of the potential energies; NaN without a function for them."""
         if self.potential is None:
             return math.nan
         name = getattr(self.potential, "__name__", "potential")
-        return math.fsum(_arrays.numbers(name, self.potential(spheres, time), (len(spheres),)))
+        shape = (len(spheres),)
+        return math.fsum(_arrays.numbers(name, _given(name, self.potential(spheres, time), shape), shape))
 
     def proxy(self, failure: PythonFailure) -> Any:
         """What Java calls."""

@@ -43,21 +43,44 @@ class Run:
         return self._java
 
     @property
-    def scenario(self) -> Scenario | None:
-        """The scenario that is run; None if laws or forces of Python took part, which no scenario knows."""
+    def has_scenario(self) -> bool:
+        """Whether it is a run of a scenario: without laws or forces of Python, which no scenario knows."""
+        return self._scenario is not None
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario that is run. Raises InputError if laws or forces of Python took part, see `has_scenario`."""
+        if self._scenario is None:
+            raise InputError(f"{self.path}: has no scenario, since laws or forces of Python took part in the run")
         return self._scenario
 
     @property
-    def units(self) -> Units | None:
-        """Names of the units of the scenario; None without one."""
+    def units(self) -> Units:
+        """Names of the units of the scenario. Raises InputError as `scenario`."""
+        return self.scenario.units
+
+    @property
+    def _known_units(self) -> Units | None:
         return None if self._scenario is None else self._scenario.units
 
     @property
-    def summary(self) -> dict[str, Any] | None:
-        """The entries of ``summary.json``, see docs/guide.md; None while the run has none.
+    def finished(self) -> bool:
+        """Whether it has come to its end. False while it goes on, and after it was interrupted."""
+        entries = self._entries()
+        return entries is not None and entries.get("finished") is True
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """The entries of ``summary.json``, see docs/guide.md. Raises InputError while the run has none.
 
         ``run.summary["stateDigest"]`` is the same for equal bits of all states.
         """
+        entries = self._entries()
+        if entries is None:
+            raise InputError(f"{self.path}: has no summary.json; a run writes it when it ends")
+        return entries
+
+    def _entries(self) -> dict[str, Any] | None:
         path = self.path / "summary.json"
         try:
             found = json.loads(path.read_text(encoding="utf-8"))
@@ -93,7 +116,7 @@ class Run:
         path = self.path / name
         if not path.is_file():
             raise InputError(f"{self.path}: has no {name}; run with {key} in set=")
-        units = self.units
+        units = self._known_units
         return read_table(path, None if units is None else units.of)
 
     @property
@@ -120,22 +143,21 @@ class Run:
         if (time is None) == (orbits is None):
             raise InputError("at: needs one of time and orbits")
         if time is None:
-            orbit = None if self._scenario is None else self._scenario.orbit
-            if orbit is None or orbits is None:
+            if self._scenario is None or not self._scenario.is_hill or orbits is None:
                 raise InputError(f"{self.path}: orbits need a run in Hill's frame; give a time")
-            time = orbits * orbit
+            time = orbits * self._scenario.orbit
         with translated():
-            return State(self._java.at(float(time)), self.units, self)
+            return State(self._java.at(float(time)), self._known_units, self)
 
     def at_step(self, step: int) -> State:
         """The state after `step` steps. Raises InputError if there is none."""
         with translated():
-            return State(self._java.atStep(int(step)), self.units, self)
+            return State(self._java.atStep(int(step)), self._known_units, self)
 
     def last(self) -> State:
         """The latest state. Raises InputError if there is none."""
         with translated():
-            return State(self._java.last(), self.units, self)
+            return State(self._java.last(), self._known_units, self)
 
     def analyze(self, **options: Any) -> Report:
         """`daphnis.analyze` of this run, with its options."""
@@ -155,7 +177,7 @@ class Run:
         return resume(self.path, **options)
 
     def _repr_html_(self) -> str:
-        entries = self.summary or {}
+        entries = self._entries() or {}
         shown = ("finished", "scenario", "particles", "steps", "time", "collisions", "stateDigest")
         column = pd.Series(
             {"directory": shown_path(self.path), **{name: entries[name] for name in shown if name in entries}}

@@ -47,17 +47,27 @@ class Scenario:
         Path(path).write_text(self.json, encoding="utf-8")
 
     @property
-    def omega(self) -> float | None:
-        """Angular speed Ω of Hill's frame, in radians per unit of time; None without a frame."""
+    def is_hill(self) -> bool:
+        """Whether it is in Hill's frame, of which are `omega` and `orbit`."""
+        return self._speed() is not None
+
+    @property
+    def omega(self) -> float:
+        """Angular speed Ω of Hill's frame, in radians per unit of time. Raises InputError where there is none."""
+        speed = self._speed()
+        if speed is None:
+            raise InputError(f"{self._source}: is in no Hill's frame, so it has no omega and no orbit")
+        return speed
+
+    @property
+    def orbit(self) -> float:
+        """Length of an orbit, 2π/Ω, in units of time. Raises InputError where there is no Hill's frame."""
+        return 2 * math.pi / self.omega
+
+    def _speed(self) -> float | None:
         with translated():
             speed = java("daphnis.core.scenario.FrameSetup").angularSpeed(self._java, self._source)
         return None if speed is None else float(speed)
-
-    @property
-    def orbit(self) -> float | None:
-        """Length of an orbit, 2π/Ω, in units of time; None without a frame."""
-        omega = self.omega
-        return None if omega is None else 2 * math.pi / omega
 
     @property
     def units(self) -> Units:

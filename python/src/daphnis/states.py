@@ -197,7 +197,7 @@ class States:
                 if not iterator.hasNext():
                     return
                 snapshot = iterator.next()
-            yield State(snapshot, self._run.units, self._run)
+            yield State(snapshot, self._run._known_units, self._run)
 
     def __len__(self) -> int:
         return len(self._run.steps)

@@ -98,7 +98,15 @@ launch() {
     # time. The heap grows from little, and all but 64 MB of it may be arrays. Who names a collector gets that one.
     collector=
     case $command in
-    analyze | export | compare | movie) ;;
+    # An analysis is much code that runs for a moment: the second compiler would cost more than it gives, and so would a
+    # collector with threads of its own.
+    analyze)
+        case "${JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-} ${JDK_JAVA_OPTIONS:-}" in
+        *-XX:+Use*GC*) collector='-XX:TieredStopAtLevel=1' ;;
+        *) collector='-XX:TieredStopAtLevel=1 -XX:+UseSerialGC' ;;
+        esac
+        ;;
+    export | compare | movie) ;;
     *)
         case "${JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-} ${JDK_JAVA_OPTIONS:-}" in
         *-XX:+Use*GC*) ;;
@@ -126,7 +134,11 @@ launch() {
     shared=
     if archived && [ -s "$archive" ]; then shared=yes; fi
 
-    set -- -jar "$jar" "$@"
+    # By which name it was called, for what it says to be typed next: alone where the shell finds that.
+    called=$0
+    [ "$(command -v -- "${0##*/}" 2>/dev/null)" != "$0" ] || called=${0##*/}
+
+    set -- "-Ddaphnis.called=$called" -jar "$jar" "$@"
     # Words of options, but no names of files: nothing that looks for files may follow.
     set -f
     # shellcheck disable=SC2086

@@ -90,9 +90,11 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
-        writingLater(directory) {
-            analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
+        val progress = if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress()
+        LastWords { "analyze was interrupted; nothing was written to $directory" }.use {
+            writingLater(directory) { analysis.write(directory, progress) }
         }
+        analysis.missing?.let { warn("there are no PNG pictures in ${directory.resolve("plots")}, only SVG: $it") }
         println("report: ${directory.resolve("report.html")}")
     }
 

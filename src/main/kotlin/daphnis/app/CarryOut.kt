@@ -13,6 +13,7 @@ import daphnis.app.progress.TimesInWords
 import daphnis.core.run.Run
 import daphnis.core.run.RunException
 import daphnis.core.run.Summary
+import daphnis.core.run.Version
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.table.Dimension
 import daphnis.core.table.UnitsOfDimensions
@@ -45,7 +46,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
             val progress = Progress(quiet, run.until, timesOf(run), named(units, Dimension.ENERGY))
             val summary = run.execute(live?.watching(run, progress) ?: progress) { interruption.requested }
             if (!summary.finished) {
-                val command = "daphnis resume ${quoted("$directory")}"
+                val command = "${Version.command} resume ${quoted("$directory")}"
                 val words = "interrupted after step ${summary.steps}; continue with: $command"
                 live?.endsWith(words)
                 println(words)

@@ -47,6 +47,9 @@ private fun inFlags(wayOut: WayOut): String = when (wayOut) {
     WayOut.ONLY_RUNS_ARE_REPLACED -> "--force replaces runs only"
     WayOut.RESUME_WITH_LOSS, WayOut.BEGIN_ANEW -> "${wayOut.words}: resume --accept-loss"
     WayOut.ANALYSE_WITH_LOSS -> "${wayOut.words}: analyze --accept-loss"
+    WayOut.TLS_OR_INSECURE -> {
+        "set daphnis.cluster.tls in a settings file (--config), or add --insecure where the network is trusted"
+    }
     WayOut.WRITE_SNAPSHOTS -> "run with --set output.snapshotEvery=10, for example"
 }
 

@@ -3,14 +3,18 @@ package daphnis.app
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.IncorrectOptionValueCount
+import com.github.ajalt.clikt.core.MissingOption
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
+import com.github.ajalt.clikt.core.terminal
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
+import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.app.live.joinedLive
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
@@ -86,8 +90,11 @@ internal fun daphnisCommand(): Daphnis {
     val commands = others + HelpCommand(others.map { it.commandName }.toSet())
     val daphnis = Daphnis().subcommands(commands)
     // The library hands these settings down to no command below.
+    val columns = outputColumns()
     for (command in commands + daphnis) {
         command.context {
+            // Of what is no terminal, such as a pager, the library takes no notice of the columns.
+            if (columns != null) terminal = Terminal(width = columns)
             suggestTypoCorrection = { word, known -> listOfNotNull(Nearest.to(word, known)) }
             helpFormatter = { GroupedHelp.of(it, command.commandName) }
         }
@@ -118,7 +125,16 @@ internal fun CliktCommand.understood(words: Array<String>): Array<String> {
 /** The library's message begins with the usage; a wrong word deserves one line and where to read more. */
 private fun oneLine(help: String, e: UsageError): String {
     val errors = help.lines().filter { it.startsWith("Error: ") }.joinToString("; ") { it.removePrefix("Error: ") }
-    return "$errors (see ${e.context?.commandNameWithParents()?.joinToString(" ") ?: "daphnis"} --help)"
+    return "$errors${wanted(e)} (see ${e.context?.commandNameWithParents()?.joinToString(" ") ?: "daphnis"} --help)"
+}
+
+/** What an option is for that is missing, or that has no value. */
+private fun wanted(e: UsageError): String {
+    if (e !is MissingOption && e !is IncorrectOptionValueCount) return ""
+    val context = e.context ?: return ""
+    val option = context.command.registeredOptions().find { e.paramName in it.names } ?: return ""
+    val help = option.optionHelp(context)
+    return if (help.isEmpty()) "" else "; it is $help"
 }
 
 internal const val EXIT_DONE = 0

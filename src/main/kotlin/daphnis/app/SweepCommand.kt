@@ -92,7 +92,10 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
         writing(place.path.toAbsolutePath().parent) {
             place.claim(record)
-        }.use { carryOut(plan, place, KeyLabel(base.units), scenarios::getValue) }
+        }.use { lock ->
+            lock.notice?.let(::warn)
+            carryOut(plan, place, KeyLabel(base.units), scenarios::getValue)
+        }
     }
 
     private fun scenarioOf(run: PlannedRun): Scenario {
@@ -195,7 +198,9 @@ class SweepCommand : CliktCommand(name = "sweep") {
             tables.writeMeans(place.means)
             tables.writeRuns(place.runs)
             WholeFile.write(place.text, "# $scenario\n\n${SweepText(sweep).text(WIDE)}\n")
-            plots = SweepPlots(sweep).write(place.plots)
+            val drawn = SweepPlots(sweep)
+            plots = drawn.write(place.plots)
+            drawn.missing?.let { warn("there are no PNG pictures in ${place.plots}, only SVG: $it") }
         }
         if (!quiet) println("\n${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
         val failed = sweep.failed.size

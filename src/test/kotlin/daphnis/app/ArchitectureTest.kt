@@ -56,7 +56,6 @@ class ArchitectureTest {
         "daphnis.bench..",
         "kotlinx.coroutines..",
         "org.apache.pekko..",
-        "org.jetbrains.letsPlot..",
         "com.github.ajalt..",
     )
 

@@ -132,6 +132,10 @@ class CommandLineTest {
         assertEquals(0, small("a", "--force").code)
         assertRefused(daphnis("run", "--bogus"), "--bogus", "daphnis run --help")
         assertRefused(daphnis("run", "--seed", "abc"), "--seed", "abc")
+        assertRefused(daphnis("export", at("a")), "missing option --format", "xyz", "h5md")
+        assertRefused(daphnis("export", at("a"), "--format"), "--format", "xyz", "h5md")
+        Files.writeString(home.resolve("empty.json"), " \n")
+        assertRefused(daphnis("run", at("empty.json"), "--out", at("x")), "is empty", "JSON object", "scenarios NAME")
         assertRefused(daphnis("fly"), "fly")
         assertRefused(daphnis("resume"), "dir")
         assertRefused(

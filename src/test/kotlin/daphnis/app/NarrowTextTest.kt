@@ -52,6 +52,7 @@ class NarrowTextTest {
         fun widest(vararg words: String): Int = said(*words).lines().maxOf { it.length }
         assertTrue(widest("describe", "cooling-gas") in 30..40)
         assertTrue(widest("scenarios") in 30..40)
+        assertTrue(widest("run", "--help") in 30..40)
         val sweep = arrayOf("sweep", "cooling-gas", "--set", "particles.count=30", "--set", "until=1", "--quiet")
         assertTrue(widest(*sweep, "--seeds", "1,2", "--out", "a") in 30..40)
         val bench = arrayOf("bench", "cooling-gas", "--engines", "serial", "--steps", "1", "--rounds", "1", "--quiet")

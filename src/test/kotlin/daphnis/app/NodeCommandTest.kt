@@ -84,7 +84,7 @@ class NodeCommandTest {
         assertRefused(daphnis("node", "--join", "n1"), "--join", "n1", "a port is needed")
         assertRefused(daphnis("node", "--port", "70000"), "--port", "70000", "0..65535")
         assertRefused(daphnis("node", "--threads", "0"), "--threads", "0")
-        assertRefused(daphnis("node", "--host", "0.0.0.0"), "--host", "no TLS", "insecure")
+        assertRefused(daphnis("node", "--host", "0.0.0.0"), "--host", "no TLS", "add --insecure where")
         assertRefused(daphnis("node", "--bind", "0.0.0.0"), "--bind", "no TLS")
         assertRefused(daphnis("node", "--host", "0.0.0.0", "--insecure"), "--host", "a secret is needed")
         assertRefused(daphnis("node", "--host", "no.such.host.invalid"), "--host", "no.such.host.invalid")

@@ -22,7 +22,7 @@ internal class SweepDirectory(val path: Path) {
      * @throws InputException when it holds something else, or a sweep of which [mine] is not the record, or another
      *   process works in it; it is as it was then
      */
-    fun claim(mine: SweepRecord): AutoCloseable {
+    fun claim(mine: SweepRecord): RunLock {
         check(mine)
         Files.createDirectories(path)
         val lock = RunLock.take(path)
@@ -52,6 +52,6 @@ internal class SweepDirectory(val path: Path) {
 
     private companion object {
         /** What a start that was cut short leaves. */
-        val OWN = setOf(RunLock.FILE, "sweep.json.tmp")
+        val OWN = RunLock.FILES + "sweep.json.tmp"
     }
 }

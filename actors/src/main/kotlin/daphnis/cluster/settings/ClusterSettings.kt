@@ -4,6 +4,7 @@ import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.security.Secret
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.WayOut
 import java.nio.file.Path
 import java.time.Duration
 
@@ -57,7 +58,7 @@ public data class ClusterSettings @JvmOverloads constructor(
         /** The port of a cluster's first process, if no other is named. */
         public const val PORT: Int = 25520
 
-        internal fun wrong(argument: String, problem: String) =
-            InputException(argument, null, problem, isArgument = true)
+        internal fun wrong(argument: String, problem: String, wayOut: WayOut? = null) =
+            InputException(argument, null, problem, wayOut, isArgument = true)
     }
 }

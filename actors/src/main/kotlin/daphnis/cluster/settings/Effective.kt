@@ -6,6 +6,7 @@ import com.typesafe.config.ConfigFactory
 import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.link.LinkLimits
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.WayOut
 import java.net.InetAddress
 import java.net.UnknownHostException
 import java.nio.file.Files
@@ -73,8 +74,8 @@ internal class Effective(private val settings: ClusterSettings) {
         if (!settings.insecure) {
             throw ClusterSettings.wrong(
                 open.first,
-                "${open.second} is open to other machines, and there is no TLS; " +
-                    "set $ROOT.tls in a settings file, or say insecure where the network is trusted",
+                "${open.second} is open to other machines, and there is no TLS",
+                WayOut.TLS_OR_INSECURE,
             )
         }
         if (settings.secret.isNone) {

@@ -3,6 +3,7 @@ package daphnis.analysis.correlation
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.population.Population
 import daphnis.core.search.NearPairs
 import daphnis.core.search.SearchStructure
 import kotlin.math.PI
@@ -64,28 +65,37 @@ public class PairCorrelation @JvmOverloads constructor(
 
     /** Counts pairs by bin; the number of particles. */
     private fun count(state: State, inPlane: Boolean, counts: DoubleArray): Int {
-        val p = state.population
+        // In the plane, spheres one above the other are as near as if they lay at one height.
+        val p = if (inPlane) flat(state.population) else state.population
         val pairs = NearPairs(p, state.boundary, state.time, structure = SearchStructure.GRID)
         val runs = pairs.runs()
-        // In the plane all spheres above and below are near.
-        var height = 0.0
-        if (inPlane && p.size > 0) height = p.z.max() - p.z.min()
-        // A sphere of that size touches every sphere that is near enough.
-        val radius = sqrt(farthest * farthest + height * height)
+        val bodies = state.firstBody != Int.MAX_VALUE
+        // Most that are looked at are farther away: they need no root.
+        val far = farthest * farthest * (1 + ROUNDING)
         var n = 0
         for (slot in 0 until p.size) {
             if (!state.isParticle(pairs.index(slot))) continue
             n++
-            pairs.forEach(runs, slot, radius) { _, j, dx, dy, z ->
-                val dz = if (inPlane) 0.0 else z
-                val distance = sqrt(dx * dx + dy * dy + dz * dz)
-                if (distance >= nearest && state.isParticle(j)) {
-                    val bin = ((distance - nearest) / width).toInt()
-                    if (bin < bins) counts[bin]++
+            // A sphere of that size touches every sphere that is near enough.
+            pairs.forEach(runs, slot, farthest) { _, j, dx, dy, dz ->
+                val square = dx * dx + dy * dy + dz * dz
+                if (square < far && (!bodies || state.isParticle(j))) {
+                    val distance = sqrt(square)
+                    if (distance >= nearest) {
+                        val bin = ((distance - nearest) / width).toInt()
+                        if (bin < bins) counts[bin]++
+                    }
                 }
             }
         }
         return n
+    }
+
+    /** The spheres of [p] all at the height of the first, in the same order. */
+    private fun flat(p: Population): Population = if (p.size == 0) {
+        p
+    } else {
+        Population(p.x, p.y, DoubleArray(p.size) { p.z[0] }, p.vx, p.vy, p.vz, p.radius, p.mass, p.id)
     }
 
     public companion object {

@@ -59,12 +59,14 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
         val result = DoubleArray((2 * lagX + 1) * (2 * lagY + 1))
         val mean = mean
         if (mean == 0.0) return result
+        val here = DoubleArray(density.size) { density[it] - mean }
+        val there = if (beyond === density) here else DoubleArray(beyond.size) { beyond[it] - mean }
         val width = 2 * lagY + 1
         val radial = images.across == 0
         for (across in 0..if (radial) lagX else lagY) {
             val most = if (radial) lagY else lagX
             for (along in -most..most) {
-                val value = covariance(across, along, mean) / (mean * mean)
+                val value = covariance(across, along, here, there) / (mean * mean)
                 val a = if (radial) across else along
                 val b = if (radial) along else across
                 result[(lagX + a) * width + lagY + b] = value
@@ -74,8 +76,11 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
         return result
     }
 
-    /** ⟨δΣ(r) δΣ(r + l)⟩ for the lag of [across] ≥ 0 cells from row to row and [along] cells within. */
-    private fun covariance(across: Int, along: Int, mean: Double): Double {
+    /**
+     * ⟨δΣ(r) δΣ(r + l)⟩ for the lag of [across] ≥ 0 cells from row to row and [along] cells within, from δΣ [here] and
+     * in the row of images beyond, [there].
+     */
+    private fun covariance(across: Int, along: Int, here: DoubleArray, there: DoubleArray): Double {
         val radial = images.across == 0
         val rows = if (radial) nx else ny
         val places = if (radial) ny else nx
@@ -86,17 +91,26 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
         var count = 0
         for (i in 0 until if (images.repeats(images.across)) rows else rows - across) {
             val isOver = i + across >= rows
-            val other = if (isOver) beyond else density
+            val other = if (isOver) there else here
             val base = (if (isOver) i + across - rows else i + across) * row
-            for (j in 0 until places) {
-                var k = j + along
-                if (k < 0 || k >= places) {
-                    if (!isRing) continue
-                    k = Math.floorMod(k, places)
+            // Cells whose partner is before the row, in it and behind it, in their order.
+            val first = (-along).coerceIn(0, places)
+            val end = (places - along).coerceIn(0, places)
+            val own = i * row
+            if (isRing) {
+                for (j in 0 until first) {
+                    sum +=
+                        here[own + j * place] * other[base + (j + along + places) * place]
                 }
-                sum += (density[i * row + j * place] - mean) * (other[base + k * place] - mean)
-                count++
             }
+            for (j in first until end) sum += here[own + j * place] * other[base + (j + along) * place]
+            if (isRing) {
+                for (j in end until places) {
+                    sum +=
+                        here[own + j * place] * other[base + (j + along - places) * place]
+                }
+            }
+            count += if (isRing) places else end - first
         }
         return sum / count
     }

@@ -41,13 +41,16 @@ public class RayCasting @JvmOverloads constructor(
         public val blocked: BooleanArray = BooleanArray(nx * ny)
 
         /** Share of the rays that get through, by position along x: a synthetic occultation scan. */
-        public fun scan(): DoubleArray = DoubleArray(nx) { i ->
-            (0 until ny).count { !blocked[i * ny + it] } /
-                ny.toDouble()
-        }
+        public fun scan(): DoubleArray = DoubleArray(nx) { free(it * ny, (it + 1) * ny) / ny.toDouble() }
 
         /** Share of all rays that get through. */
-        public val transmission: Double get() = blocked.count { !it } / blocked.size.toDouble()
+        public val transmission: Double get() = free(0, blocked.size) / blocked.size.toDouble()
+
+        private fun free(from: Int, end: Int): Int {
+            var count = 0
+            for (k in from until end) if (!blocked[k]) count++
+            return count
+        }
     }
 
     /** Casts the rays through [state]. */
@@ -115,15 +118,23 @@ public class RayCasting @JvmOverloads constructor(
          * the centre along b.
          */
         private fun dropLine(i: Int, pa: Double, centreB: Double, long: Double, r: Double) {
-            for (j in first(centreB - long, lowB, stepB)..last(centreB + long, lowB, stepB)) {
-                if (!wrapsB && (j < 0 || j >= countB)) continue
-                val pb = lowB + (j + 0.5) * stepB - centreB
-                val along = (pa * towardA + pb * towardB) / long
-                val beside = (pb * towardA - pa * towardB) / r
-                if (along * along + beside * beside <= 1) {
-                    shadow.blocked[i * strideA + Math.floorMod(j, countB) * strideB] = true
-                }
+            // The shadow is convex: all rays between the first and the last that it stops.
+            var from = first(centreB - long, lowB, stepB)
+            var to = last(centreB + long, lowB, stepB)
+            while (from <= to && !isWithin(pa, from, centreB, long, r)) from++
+            while (to > from && !isWithin(pa, to, centreB, long, r)) to--
+            if (!wrapsB) {
+                from = maxOf(from, 0)
+                to = minOf(to, countB - 1)
             }
+            for (j in from..to) shadow.blocked[i * strideA + Math.floorMod(j, countB) * strideB] = true
+        }
+
+        private fun isWithin(pa: Double, j: Int, centreB: Double, long: Double, r: Double): Boolean {
+            val pb = lowB + (j + 0.5) * stepB - centreB
+            val along = (pa * towardA + pb * towardB) / long
+            val beside = (pb * towardA - pa * towardB) / r
+            return along * along + beside * beside <= 1
         }
 
         private fun first(from: Double, low: Double, step: Double) = ceil((from - low) / step - 0.5).toInt()

@@ -196,4 +196,41 @@ class PairCorrelationTest {
     private companion object {
         const val DIRECTIONS = 400
     }
+
+    @Test
+    fun `in the plane every pair is counted whatever its heights, and none twice`() {
+        val box = Box.centred(30.0, 40.0, 200.0)
+        val random = SeededRandom(11)
+        fun places(length: Double) = DoubleArray(300) { (random.nextDouble() - 0.5) * length }
+        val z = places(150.0)
+        val radius = DoubleArray(300) { if (it == 299) 4.0 else 0.2 + 0.8 * random.nextDouble() }
+        val p = Population(places(30.0), places(40.0), z, z, z, z, radius, DoubleArray(300) { 1.0 })
+        for (time in listOf(0.0, 0.3)) {
+            val boundary = HillSheet(box, 1.0)
+            val state = State(p, boundary, time, firstBody = 299)
+            val images = Images().also { it.prepare(boundary, time) }
+            val pairs = PairCorrelation(12.0, 24, 0.7)
+            val counts = DoubleArray(24)
+            for (i in 0 until 299) {
+                for (j in 0 until i) {
+                    for (ix in -1..1) {
+                        for (iy in -2..2) {
+                            val code = Images.code(ix, iy, 0)
+                            val dx = p.x[j] - p.x[i] + images.shift(code, 0)
+                            val dy = p.y[j] - p.y[i] + images.shift(code, 1)
+                            val bin = Math.floor((sqrt(dx * dx + dy * dy) - 0.7) / (11.3 / 24)).toInt()
+                            if (bin in 0 until 24) counts[bin]++
+                        }
+                    }
+                }
+            }
+            val found = pairs.of(state)
+            for (bin in 0 until 24) {
+                val a = 0.7 + bin * 11.3 / 24
+                val b = a + 11.3 / 24
+                val expected = counts[bin] * 2 / (299 * 298.0 / state.area * PI * (b * b - a * a))
+                assertEquals(expected, found[bin], 1e-9 * expected) { "bin $bin at $time" }
+            }
+        }
+    }
 }

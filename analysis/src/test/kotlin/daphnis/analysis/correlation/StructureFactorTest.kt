@@ -121,4 +121,30 @@ class StructureFactorTest {
         assertThrows(IllegalArgumentException::class.java) { StructureFactor(2.0, 0) }
         assertEquals(1, StructureFactor(2.0, 1).of(State(p, Periodic(box), 0.0)).size)
     }
+
+    @Test
+    fun `it is the sum over particles as it is defined, to twelve digits`() {
+        val boundary = Periodic(Box.centred(40.0, 30.0, 3.0))
+        val state = uniform(200, boundary)
+        val p = state.population
+        val largest = 12.0
+        val bins = 30
+        val sum = DoubleArray(bins)
+        val count = IntArray(bins)
+        for (m in 0..58) {
+            for (l in -77..77) {
+                if (m == 0 && l <= 0) continue
+                val kx = l * 2 * PI / 40
+                val ky = m * 2 * PI / 30
+                val bin = (sqrt(kx * kx + ky * ky) / largest * bins).toInt()
+                if (bin >= bins) continue
+                val c = (0 until 200).sumOf { cos(kx * p.x[it] + ky * p.y[it]) }
+                val s = (0 until 200).sumOf { sin(kx * p.x[it] + ky * p.y[it]) }
+                sum[bin] += (c * c + s * s) / 200
+                count[bin]++
+            }
+        }
+        val found = StructureFactor(largest, bins).of(state)
+        for (bin in 0 until bins) assertEquals(sum[bin] / count[bin], found[bin], 1e-12 * found[bin]) { "bin $bin" }
+    }
 }

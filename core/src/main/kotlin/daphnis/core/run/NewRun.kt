@@ -36,7 +36,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
      *
      * @throws InputException when it is in use, holds something else, or cannot be written
      */
-    fun claim(): AutoCloseable = try {
+    fun claim(): RunLock = try {
         // Before the lock, which writes into it, since a directory that is refused must stay as it is.
         if (path.exists()) checkFree()
         make()
@@ -45,7 +45,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         throw InputException(path.toString(), null, "cannot be made: ${reasonOf(e, path)}")
     }
 
-    private fun locked(): AutoCloseable {
+    private fun locked(): RunLock {
         val lock = try {
             RunLock.take(path)
         } catch (e: InputException) {
@@ -85,7 +85,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
             return
         }
         if (directory.origins.any { files.besideOf(it).exists() }) return
-        val others = path.listDirectoryEntries().filter { it.name != RunLock.FILE && !isEmptyFolder(it) }
+        val others = path.listDirectoryEntries().filter { it.name !in RunLock.FILES && !isEmptyFolder(it) }
         if (others.isEmpty()) return
         if (force) refuse("is not empty and holds no run", WayOut.ONLY_RUNS_ARE_REPLACED)
         refuse("is not empty", WayOut.ANOTHER_DIRECTORY)
@@ -125,7 +125,8 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         val copy = when {
             start != null -> Copy(directory.initial) { H5md.write(listOf(start), it, Version.text) }
             original != null -> Copy(directory.initial(Path.of(original))) {
-                Files.copy(Path.of(original), it, REPLACE)
+                // Not Files.copy, which names the source when the disk of the copy is full.
+                Files.newInputStream(Path.of(original)).use { from -> Files.newOutputStream(it).use(from::transferTo) }
             }
             else -> null
         }
@@ -188,8 +189,6 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
         UNFINISHED.fold(file.name, String::removeSuffix).substringAfterLast('.') in OWN_ENDINGS
 
     private companion object {
-        val REPLACE = java.nio.file.StandardCopyOption.REPLACE_EXISTING
-
         /** What a writer that was killed leaves behind the name of its file. */
         val UNFINISHED = listOf(".tmp", WholeFile.ENDING)
         val OWN_ENDINGS = setOf("h5", "png", "svg", "csv")

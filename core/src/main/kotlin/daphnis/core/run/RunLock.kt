@@ -12,17 +12,25 @@ import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Keeps everything else from writing into a run directory: other processes by a system lock on the file `.lock`, which
- * ends with the process, however it ends, and other runs of this process by a list.
+ * ends with the process, however it ends, and other runs of this process by a list. On a file system without locks, such
+ * as some network ones, a [LockMark] takes the place of the lock.
  *
  * The file stays when the lock is released. If it were deleted, one process could hold a lock on the deleted file and
  * another on the next file of that name. The list is checked first, because on POSIX systems a process gives up its
  * lock on a file when it closes *any* channel to it.
  */
-public class RunLock private constructor(private val directory: Path, private val channel: FileChannel) :
+public class RunLock private constructor(private val directory: Path, private val held: AutoCloseable) :
     AutoCloseable {
+    /** What a user should know about it; null when there is a lock of the system. */
+    public val notice: String? = if (held !is LockMark) {
+        null
+    } else {
+        "$directory: its file system has no file locks; the file ${LockMark.FILE} keeps other processes out instead"
+    }
+
     override fun close() {
         try {
-            channel.close()
+            held.close()
         } finally {
             HELD.remove(directory)
         }
@@ -31,6 +39,9 @@ public class RunLock private constructor(private val directory: Path, private va
     public companion object {
         /** Name of the file that is locked. */
         public const val FILE: String = ".lock"
+
+        /** Names of all files that a lock may leave. */
+        public val FILES: Set<String> = setOf(FILE, LockMark.FILE, LockMark.GUARD)
 
         private val HELD: MutableSet<Path> = ConcurrentHashMap.newKeySet()
 
@@ -44,7 +55,7 @@ public class RunLock private constructor(private val directory: Path, private va
             val real = directory.toRealPath()
             if (!HELD.add(real)) throw busy(directory, ProcessHandle.current().pid().toString())
             try {
-                RunLock(real, lockedChannel(directory))
+                RunLock(real, lockedChannel(directory) ?: marked(directory))
             } catch (e: Throwable) {
                 HELD.remove(real)
                 throw e
@@ -53,7 +64,17 @@ public class RunLock private constructor(private val directory: Path, private va
             throw InputException(directory.toString(), null, "cannot be written: ${reasonOf(e, directory)}")
         }
 
-        private fun lockedChannel(directory: Path): FileChannel {
+        private fun marked(directory: Path): LockMark = try {
+            LockMark.make(directory)
+        } catch (e: LockMark.Busy) {
+            if (e.isKnown) throw busy(directory, e.who)
+            val who = if (e.who.isEmpty()) "another process" else "another process (${e.who})"
+            val why = "$who may be running in this directory, whose file system has no file locks"
+            throw InputException(directory.toString(), null, "$why; if it is not, remove ${e.file}")
+        }
+
+        /** Null when the file system has no locks. */
+        private fun lockedChannel(directory: Path): FileChannel? {
             val channel =
                 FileChannel.open(
                     directory.resolve(FILE),
@@ -66,8 +87,8 @@ public class RunLock private constructor(private val directory: Path, private va
             } catch (e: OverlappingFileLockException) {
                 false
             } catch (e: IOException) {
-                // Some file systems have no locks; then no process is kept out.
-                true
+                channel.close()
+                return null
             }
             if (!isFree) throw channel.use { busy(directory, holder(it)) }
             try {

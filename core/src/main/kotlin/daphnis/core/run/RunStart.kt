@@ -44,12 +44,12 @@ internal inline fun begun(
     notices: List<String>,
     begin: (NewRun) -> String,
 ): Run {
-    var lock: AutoCloseable? = null
+    var lock: RunLock? = null
     try {
         val place = NewRun(directory, force)
         lock = place.claim()
         val origin = begin(place)
-        return Run(directory, plan, origin, Checkpoints(directory), null, lock, notices)
+        return Run(directory, plan, origin, Checkpoints(directory), null, lock, listOfNotNull(lock.notice) + notices)
     } catch (e: IOException) {
         plan.use { lock.use { throw cannotWrite(directory, e) } }
     } catch (e: Throwable) {
@@ -72,7 +72,7 @@ internal fun resumeRun(
 internal inline fun locked(
     directory: RunDirectory,
     require: (RunDirectory) -> Unit,
-    resume: (lock: AutoCloseable) -> Run,
+    resume: (lock: RunLock) -> Run,
 ): Run {
     require(directory)
     val lock = RunLock.take(directory.path)
@@ -93,7 +93,7 @@ private fun resumed(
     engines: EngineFactory,
     acceptLoss: Boolean,
     own: Map<String, Output>,
-    lock: AutoCloseable,
+    lock: RunLock,
 ): Run {
     val found = ScenarioJson.read(directory.scenario)
     val written = withEnd(until, found)
@@ -154,11 +154,12 @@ internal fun goingOn(
     origin: String,
     checkpoints: Checkpoints,
     good: GoodCheckpoint?,
-    lock: AutoCloseable,
+    lock: RunLock,
     notices: MutableList<String>,
     keep: () -> Unit = {},
 ): Run {
     try {
+        notices += listOfNotNull(lock.notice)
         if (good != null) giveBack(plan.own, good.checkpoint, directory, notices)
         // Snapshots after the checkpoint are written again, with the same bits; the summary would be that of a run
         // which has not ended.

@@ -1,6 +1,6 @@
 package daphnis.core.run
 
-/** The version of daphnis, as the build wrote it. */
+/** The version of daphnis, as the build wrote it, and its name. */
 public object Version {
     @JvmStatic
     public val text: String by lazy {
@@ -9,4 +9,8 @@ public object Version {
         }
             ?: "unknown"
     }
+
+    /** What the command line was called by, such as `./daphnis` or `daphnis`: the launcher says so. */
+    @JvmStatic
+    public val command: String get() = System.getProperty("daphnis.called")?.takeIf { it.isNotBlank() } ?: "daphnis"
 }

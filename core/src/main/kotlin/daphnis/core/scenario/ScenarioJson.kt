@@ -112,6 +112,10 @@ public object ScenarioJson {
     }
 
     private fun malformed(e: SerializationException, text: String, source: String): InputException {
+        if (text.isBlank()) {
+            val right = "a scenario is a JSON object; daphnis scenarios NAME prints one that is built in"
+            return InputException(source, null, "is empty; $right")
+        }
         val message = e.message.orEmpty()
         val offset = Regex("""offset (-?\d+)""").find(message)?.groupValues?.get(1)?.toInt()?.coerceIn(0, text.length)
         val problem = message.substringAfter(": ").lineSequence().first().substringBefore(" at path").trim()

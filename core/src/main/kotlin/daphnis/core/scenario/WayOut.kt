@@ -24,6 +24,9 @@ public enum class WayOut(public val words: String) {
     /** `acceptLoss` of an analysis: damaged files are accepted as they are. */
     ANALYSE_WITH_LOSS("bring it back, or accept what is there"),
 
+    /** TLS in a file of settings, or `insecure` of a cluster, where nobody else is on the network. */
+    TLS_OR_INSECURE("set daphnis.cluster.tls in a settings file, or set insecure where the network is trusted"),
+
     /** A scenario that writes snapshots. */
     WRITE_SNAPSHOTS("run with snapshots"),
 }

@@ -1,5 +1,7 @@
 package daphnis.analysis.plot
 
+private const val NO_FONTS =
+    "this Java has no fonts to draw with; install fontconfig and some, such as those of the package fonts-dejavu-core"
 private const val HEADLESS = "java.awt.headless"
 
 /**
@@ -13,5 +15,5 @@ internal fun <T> drawing(draw: () -> T): T = try {
 } catch (e: LinkageError) {
     throw IllegalStateException("this Java has no library to draw with: ${e.message}", e)
 } catch (e: InternalError) {
-    throw IllegalStateException("this Java has no fonts to draw with: ${e.message}", e)
+    throw IllegalStateException(NO_FONTS, e)
 }

@@ -1,8 +1,7 @@
 package daphnis.analysis.plot
 
 /**
- * One line over an axis each way. Drawn by ourselves, because a run ends with two of them: the plotting library that
- * draws the analysis takes over a second for its first picture.
+ * One line over an axis each way. A run ends with two of them.
  *
  * @param x by point, ascending
  * @param y by point; points that are not finite are left out, and one alone is a dash
@@ -28,53 +27,28 @@ internal class LineChart(
         val points = x.indices.filter { x[it].isFinite() && y[it].isFinite() }
         val across = Axis(from, to, false)
         val up = vertical(points)
-        val right = width - RIGHT
-        val above = top + ABOVE
-        val bottom = top + height - BELOW
-        fun atX(value: Double) = LEFT + across.fraction(value) * (right - LEFT)
-        fun atY(value: Double) = bottom - up.fraction(value) * (bottom - above)
-        val rows = up.ticks()
-        for ((k, place) in rows.places.withIndex()) {
-            sheet.line(LEFT, atY(place), right, atY(place), GRID, 1.0)
-            sheet.text(rows.labels[k], LEFT - GAP, atY(place) + SMALL / 3.0, SMALL, Anchor.END)
-        }
-        val columns = across.ticks()
-        for ((k, place) in columns.places.withIndex()) {
-            sheet.line(atX(place), above, atX(place), bottom, GRID, 1.0)
-            sheet.text(columns.labels[k], atX(place), bottom + GAP + SMALL, SMALL, Anchor.MIDDLE)
-        }
+        val frame = PlotFrame(
+            across,
+            up,
+            across.ticks(),
+            up.ticks(),
+            LEFT,
+            width - RIGHT,
+            top + ABOVE,
+            top + height - BELOW,
+        )
+        frame.grid(sheet, SMALL)
         sheet.text(title, LEFT, top + LARGE + GAP, LARGE, Anchor.START)
-        sheet.text(xLabel, (LEFT + right) / 2, top + height - GAP, MEDIUM, Anchor.MIDDLE)
-        val lines = if (yLabel.length > LONGEST_LABEL) yLabel.replace(" [", "\n[").lines() else listOf(yLabel)
-        for ((k, line) in lines.withIndex()) {
-            sheet.text(
-                line,
-                GAP + MEDIUM * (1.2 * k + 0.8),
-                (above + bottom) / 2,
-                MEDIUM,
-                Anchor.MIDDLE,
-                upright = true,
-            )
-        }
+        val label = if (yLabel.length > LONGEST_LABEL) yLabel.replace(" [", "\n[") else yLabel
+        frame.titles(sheet, xLabel, label, MEDIUM, top + height - GAP, GAP)
         if (points.size == 1) {
-            sheet.line(
-                atX(x[points[0]]) - GAP,
-                atY(y[points[0]]),
-                atX(x[points[0]]) + GAP,
-                atY(y[points[0]]),
-                colour,
-                LINE,
-            )
+            val place = frame.atX(x[points[0]])
+            val value = frame.atY(y[points[0]])
+            sheet.line(place - GAP, value, place + GAP, value, colour, LINE)
         }
         if (points.size >= 2) {
-            sheet.path(
-                DoubleArray(points.size) {
-                    atX(x[points[it]])
-                },
-                DoubleArray(points.size) { atY(y[points[it]]) },
-                colour,
-                LINE,
-            )
+            val places = DoubleArray(points.size) { frame.atX(x[points[it]]) }
+            sheet.path(places, DoubleArray(points.size) { frame.atY(y[points[it]]) }, colour, LINE)
         }
     }
 
@@ -95,12 +69,11 @@ internal class LineChart(
         const val RIGHT = 24.0
         const val ABOVE = 32.0
         const val BELOW = 44.0
-        const val GAP = 7.0
+        const val GAP = PlotFrame.GAP
         const val SMALL = 11
         const val MEDIUM = 13
         const val LARGE = 16
         const val LINE = 1.5
         const val ROOM = 0.05
-        const val GRID = "#e5e5e5"
     }
 }

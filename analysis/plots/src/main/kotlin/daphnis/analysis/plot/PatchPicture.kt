@@ -8,12 +8,10 @@ import java.awt.Graphics2D
 import java.awt.RenderingHints
 import java.awt.geom.Ellipse2D
 import java.awt.image.BufferedImage
-import java.io.ByteArrayOutputStream
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
 import java.util.Locale
-import javax.imageio.ImageIO
 
 /**
  * Pictures of a patch to scale, from above (x upward, y to the right) and from the side (z upward, y to the right).
@@ -118,7 +116,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         }
         scaleBar(g, window, scale, height)
         g.dispose()
-        return ByteArrayOutputStream().also { ImageIO.write(image, "png", it) }.toByteArray()
+        return Png.encode(image)
     }
 
     private fun shade(t: Double): Color {
@@ -130,14 +128,23 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         if (height < LEAST_HEIGHT_OF_BAR) return
         val length = ScaleBar.length(window.right - window.left)
         val pixels = (length * scale).toInt()
-        g.font = g.font.deriveFont(BAR_TEXT)
         val text = barText(length)
-        val width = maxOf(pixels, g.fontMetrics.stringWidth(text))
+        val width = maxOf(pixels, widthOf(text, g) ?: 0)
         g.color = Color(0, 0, 0, 190)
         g.fillRoundRect(14, height - 68, width + 28, 58, 10, 10)
         g.color = Color.WHITE
         g.fillRect(28, height - 22, pixels, 4)
-        g.drawString(text, 28, height - 32)
+        if (widthOf(text, g) != null) g.drawString(text, 28, height - 32)
+    }
+
+    /** How wide [text] will be at the bar; null where this Java has no fonts: the caption says the length too. */
+    private fun widthOf(text: String, g: Graphics2D): Int? = try {
+        drawing {
+            g.font = g.font.deriveFont(BAR_TEXT)
+            g.fontMetrics.stringWidth(text)
+        }
+    } catch (e: IllegalStateException) {
+        null
     }
 
     private fun barText(length: Double) = ScaleBar.text(length, lengthName)

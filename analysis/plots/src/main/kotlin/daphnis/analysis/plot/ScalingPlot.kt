@@ -23,13 +23,14 @@ public object ScalingPlot {
         val unit = yardstick.seconds
         require(times.all { c -> c.y.all { it > 0 } } && unit > 0) { "a time is not positive" }
         // Those of one point come last, so that each engine looks the same in all three.
+        val pictures = PictureFiles(directory)
         val curves = times.sortedBy { it.x.size == 1 }
         val threads = times.flatMap { it.x.asList() }.map { it.toInt() }.distinct().sorted()
         fun draw(kind: String, drawn: List<Curve>, label: String, dashed: String, horizontal: Double) {
             val words = "grey dashes: $dashed"
             val plot =
                 Chart.lines(drawn, "threads", label, title, horizontal = horizontal, ticks = threads, subtitle = words)
-            Figures.write(plot, directory, "$name-$kind", Chart.WIDTH, Chart.HEIGHT)
+            pictures.write(plot, "$name-$kind")
         }
         draw("time", curves, "time [s]", "$yardstick", unit)
         val speeds = curves.map { c -> mapped(c) { _, t -> unit / t } }

@@ -7,7 +7,6 @@ import daphnis.core.run.SeriesColumns.POTENTIAL_ENERGY
 import daphnis.core.run.SeriesColumns.TIME
 import daphnis.core.table.Column
 import daphnis.core.table.Dimension
-import org.jetbrains.letsPlot.intern.Plot
 
 /**
  * What a run's time series shows, as curves and as plots; axes are logarithmic where the values spread over much, and
@@ -57,16 +56,16 @@ internal class SeriesPlots(
         return Curve("collisions", middle.toDoubleArray(), rate.toDoubleArray())
     }
 
-    fun temperaturePlot(curve: Curve): Plot = plot(listOf(curve), TEMPERATURE, scale.temperatureName)
+    fun temperaturePlot(curve: Curve): Figure = plot(listOf(curve), TEMPERATURE, scale.temperatureName)
 
-    fun ratePlot(curve: Curve): Plot = plot(listOf(curve), RATE, scale.rateName)
+    fun ratePlot(curve: Curve): Figure = plot(listOf(curve), RATE, scale.rateName)
 
-    fun energyPlot(curves: List<Curve>): Plot {
+    fun energyPlot(curves: List<Curve>): Figure {
         val quantity = if (curves.size == 1) "${curves[0].name} energy" else "energy"
         return plot(curves, quantity, scale.units.energy)
     }
 
-    private fun plot(curves: List<Curve>, quantity: String, unit: String): Plot {
+    private fun plot(curves: List<Curve>, quantity: String, unit: String): Figure {
         val log = Chart.isWide(curves.flatMap { it.y.asList() })
         return Chart.lines(
             curves,
@@ -74,7 +73,6 @@ internal class SeriesPlots(
             UnitNames.axis(quantity, unit),
             logY = log,
             vertical = from?.let { it / scale.time },
-            height = HEIGHT,
         )
     }
 

@@ -1,14 +1,5 @@
 package daphnis.analysis.plot
 
-import java.awt.BasicStroke
-import java.awt.Color
-import java.awt.Font
-import java.awt.Graphics2D
-import java.awt.RenderingHints
-import java.awt.geom.Line2D
-import java.awt.geom.Path2D
-import java.awt.image.BufferedImage
-
 /** Where text stands against its point. */
 internal enum class Anchor(val svg: String, val before: Double) {
     START("start", 0.0),
@@ -16,100 +7,29 @@ internal enum class Anchor(val svg: String, val before: Double) {
     END("end", 1.0),
 }
 
-/** A white sheet to draw on, in points from its upper left corner. */
+/** A white sheet to draw on, in points from its upper left corner. Colours are `#rrggbb`. */
 internal interface Sheet {
     fun line(x1: Double, y1: Double, x2: Double, y2: Double, colour: String, width: Double)
 
-    /** A line through the points ([x], [y]), of which there are two or more. */
-    fun path(x: DoubleArray, y: DoubleArray, colour: String, width: Double)
+    /**
+     * A line through the points ([x], [y]), of which there are two or more.
+     *
+     * @param dashes lengths of dashes and of the gaps between them in turn; null for none
+     */
+    fun path(x: DoubleArray, y: DoubleArray, colour: String, width: Double, dashes: Dashes? = null)
+
+    /** The inside of the closed line through the points ([x], [y]). */
+    fun area(x: DoubleArray, y: DoubleArray, colour: String)
+
+    /** The disc of radius [r] around ([x], [y]), or only its edge as a line of [width]. */
+    fun disc(x: Double, y: Double, r: Double, colour: String, width: Double? = null)
+
+    /** A rectangle of a mosaic, from its upper left corner ([x], [y]); those beside each other leave no seam. */
+    fun tile(x: Double, y: Double, width: Double, height: Double, colour: String)
 
     /** Text in one line with its base line through ([x], [y]); [upright] text runs upwards. */
     fun text(text: String, x: Double, y: Double, size: Int, anchor: Anchor, upright: Boolean = false)
 }
 
-/** A sheet that becomes an SVG document. */
-internal class SvgSheet(width: Int, height: Int) : Sheet {
-    private val out = StringBuilder(
-        """<svg xmlns="http://www.w3.org/2000/svg" width="$width" height="$height" viewBox="0 0 $width $height" """ +
-            """font-family="Helvetica, Arial, sans-serif">""",
-    ).append("\n<rect width=\"$width\" height=\"$height\" fill=\"#ffffff\"/>\n")
-
-    override fun line(x1: Double, y1: Double, x2: Double, y2: Double, colour: String, width: Double) {
-        path(doubleArrayOf(x1, x2), doubleArrayOf(y1, y2), colour, width)
-    }
-
-    override fun path(x: DoubleArray, y: DoubleArray, colour: String, width: Double) {
-        out.append("<path fill=\"none\" stroke=\"").append(colour)
-        out.append("\" stroke-width=\"").append(width).append("\" stroke-linejoin=\"round\" d=\"")
-        for (k in x.indices) {
-            val command = if (k == 0) 'M' else 'L'
-            out.append(command).append(hundredths(x[k])).append(' ').append(hundredths(y[k]))
-        }
-        out.append("\"/>\n")
-    }
-
-    override fun text(text: String, x: Double, y: Double, size: Int, anchor: Anchor, upright: Boolean) {
-        val place = "${hundredths(x)} ${hundredths(y)}"
-        val turn = if (upright) " rotate(-90)" else ""
-        out.append(
-            "<text transform=\"translate($place)$turn\" font-size=\"$size\" " +
-                "text-anchor=\"${anchor.svg}\" fill=\"${Figures.TEXT}\">",
-        )
-        for (c in text) {
-            when (c) {
-                '<' -> out.append("&lt;")
-                '>' -> out.append("&gt;")
-                '&' -> out.append("&amp;")
-                // Other control characters are not allowed in XML at all.
-                else -> out.append(if (c < ' ') ' ' else c)
-            }
-        }
-        out.append("</text>\n")
-    }
-
-    private fun hundredths(v: Double): Double = Math.rint(v * 100) / 100
-
-    override fun toString(): String = "$out</svg>\n"
-}
-
-/** A sheet that becomes a picture of [scale] pixels a point. Needs no display. */
-internal class ImageSheet(width: Int, height: Int, scale: Int) : Sheet {
-    val image = BufferedImage(width * scale, height * scale, BufferedImage.TYPE_INT_RGB)
-    private val graphics: Graphics2D = image.createGraphics()
-
-    init {
-        graphics.color = Color.WHITE
-        graphics.fillRect(0, 0, image.width, image.height)
-        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON)
-        graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE)
-        graphics.scale(scale.toDouble(), scale.toDouble())
-    }
-
-    override fun line(x1: Double, y1: Double, x2: Double, y2: Double, colour: String, width: Double) {
-        pen(colour, width)
-        graphics.draw(Line2D.Double(x1, y1, x2, y2))
-    }
-
-    override fun path(x: DoubleArray, y: DoubleArray, colour: String, width: Double) {
-        pen(colour, width)
-        val path = Path2D.Double()
-        path.moveTo(x[0], y[0])
-        for (k in 1 until x.size) path.lineTo(x[k], y[k])
-        graphics.draw(path)
-    }
-
-    private fun pen(colour: String, width: Double) {
-        graphics.color = Color.decode(colour)
-        graphics.stroke = BasicStroke(width.toFloat(), BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND)
-    }
-
-    override fun text(text: String, x: Double, y: Double, size: Int, anchor: Anchor, upright: Boolean) {
-        graphics.color = Color.decode(Figures.TEXT)
-        graphics.font = Font(Font.SANS_SERIF, Font.PLAIN, size)
-        val before = graphics.transform
-        graphics.translate(x, y)
-        if (upright) graphics.rotate(-Math.PI / 2)
-        graphics.drawString(text, (-anchor.before * graphics.fontMetrics.stringWidth(text)).toFloat(), 0f)
-        graphics.transform = before
-    }
-}
+/** Lengths of the dashes and gaps of a line in turn, in widths of the line. */
+internal class Dashes(vararg val lengths: Int)

@@ -10,7 +10,7 @@ import kotlin.math.pow
 import kotlin.math.round
 
 /** Where an axis is marked and what stands there, in the report's way of writing numbers. */
-internal class Ticks private constructor(val places: List<Double>, val labels: List<String>) {
+internal class Ticks(val places: List<Double>, val labels: List<String>) {
     companion object {
         private const val WANTED = 8
         private const val FEWEST = 3

@@ -33,26 +33,37 @@ public class Analysis @JvmOverloads constructor(
         throw InputException("from", null, "is $value; $why", isArgument = true)
     }
 
+    /** Why the last [write] made no PNGs, as where this Java has no fonts; null when it did. */
+    public var missing: String? = null
+        private set
+
     /**
-     * Writes into [directory]: `tables/`, `plots/`, `report.html`.
+     * Writes into [directory], which exists: `tables/`, `plots/`, `report.html`. They appear there when all of them are
+     * done: until then, and if it ends otherwise, what was there stays as it was.
      *
      * @throws daphnis.core.format.FormatException when a state cannot be read
      */
     @JvmOverloads
     @Throws(IOException::class)
     public fun write(directory: Path, progress: AnalysisProgress = AnalysisProgress { _, _, _ -> }) {
-        val study = study(directory)
+        NewFiles(directory).use { files ->
+            write(study(files.place), files.place, progress)
+            files.keep()
+        }
+    }
+
+    private fun write(study: Study, place: Path, progress: AnalysisProgress) {
         val sections = Sections(study)
         val all = sections.states.size + PARTS
         for ((done, k) in sections.states.withIndex()) {
             progress.next(done, all, "state ${done + 1} of ${sections.states.size}, time ${study.time(input.times[k])}")
             sections.add(k)
         }
-        progress.next(all - 2, all, "tables and plots")
         val page = ReportPage(input.name)
-        sections.write(page)
+        sections.write(page) { progress.next(all - 2, all, "tables and plots: $it") }
+        missing = study.pictures.missing
         progress.next(all - 1, all, "report")
-        WholeFile.write(directory.resolve("report.html"), page.html(subtitle(study)))
+        WholeFile.write(place.resolve("report.html"), page.html(subtitle(study)))
         progress.next(all, all, "done")
     }
 

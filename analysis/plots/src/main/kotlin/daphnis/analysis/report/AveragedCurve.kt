@@ -29,7 +29,9 @@ internal class AveragedCurve(
         val error = DoubleArray(x.size) { study.judgement.error(all[it]) }
         val label = "$words $symbol"
         val axis = UnitNames.axis(argument, unit)
-        val figure = Chart.lines(listOf(Curve(label, x, y, error)), axis, label, horizontal = 1.0)
+        // Beside a peak such as that of a whole patch nothing else would be seen.
+        val log = Chart.hasPeak(y.asList())
+        val figure = Chart.lines(listOf(Curve(label, x, y, error)), axis, label, logY = log, horizontal = 1.0)
         study.draw(page, figure, name, words, "$caption ${study.judgement.bars()}")
         val columns = listOf(Column(short, unit, x), Column(symbol, "", y), Column("${symbol}_error", "", error))
         Table(name, columns).write(study.tables)

@@ -8,7 +8,7 @@ package daphnis.analysis.report
 internal object PageStyle {
     const val CSS: String = """
 :root{color-scheme:light dark;--ink:#1c2430;--quiet:#4a5564;--page:#fff;
---line:#d9dee5;--faint:#eceff3;--code:#f4f6f8;--link:#1f4e79}
+--line:#d9dee5;--faint:#eceff3;--code:#f4f6f8;--link:#1f4e79;--shade:#0005}
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%}
 body{margin:0 auto;max-width:62rem;padding:1.5rem 1.25rem 4rem;color:var(--ink);background:var(--page);
@@ -28,7 +28,12 @@ figure{margin:1.1rem 0}
 figure img{display:block;max-width:100%;height:auto;margin:0 auto}
 .picture img{max-height:46rem}
 figcaption{font-size:.92rem;margin-top:.4rem}
-.scroll{overflow-x:auto}
+.scroll{overflow-x:auto;background:
+linear-gradient(to left,var(--page) 40%,transparent) right/2.5rem 100% no-repeat local,
+linear-gradient(to right,var(--page) 40%,transparent) left/2.5rem 100% no-repeat local,
+linear-gradient(to left,var(--shade),transparent) right/1rem 100% no-repeat scroll,
+linear-gradient(to right,var(--shade),transparent) left/1rem 100% no-repeat scroll}
+.hint{display:none;margin:0;font-size:.85rem;color:var(--quiet)}
 table{border-collapse:collapse;font-size:.94rem}
 th,td{text-align:left;padding:.28rem .9rem .28rem 0;vertical-align:top;border-bottom:1px solid var(--faint)}
 thead th{border-bottom:1px solid var(--line);font-weight:600;white-space:nowrap}
@@ -45,8 +50,11 @@ h1{font-size:1.5rem}
 .chart img{max-width:none;width:36rem}
 .parameters th{white-space:normal;min-width:6rem}
 }
+@media(max-width:38rem){
+.hint{display:block}
+}
 @media screen and (prefers-color-scheme:dark){
-:root{--ink:#e4e7ec;--quiet:#a9b2bf;--page:#1a1a1a;--line:#3d4148;--faint:#2b2e33;--code:#26282c;--link:#8fbfe8}
+:root{--ink:#e4e7ec;--quiet:#a9b2bf;--page:#1a1a1a;--line:#3d4148;--faint:#2b2e33;--code:#26282c;--link:#8fbfe8;--shade:#000c}
 .chart img{filter:invert(.9) hue-rotate(180deg)}
 }
 @media print{
@@ -54,7 +62,8 @@ body{max-width:none;padding:0;font-size:11pt}
 nav{display:none}
 h2{break-after:avoid}
 figure,tr{break-inside:avoid}
-.scroll{overflow:visible}
+.scroll{overflow:visible;background:none}
+.hint{display:none}
 .chart img{width:auto;max-width:100%}
 pre{white-space:pre-wrap}
 }

@@ -32,7 +32,7 @@ internal class ReportPage(private val title: String) {
 
     /** A chart: on a narrow screen it stays large enough to be read, and scrolls. */
     fun svg(svg: String, alt: String, caption: String) =
-        image("image/svg+xml", "chart", svg.toByteArray(Charsets.UTF_8), alt, caption)
+        image("image/svg+xml", CHART, svg.toByteArray(Charsets.UTF_8), alt, caption)
 
     /** A picture: as wide as the screen at most. */
     fun png(png: ByteArray, alt: String, caption: String) = image("image/png", "picture", png, alt, caption)
@@ -40,7 +40,8 @@ internal class ReportPage(private val title: String) {
     private fun image(type: String, kind: String, bytes: ByteArray, alt: String, caption: String) {
         val data = Base64.getEncoder().encodeToString(bytes)
         val image = "<img alt=\"${escape(alt)}\" src=\"data:$type;base64,$data\">"
-        val content = "${scrolling(alt, image)}<figcaption>${escape(caption)}</figcaption>"
+        val hint = if (kind == CHART) HINT else ""
+        val content = "$hint${scrolling(alt, image)}<figcaption>${escape(caption)}</figcaption>"
         body.append("<figure class=\"$kind\">$content</figure>\n")
     }
 
@@ -63,6 +64,8 @@ internal class ReportPage(private val title: String) {
         val head = headings.joinToString("") { "<th scope=\"col\">$it</th>" }
         val lines = rows.joinToString("") { row -> "<tr>${cells(row)}${if (compared) comparison(row) else ""}</tr>\n" }
         val table = "<table class=\"numbers\"><thead><tr>$head</tr></thead><tbody>\n$lines</tbody></table>"
+        // With references there are more columns than a narrow screen has room for.
+        if (compared) body.append(HINT)
         body.append(scrolling("numbers", table)).append('\n')
         for (why in Unknown.entries) {
             if (rows.none { it.unknown == why }) continue
@@ -103,6 +106,11 @@ $body</main></body></html>
     }
 
     companion object {
+        private const val CHART = "chart"
+
+        /** Seen on screens that are narrower than a chart. */
+        private const val HINT = "<p class=\"hint\" aria-hidden=\"true\">scroll sideways →</p>"
+
         fun escape(text: String): String =
             text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
     }

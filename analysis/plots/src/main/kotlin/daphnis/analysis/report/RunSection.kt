@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.core.run.Version
 import daphnis.core.scenario.TimeStepSpec
 import java.nio.file.Files
 import java.nio.file.Path
@@ -25,11 +26,12 @@ internal class RunSection(private val study: Study) : Section {
                 "threads$unless.",
         )
         val again = quoted(besides(run))
+        val daphnis = quoted(Path.of(Version.command))
         page.commands(
             listOf(
-                "./daphnis run ${quoted(run.resolve("scenario.json"))} --out $again",
-                "./daphnis compare ${quoted(run)} $again",
-                "./daphnis analyze $again",
+                "$daphnis run ${quoted(run.resolve("scenario.json"))} --out $again",
+                "$daphnis compare ${quoted(run)} $again",
+                "$daphnis analyze $again",
             ),
         )
     }

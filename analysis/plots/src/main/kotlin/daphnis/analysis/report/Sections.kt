@@ -34,7 +34,8 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     /** The rows of the table of numbers. */
     fun numbers(): List<NumberRow> = numbers.rows()
 
-    fun write(page: ReportPage) {
+    /** Writes all onto [page]; [next] is told the heading of each before. */
+    fun write(page: ReportPage, next: (String) -> Unit = {}) {
         val missing = ArrayList<String>()
         for (section in all) {
             val why = section.leftOut
@@ -42,6 +43,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
                 missing += "${section.heading}: $why."
                 continue
             }
+            next(section.heading)
             page.section(section.heading, section.over)
             section.write(page)
         }

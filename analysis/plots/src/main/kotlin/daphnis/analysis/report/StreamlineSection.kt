@@ -7,6 +7,7 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.streamline.Streamlines
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
+import java.util.Locale
 
 /** Streamlines of the last state, in both orders; relative to the moon where there is one. */
 internal class StreamlineSection(private val study: Study) : Section {
@@ -49,11 +50,19 @@ internal class StreamlineSection(private val study: Study) : Section {
     private fun draw(page: ReportPage, lines: Streamlines) {
         val y = moon?.y ?: 0.0
         val drawn = (0 until lines.groups).filter { it % maxOf(1, lines.groups / MOST_LINES) == 0 }
-        val curves = drawn.map { g ->
+        val runs = StreamlineRuns(lines, drawn)
+        if (runs.part < LEAST_PART) {
+            page.paragraph(
+                "No picture of streamlines: most of them cross, as around a moon inside the patch, or where few " +
+                    "particles scatter more than streamlines are apart.",
+            )
+            return
+        }
+        val curves = runs.list.map { (g, slabs) ->
             Curve(
                 "$g",
-                DoubleArray(lines.slabs) { lines.meanY[lines.at(it, g)] - y },
-                DoubleArray(lines.slabs) { lines.meanX[lines.at(it, g)] },
+                slabs.map { lines.meanY[lines.at(it, g)] - y }.toDoubleArray(),
+                slabs.map { lines.meanX[lines.at(it, g)] }.toDoubleArray(),
             )
         }
         val box = last.boundary.box
@@ -65,7 +74,13 @@ internal class StreamlineSection(private val study: Study) : Section {
         } else {
             "Streamlines: the mean place of each group from slab to slab."
         }
-        study.draw(page, figure, "streamlines", "streamlines", caption, HEIGHT)
+        study.draw(page, figure, "streamlines", "streamlines", caption + left(runs.part), HEIGHT)
+    }
+
+    private fun left(part: Double): String {
+        if (part >= 1) return ""
+        val percent = String.format(Locale.ROOT, "%.0f", maxOf(1.0, 100 * (1 - part)))
+        return " Where one crosses the next, on $percent % of their length, neither is drawn."
     }
 
     private fun table(name: String, s: Streamlines) {
@@ -108,5 +123,8 @@ internal class StreamlineSection(private val study: Study) : Section {
         const val PARTICLES_PER_GROUP = 12.0
         const val MOST_LINES = 24
         const val HEIGHT = 420
+
+        /** Part of the streamlines below which there is no picture of them. */
+        const val LEAST_PART = 0.5
     }
 }

@@ -3,11 +3,11 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
-import daphnis.analysis.plot.Figures
+import daphnis.analysis.plot.Figure
+import daphnis.analysis.plot.PictureFiles
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.table.UnitNames
 import daphnis.core.format.Snapshot
-import org.jetbrains.letsPlot.Figure
 import java.nio.file.Path
 import kotlin.math.PI
 
@@ -36,6 +36,7 @@ internal class Study(
         }
     }
     val plots: Path = directory.resolve("plots")
+    val pictures: PictureFiles = PictureFiles(plots)
     val tables: Path = directory.resolve("tables")
     val units: UnitNames = input.units
     val scale: PlotScale = PlotScale(units, input.omega, bulk.meanRadius)
@@ -92,7 +93,7 @@ internal class Study(
 
     /** Draws [figure] into `plots/NAME.svg` and `.png` and onto [page]. */
     fun draw(page: ReportPage, figure: Figure, name: String, alt: String, caption: String, height: Int = Chart.HEIGHT) {
-        page.svg(Figures.write(figure, plots, name, Chart.WIDTH, height), alt, caption)
+        page.svg(pictures.write(figure, name, Chart.WIDTH, height), alt, caption)
     }
 
     companion object {

@@ -1,7 +1,7 @@
 package daphnis.analysis.sweep
 
-import org.jetbrains.letsPlot.intern.Scale
-import org.jetbrains.letsPlot.scale.scaleXContinuous
+import daphnis.analysis.plot.NamedMarks
+import daphnis.analysis.plot.Ticks
 
 /**
  * Places 0, 1, 2, … of an axis that stand for [names]. Where these have no room beside each other the places are
@@ -15,14 +15,11 @@ internal class NamedPlaces(title: String, private val names: List<String>) {
     /** The title of the axis, with the meaning of the numbers if there are any. */
     val label: String = if (isShort) title else (listOf(title) + legend()).joinToString("\n")
 
-    fun scale(): Scale {
+    /** The marks of that axis. */
+    fun marks(): NamedMarks {
         val labels = if (isShort) names else names.indices.map { "(${it + 1})" }
-        val ends = -MARGIN to names.lastIndex + MARGIN
-        return scaleXContinuous(
-            breaks = names.indices.map { it.toDouble() },
-            labels = labels,
-            limits = ends,
-        )
+        val ticks = Ticks(names.indices.map { it.toDouble() }, labels)
+        return NamedMarks(ticks, -MARGIN, names.lastIndex + MARGIN)
     }
 
     /** Lines that are no longer than the axis. */
@@ -45,7 +42,7 @@ internal class NamedPlaces(title: String, private val names: List<String>) {
         const val ROOM = 80
         const val BETWEEN = 2
 
-        /** The library cuts longer ones. */
+        /** Longer ones are one too many for a glance along the axis. */
         const val LONGEST = 20
 
         /** Room beside the first place and the last. */

@@ -2,15 +2,14 @@ package daphnis.analysis.sweep
 
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
-import daphnis.analysis.plot.Figures
+import daphnis.analysis.plot.CurveChart
+import daphnis.analysis.plot.PictureFiles
 import daphnis.analysis.report.JsonWords
 import daphnis.analysis.report.ReportNumber
 import daphnis.analysis.table.UnitNames
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
-import org.jetbrains.letsPlot.intern.Plot
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.abs
 import kotlin.math.pow
@@ -29,6 +28,10 @@ public class SweepPlots(private val sweep: Sweep) {
 
     private fun places(key: Int) = sweep.points.map { it.values[key].toDoubleOrNull() ?: Double.NaN }
 
+    /** Why [write] made no PNGs, as where this Java has no fonts; null when it did. */
+    public var missing: String? = null
+        private set
+
     /**
      * Draws `QUANTITY.svg` and `.png` into [directory], which is made, with `-against-KEY` in the name where there is
      * more than one axis. A quantity that no two points have, or that is the same for all runs, is left out.
@@ -38,16 +41,17 @@ public class SweepPlots(private val sweep: Sweep) {
     @Throws(IOException::class)
     public fun write(directory: Path): Int {
         var drawn = 0
+        val pictures = PictureFiles(directory)
         for ((name, plot) in plots()) {
-            Files.createDirectories(directory)
-            Figures.write(plot, directory, name, Chart.WIDTH, Chart.HEIGHT)
+            pictures.write(plot, name)
             drawn++
         }
+        missing = pictures.missing
         return drawn
     }
 
     /** The plots with their names, each made when it is asked for. */
-    internal fun plots(): Sequence<Pair<String, Plot>> = axes.asSequence().flatMap { axis ->
+    internal fun plots(): Sequence<Pair<String, CurveChart>> = axes.asSequence().flatMap { axis ->
         sweep.quantities.asSequence().filter { varies(it) }.mapNotNull { quantity ->
             val curves = curves(axis, quantity).filter { c -> c.y.count { it.isFinite() } > 1 }
             if (curves.isEmpty()) null else name(axis, quantity) to plot(axis, quantity, curves)
@@ -66,7 +70,7 @@ public class SweepPlots(private val sweep: Sweep) {
         return "${quantity.key}-against-${sweep.keys[axis].replace(Regex("[^A-Za-z0-9._-]+"), "-")}"
     }
 
-    private fun plot(axis: Int, quantity: ReportNumber, curves: List<Curve>): Plot {
+    private fun plot(axis: Int, quantity: ReportNumber, curves: List<Curve>): CurveChart {
         val x = curves.flatMap { it.x.asList() }
         val isWide = isNumeric(axis) && x.min() > 0 && x.max() > WIDE * x.min()
         val label = UnitNames.axis(quantity.name, quantity.unit)
@@ -74,8 +78,8 @@ public class SweepPlots(private val sweep: Sweep) {
         val isJoined = isNumeric(axis) && x.distinct().size > 2
         val named = if (isNumeric(axis)) null else NamedPlaces(sweep.labels[axis], values(axis).map { short(it) })
         val across = named?.label ?: sweep.labels[axis]
-        val plot = Chart.lines(aside(curves, isWide), across, label, logX = isWide, joined = isJoined)
-        return if (named == null) plot else plot + named.scale()
+        val marks = named?.marks()
+        return Chart.lines(aside(curves, isWide), across, label, logX = isWide, marks = marks, joined = isJoined)
     }
 
     /** [curves] less than the width of a point apart, so that bars of one do not hide those of another. */

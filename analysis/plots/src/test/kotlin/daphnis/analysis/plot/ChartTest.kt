@@ -1,37 +1,11 @@
 package daphnis.analysis.plot
 
-import org.jetbrains.letsPlot.intern.toSpec
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class ChartTest {
-    private fun limits(values: DoubleArray): List<*> {
-        val spec = Chart.map(
-            doubleArrayOf(0.0, 1.0),
-            doubleArrayOf(0.0, 1.0),
-            values,
-            "x",
-            "y",
-            "autocorrelation A",
-        ).toSpec()
-        val fill = (spec["scales"] as List<*>).map { it as Map<*, *> }.single { it["aesthetic"] == "fill" }
-        assertEquals("autocorrelation A", fill["name"])
-        assertEquals(0.0, fill["midpoint"])
-        return fill["limits"] as List<*>
-    }
-
-    @Test
-    fun `a logarithmic axis ends a little beyond its points`() {
-        val curve = Curve("a", doubleArrayOf(0.5, 1.0, 8.0), doubleArrayOf(1.0, 2.0, 3.0), DoubleArray(3) { 0.1 })
-        val spec = Chart.lines(listOf(curve), "x", "y", logX = true).toSpec()
-        val x = (spec["scales"] as List<*>).map {
-            it as Map<*, *>
-        }.single { it["aesthetic"] == "x" && "limits" in it }
-        val (low, high) = (x["limits"] as List<*>).map { it as Double }
-        assertTrue(low in 0.4..0.499 && high in 8.01..10.0) { "$low to $high" }
-    }
-
     /** Centres of the points of one curve, as places from left and from above. */
     private fun points(svg: String): List<Pair<Double, Double>> = Regex("<circle[^>]*>").findAll(svg)
         .map { it.value }
@@ -53,9 +27,45 @@ class ChartTest {
     @Test
     fun `the first curve is drawn over the others`() {
         val x = doubleArrayOf(1.0, 2.0)
-        val curves = listOf("first", "second").map { Curve(it, x, x) }
-        val data = Chart.lines(curves, "x", "y").toSpec()["data"] as Map<*, *>
-        assertEquals(listOf("second", "second", "first", "first"), data["curve"])
+        val svg = Figures.svg(Chart.lines(listOf("first", "second").map { Curve(it, x, x) }, "x", "y"))
+        assertTrue(svg.lastIndexOf(Figures.COLOURS[0]) > svg.lastIndexOf(Figures.COLOURS[1]))
+    }
+
+    @Test
+    fun `a bar and a line across are within the chart, on a logarithmic axis too`() {
+        val x = doubleArrayOf(1.0, 2.0, 3.0)
+        for (log in listOf(false, true)) {
+            val curve = Curve("a", x, doubleArrayOf(2.0, 40.0, 3.0), doubleArrayOf(1.9, 9.0, 4.0))
+            val svg = Figures.svg(Chart.lines(listOf(curve), "x", "y", logY = log, horizontal = 1.0))
+            val heights = Regex("[ML][0-9.]+ ([0-9.]+)").findAll(svg).map { it.groupValues[1].toDouble() }.toList()
+            assertTrue(heights.all { it in 0.0..Chart.HEIGHT.toDouble() }) { "$heights" }
+            assertTrue(Figures.QUIET in svg && ("(log scale)" in svg) == log)
+        }
+    }
+
+    @Test
+    fun `a line across that a logarithmic axis does not reach is left out, and no point leaves an empty chart`() {
+        val far = Curve("a", doubleArrayOf(1.0, 2.0), doubleArrayOf(1e3, 1e5))
+        assertFalse(Figures.QUIET in Figures.svg(Chart.lines(listOf(far), "x", "y", logY = true, horizontal = 1.0)))
+        val none = Curve("a", doubleArrayOf(1.0), doubleArrayOf(Double.NaN))
+        val svg = Figures.svg(Chart.lines(listOf(none), "x", "y", logX = true, logY = true, vertical = 3.0))
+        assertFalse("NaN" in svg || "Infinity" in svg) { svg }
+    }
+
+    @Test
+    fun `a figure draws the same bytes each time, as an SVG and as a PNG`() {
+        val x = DoubleArray(50) { it.toDouble() }
+        fun figure() = Chart.lines(listOf(Curve("a", x, x, x), Curve("b", x, x)), "x [m]", "y", "title", vertical = 2.0)
+        assertEquals(Figures.svg(figure()), Figures.svg(figure()))
+        assertTrue(Figures.png(figure()).contentEquals(Figures.png(figure())))
+    }
+
+    @Test
+    fun `a single value that is thirty times as large as most is a peak`() {
+        assertTrue(Chart.hasPeak(List(59) { 1.0 + it % 3 } + 8000.0))
+        assertFalse(Chart.hasPeak(List(59) { 1.0 } + 29.0))
+        assertFalse(Chart.hasPeak(listOf(0.0, 1.0, 1.0, 8000.0)))
+        assertFalse(Chart.hasPeak(listOf(Double.NaN)))
     }
 
     @Test
@@ -69,8 +79,16 @@ class ChartTest {
 
     @Test
     fun `the colours of a map have zero in their middle`() {
-        assertEquals(listOf(-0.8, 0.8), limits(doubleArrayOf(0.8, 0.1, -0.2, 0.0)))
-        assertEquals(listOf(-2.0, 2.0), limits(doubleArrayOf(0.5, 0.1, -2.0, 0.0)))
-        assertEquals(listOf(-1.0, 1.0), limits(DoubleArray(4)))
+        assertEquals("#ffffff", MapChart.colour(0.0))
+        assertEquals(Figures.ACCENT, MapChart.colour(1.0))
+        assertEquals(Figures.INK, MapChart.colour(-1.0))
+        val places = doubleArrayOf(0.0, 1.0)
+        fun tiles(vararg values: Double) =
+            Figures.svg(Chart.map(places, places, values, "x", "y", "A")).lines().filter { "<rect x" in it }.take(4)
+        // The largest of both signs has the whole colour, and the first row is at the bottom.
+        val drawn = tiles(0.8, 0.1, -0.2, Double.NaN)
+        assertTrue(Figures.ACCENT in drawn[0] && Figures.INK !in drawn.take(3).joinToString())
+        assertTrue(Figures.INK in tiles(0.5, 0.1, -2.0, 0.0)[2])
+        assertTrue(tiles(0.0, 0.0, 0.0, 0.0).all { "#ffffff" in it })
     }
 }

@@ -43,19 +43,17 @@ class FiguresTest {
             ),
         )
         assertFalse("stroke-dasharray" in drawn(1))
-        // The first is solid; each other has its pattern, drawn smaller in the legend.
-        for (n in 2..4) {
+        // The first is solid; each other has its pattern, in the legend too.
+        for (n in 2..6) {
             val patterns = Regex("stroke-dasharray=\"([^\"]*)\"").findAll(drawn(n)).map { it.groupValues[1] }.toSet()
-            assertEquals(2 * (n - 1), patterns.size) { "$patterns" }
+            assertEquals(n - 1, patterns.size) { "$patterns" }
         }
     }
 
     @Test
     fun `a chart of a single point shows it`() {
         val svg = Figures.svg(Chart.lines(listOf(Curve("a", doubleArrayOf(1.0), doubleArrayOf(2.0))), "x", "y"))
-        assertTrue("<circle" in svg || Figures.COLOURS[0] in svg || "rgb(0,53,95)" in svg.replace(" ", "")) {
-            svg.take(4000)
-        }
+        assertTrue("<circle" in svg && Figures.COLOURS[0] in svg) { svg }
     }
 
     @Test

@@ -365,7 +365,7 @@ class AnalysisTest {
             Regex("""\d[eE][-+−]?\d""").find(html.substringAfter("<main>").substringBefore("state digest"))?.value,
         )
         assertTrue("· 10⁻" in html)
-        assertTrue("./daphnis compare $path $path-again" in html) { html.takeLast(1500) }
+        assertTrue("daphnis compare $path $path-again" in html && "./daphnis" !in html) { html.takeLast(1500) }
         assertTrue("time [orbits]" in Files.readString(path.resolve("plots/temperature.svg")))
         assertTrue("<td>hill-sheet, radiallyOpen false</td>" in html)
     }

@@ -1,0 +1,99 @@
+package daphnis.analysis.plot
+
+import kotlin.math.pow
+
+/**
+ * What a plot shows of the plane, with titles of its axes: by default a little more than from the least to the greatest
+ * of [x] and of [y], which are marked at round places.
+ *
+ * @param x values to be seen along the horizontal axis; none for an empty field
+ * @param logX whether the axis is logarithmic, which its label then says; all values are positive then
+ * @param marks places of the horizontal axis that are named, instead of round ones
+ * @param isFromZero whether the vertical axis begins at 0 and ends at a mark
+ * @param isFixed whether a unit is as long along both axes
+ */
+internal class PlotField(
+    private val xLabel: String,
+    private val yLabel: String,
+    x: List<Double>,
+    y: List<Double>,
+    logX: Boolean = false,
+    logY: Boolean = false,
+    marks: NamedMarks? = null,
+    isFromZero: Boolean = false,
+    private val isFixed: Boolean = false,
+) {
+    private val xSpan = Span(x, logX, marks)
+    private val ySpan = if (isFromZero) Span.fromZero(y) else Span(y, logY)
+    private val below = scaled(xLabel, logX)
+    private val beside = scaled(yLabel, logY)
+
+    /** Says that an axis is logarithmic; a label that is long has its unit on a second line. */
+    private fun scaled(label: String, log: Boolean): String {
+        val shown = if (log) "$label (log scale)" else label
+        return if (shown.length > LONGEST_LABEL && '\n' !in shown) shown.replace(" [", "\n[") else shown
+    }
+
+    /** Draws axes and grid where [top] points above are taken, and [right] points at the right; the frame of it. */
+    fun draw(sheet: Sheet, width: Int, height: Int, top: Double, right: Double = MARGIN): PlotFrame {
+        val widest = ySpan.ticks.labels.maxOfOrNull { it.length } ?: 0
+        val lines = beside.lines().size
+        var left = MARGIN + lines * LABEL * PlotFrame.LINE_HEIGHT + widest * NUMBER * GLYPH + PlotFrame.GAP
+        var end = width - right
+        var above = top + MARGIN
+        var bottom = height - MARGIN - below.lines().size * LABEL * PlotFrame.LINE_HEIGHT - NUMBER - PlotFrame.GAP
+        if (isFixed) {
+            val unit = minOf((end - left) / xSpan.length, (bottom - above) / ySpan.length)
+            val spareX = (end - left - unit * xSpan.length) / 2
+            val spareY = (bottom - above - unit * ySpan.length) / 2
+            left += spareX
+            end -= spareX
+            above += spareY
+            bottom -= spareY
+        }
+        val frame = PlotFrame(xSpan.axis, ySpan.axis, xSpan.ticks, ySpan.ticks, left, end, above, bottom)
+        frame.grid(sheet, NUMBER)
+        val lowest = bottom + NUMBER + PlotFrame.GAP + below.lines().size * LABEL * PlotFrame.LINE_HEIGHT
+        val leftmost = left - PlotFrame.GAP - widest * NUMBER * GLYPH - lines * LABEL * PlotFrame.LINE_HEIGHT
+        frame.titles(sheet, below, beside, LABEL, lowest, leftmost)
+        return frame
+    }
+
+    /** What one axis shows. */
+    private class Span(val axis: Axis, val ticks: Ticks, val length: Double) {
+        companion object {
+            operator fun invoke(values: List<Double>, log: Boolean, marks: NamedMarks? = null): Span {
+                val low = minOf(values.minOrNull() ?: 1.0, marks?.from ?: Double.POSITIVE_INFINITY)
+                val high = maxOf(values.maxOrNull() ?: 1.0, marks?.to ?: Double.NEGATIVE_INFINITY)
+                val ticks = marks?.ticks ?: if (log) Ticks.logarithmic(low, high) else Ticks.linear(low, high)
+                if (log) {
+                    val room = (high / low).pow(ROOM)
+                    return Span(Axis(low / room, high * room, true), ticks, Double.NaN)
+                }
+                val room = (high - low) * ROOM
+                return Span(Axis(low - room, high + room, false), ticks, high - low + 2 * room)
+            }
+
+            fun fromZero(values: List<Double>): Span {
+                val ticks = Ticks.linearFromZero(values.maxOrNull() ?: 1.0)
+                return Span(Axis(0.0, ticks.places.last(), false), ticks, ticks.places.last())
+            }
+        }
+    }
+
+    companion object {
+        const val MARGIN = 10.0
+
+        /** Sizes of text: of numbers at axes and names in legends, and of the titles of axes. */
+        const val NUMBER = 13
+        const val LABEL = 15
+
+        /** About how wide a letter is, in sizes of the text. Widths of a font would differ between machines. */
+        const val GLYPH = 0.56
+        private const val LONGEST_LABEL = 34
+        private const val ROOM = 0.05
+    }
+}
+
+/** Marks of an axis that shows at least what is between [from] and [to]. */
+internal class NamedMarks(val ticks: Ticks, val from: Double, val to: Double)
