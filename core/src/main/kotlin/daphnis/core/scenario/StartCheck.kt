@@ -125,7 +125,7 @@ internal class StartCheck(
 
     internal companion object {
         /** The part of a size by which spheres may overlap. */
-        const val TOLERANCE = 1e-9
+        const val TOLERANCE = Overlap.TOLERANCE
         private const val MOST_SLIDE = 4
 
         /**
