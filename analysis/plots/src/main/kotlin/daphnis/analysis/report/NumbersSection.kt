@@ -31,9 +31,11 @@ internal class NumbersSection(private val study: Study, private val others: List
         val lines = rows.map {
             val error = if (it.error.isNaN()) "" else it.error
             val remark = it.unknown?.remark.orEmpty()
-            "${checkNotNull(it.key) { it.name }},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
+            val reference = it.reference
+            "${checkNotNull(it.key) { it.name }},${it.value},$error,${it.unit},${reference?.value ?: ""},$remark," +
+                "${reference?.error ?: ""}"
         }
-        val header = "quantity,value,standard_error,unit,reference,remark"
+        val header = "quantity,value,standard_error,unit,reference,remark,reference_error"
         WholeFile.write(
             study.tables.resolve("numbers.csv"),
             (listOf(header) + lines).joinToString("\n", postfix = "\n"),
