@@ -72,8 +72,8 @@ public class CentralRidge private constructor(public val pitch: BlockAverage, pu
 
         /**
          * By direction, of each lag: a triangle along the line times a Gaussian of one cell across it, which hides from
-         * the means how the line lies to the lattice; the middle, which is the noise of counting, left out. Their sum is
-         * 1.
+         * the means how the line lies to the lattice. The middle, which is the noise of counting, is left out. Their
+         * sum is 1.
          */
         private val weights = Array(DIRECTIONS) { weights(angle(it)) }
 
@@ -125,7 +125,8 @@ public class CentralRidge private constructor(public val pitch: BlockAverage, pu
             val square = all.sumOf { it * it }.toDouble()
             val middle = square / (2 * NARROW + 1)
             val slope = all.sumOf { it * mean(it) } / square
-            val bend = all.sumOf { (it * it - middle) * mean(it) } / all.sumOf { (it * it - middle) * (it * it - middle) }
+            val bend =
+                all.sumOf { (it * it - middle) * mean(it) } / all.sumOf { (it * it - middle) * (it * it - middle) }
             val shift = if (bend < 0) (-slope / (2 * bend)).coerceIn(-1.0 * NARROW, 1.0 * NARROW) else 0.0
             val pitch = angle(best) + shift * PI / DIRECTIONS
             return pitch - PI * Math.rint(pitch / PI)

@@ -53,14 +53,17 @@ internal class IndependentStates(maps: List<DoubleArray>) {
 
     /**
      * [mean] with the error of the average of the jackknife [pseudovalues], one of each state; without one for fewer
-     * than sixteen states, or when they are worth fewer than eight.
+     * than sixteen states, or when they are worth fewer than eight. The numbers may be slower than the maps, most of
+     * which is noise: then the states are worth what the numbers themselves show, as far as that can be told.
      */
     fun average(mean: Double, pseudovalues: DoubleArray): BlockAverage {
         val centre = pseudovalues.average()
         val variance = pseudovalues.sumOf { (it - centre) * (it - centre) } / states
         val isKnown = states >= BlockAverage.FEWEST_NUMBERS && number >= BlockAverage.FEWEST_INDEPENDENT
-        val error = if (isKnown) sqrt(variance / (number - 1)) else Double.NaN
-        return BlockAverage(mean, error, states, number)
+        if (!isKnown) return BlockAverage(mean, Double.NaN, states, number)
+        val own = BlockAverage.of(pseudovalues).independent
+        val worth = if (own.isNaN()) number else minOf(number, maxOf(own, BlockAverage.FEWEST_INDEPENDENT))
+        return BlockAverage(mean, sqrt(variance / (worth - 1)), states, worth)
     }
 
     private companion object {

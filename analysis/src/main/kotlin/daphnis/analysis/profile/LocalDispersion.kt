@@ -9,8 +9,8 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * The thermal part of the velocity dispersion: what is left between near neighbours, without the motion that they share,
- * such as that of a wave or of a forced epicycle. As a [PooledMeasure] it gives [COLUMNS].
+ * The thermal part of the velocity dispersion: what is left between near neighbours, without the motion that they
+ * share, such as that of a wave or of a forced epicycle. As a [PooledMeasure] it gives [COLUMNS].
  *
  * Half the mean square of the difference of two velocities, the imposed flow taken out of both, is the variance around
  * any mean that both have. It is taken of pairs by their distance d in the x-y plane, up to [reach], weighted by both

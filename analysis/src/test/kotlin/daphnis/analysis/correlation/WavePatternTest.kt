@@ -133,7 +133,7 @@ class WavePatternTest {
         }
     }
 
-    /** As [waves], but each particle stays where it is from state to state, and is drawn anew with the chance [fresh]. */
+    /** As [waves], but each particle stays from state to state, and is drawn anew with the chance [fresh]. */
     private fun lasting(count: Int, depth: Double, states: Int, fresh: Double, random: SeededRandom) = run {
         lateinit var map: SurfaceMap
         val x = DoubleArray(count)
@@ -156,7 +156,7 @@ class WavePatternTest {
     fun `errors cover the truth in two of three realisations of states that resemble one another`() {
         val random = SeededRandom(12)
         val truth = doubleArrayOf(atan(ky / kx), 2 * PI / kx)
-        for ((states, fresh) in listOf(40 to 0.5, 80 to 0.25, 160 to 0.15)) {
+        for ((states, fresh) in listOf(40 to 0.5, 80 to 0.25)) {
             val found = List(REALISATIONS) { pattern(lasting(400, 0.7, states, fresh, random)) }.filterNotNull()
             for ((q, of) in listOf<(WavePattern) -> BlockAverage>({ it.pitch }, { it.spacing }).withIndex()) {
                 val known = found.map(of).filter { it.isLevelled }

@@ -55,7 +55,7 @@ class MeanSquareDisplacementTest {
 
     private var shared = 0.0
 
-    /** A Gaussian number for particle [k], four fifths of whose square it has in common with its group of [together]. */
+    /** A Gaussian number for particle [k], four fifths of whose square it shares with its group of [together]. */
     private fun kick(k: Int, together: Int, random: SeededRandom): Double {
         if (together == 1) return random.nextGaussian()
         if (k % together == 0) shared = random.nextGaussian()

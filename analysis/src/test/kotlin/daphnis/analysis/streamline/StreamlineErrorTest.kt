@@ -145,10 +145,21 @@ class StreamlineErrorTest {
     @Test
     fun `a group of nine has no error in any column, one of ten has`() {
         for (perGroup in 9..10) {
-            val lines = Streamlines.of(ring(HillSheet(box, omega), 6 * perGroup, 0.3, 3), 1, 6, RadialKey.GUIDING_CENTRE)
+            val lines = Streamlines.of(
+                ring(HillSheet(box, omega), 6 * perGroup, 0.3, 3),
+                1,
+                6,
+                RadialKey.GUIDING_CENTRE,
+            )
             val errors = listOf(
-                lines.opticalDepthError, lines.meanIError, lines.forcedEError, lines.phaseError,
-                lines.dispersionError, lines.meanXError, lines.meanEError, lines.qError,
+                lines.opticalDepthError,
+                lines.meanIError,
+                lines.forcedEError,
+                lines.phaseError,
+                lines.dispersionError,
+                lines.meanXError,
+                lines.meanEError,
+                lines.qError,
             )
             for (error in errors) assertTrue(error.all { it.isNaN() == (perGroup == 9) }) { "$perGroup a group" }
             assertTrue(lines.dispersion.none { it.isNaN() } && lines.opticalDepth.none { it.isNaN() })

@@ -17,7 +17,12 @@ import kotlin.math.sqrt
 public fun warnings(setup: ScenarioSetup): List<String> {
     if (setup.population.size == 0) return emptyList()
     val dt = setup.timeStep.next(setup.population)
-    return listOfNotNull(fallsBetweenWalls(setup, dt), coarseOrbit(setup, dt), coarsePull(setup, dt), smallForWakes(setup))
+    return listOfNotNull(
+        fallsBetweenWalls(setup, dt),
+        coarseOrbit(setup, dt),
+        coarsePull(setup, dt),
+        smallForWakes(setup),
+    )
 }
 
 /**
@@ -79,7 +84,7 @@ private fun coarsePull(setup: ScenarioSetup, dt: Double): String? {
     val kicks = 2 * Math.PI / (pull.rate * dt)
     if (kicks >= FEWEST_KICKS * (1 - ROUNDING)) return null
     return line(
-        "timeStep: %.3g steps per period of %s, the shortest that gravity makes here, and gravity acts once per step; " +
+        "timeStep: %.3g steps per period of %s, the shortest that gravity makes, and it acts once per step; " +
             "take steps of %.3g or less",
         kicks,
         pull.what,

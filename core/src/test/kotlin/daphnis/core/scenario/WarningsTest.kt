@@ -81,7 +81,8 @@ class WarningsTest {
               "frame": { "type": "hill", "angularSpeed": 1 }, "box": { "lengths": [20, 20, 10] },
               "boundary": { "type": "hill-sheet" },
               "particles": { "count": 20, "sizes": { "type": "equal", "radius": 1 }, "mass": 1 },
-              "velocities": { "type": "rest", "shearProfile": true }, "restitution": { "type": "constant", "coefficient": 1 },
+              "velocities": { "type": "rest", "shearProfile": true },
+              "restitution": { "type": "constant", "coefficient": 1 },
               "forces": [$force], "timeStep": { "type": "orbit-fraction", "steps": $steps }, "untilOrbits": 1
             }
             """.trimIndent(),

@@ -161,9 +161,10 @@ internal class DiffusionSection(private val study: Study) : Section {
 
     private companion object {
         /** What the errors rest on. */
-        const val ASSUMED = "± is from blocks of time of all particles together. So particles may move together; what " +
-            "is taken as independent is their motion at times that are further apart than the longest lag of the fit. " +
-            "There is no ± where the time is shorter than ${MeanSquareDisplacement.FEWEST_WINDOWS + 1} times that lag."
+        const val ASSUMED =
+            "± is from blocks of time of all particles together. So particles may move together; what is taken as " +
+                "independent is their motion at times that are further apart than the longest lag of the fit. There " +
+                "is no ± where the time is shorter than ${MeanSquareDisplacement.FEWEST_WINDOWS + 1} times that lag."
 
         /** Bounds on memory: 61 MB, and on time: seconds. */
         const val MOST_PARTICLES = 20_000

@@ -23,8 +23,8 @@ internal class Reference(val value: Double, val error: Double, val source: Strin
  * none unless everything that decides the number is as it was there: sizes and masses, restitution with its scale,
  * forces, frame and faces.
  *
- * The independent code gave no errors. The bounds of docs/validation.md, which hold for all of its numbers, are taken as
- * three standard errors.
+ * The independent code gave no errors. The bounds of docs/validation.md, which hold for all of its numbers, are taken
+ * as three standard errors.
  */
 internal object References {
     private const val INDEPENDENT = "docs/validation.md"
@@ -121,16 +121,15 @@ internal object References {
     }
 
     /** Whether equal spheres meet each other and nothing else: no force, no body, no guard that is felt. */
-    private fun isPlain(scenario: Scenario, last: State): Boolean =
-        scenario.forces.isEmpty() &&
-            scenario.bodies.isEmpty() &&
-            ElasticGas.areEqual(last.population.radius) &&
-            ElasticGas.areEqual(last.population.mass) &&
-            when (val guard = scenario.guard) {
-                null, is GuardSpec.None -> true
-                is GuardSpec.FloorSpeed -> guard.relative?.let { it <= FELT } == true
-                is GuardSpec.ContactDuration -> false
-            }
+    private fun isPlain(scenario: Scenario, last: State): Boolean = scenario.forces.isEmpty() &&
+        scenario.bodies.isEmpty() &&
+        ElasticGas.areEqual(last.population.radius) &&
+        ElasticGas.areEqual(last.population.mass) &&
+        when (val guard = scenario.guard) {
+            null, is GuardSpec.None -> true
+            is GuardSpec.FloorSpeed -> guard.relative?.let { it <= FELT } == true
+            is GuardSpec.ContactDuration -> false
+        }
 
     /** r Ω by which the restitution law is scaled: c changes by a tenth of this. */
     private const val SAME_SCALE = 0.005

@@ -88,8 +88,7 @@ internal class ReportPage(private val title: String) {
         return "<td class=\"n\">$value</td><td class=\"n\">$difference</td><td>${escape(reference.source)}</td>"
     }
 
-    private fun signed(text: String) =
-        text.replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
+    private fun signed(text: String) = text.replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
 
     fun commands(lines: List<String>) {
         body.append("<pre>${escape(lines.joinToString("\n"))}</pre>\n")
@@ -109,8 +108,9 @@ $body</main></body></html>
     }
 
     companion object {
-        private const val COMPARED = "References are for runs that agree in all parameters; ± is one standard error of " +
-            "theirs, a third of the bound in docs/validation.md. σ is the joint standard error of both."
+        private const val COMPARED =
+            "References are for runs that agree in all parameters; ± is one standard error of " +
+                "theirs, a third of the bound in docs/validation.md. σ is the joint standard error of both."
 
         fun escape(text: String): String =
             text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")

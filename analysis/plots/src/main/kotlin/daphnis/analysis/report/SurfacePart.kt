@@ -148,7 +148,8 @@ internal class SurfacePart(private val study: Study) : Part {
         const val ENOUGH = "Daisaka, Tanaka & Ida (2001) take 4 or more."
 
         /** What the errors of wakes rest on. */
-        const val ASSUMED = "States count for as many independent ones as the correlation of their autocorrelations in " +
-            "time leaves; none is given for fewer than eight."
+        const val ASSUMED =
+            "States count for as many independent ones as the correlation of their autocorrelations in " +
+                "time leaves; none is given for fewer than eight."
     }
 }

@@ -39,23 +39,23 @@ class ReferenceTest {
     fun `a sheared box and an elastic gas have references only where they are the ones that are known`() {
         assertEquals(3, sheared().size)
         for (
-            other in listOf(
-                "restitution.coefficient=0.85",
-                "guard={\"type\":\"floor-speed\",\"relative\":0.5}",
-                "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
-                "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
-            )
+        other in listOf(
+            "restitution.coefficient=0.85",
+            "guard={\"type\":\"floor-speed\",\"relative\":0.5}",
+            "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
+            "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
+        )
         ) {
             assertEquals(emptyMap<String, Reference>(), sheared(other)) { other }
         }
         assertEquals(2, elastic().size)
         for (
-            other in listOf(
-                "restitution.coefficient=0.99",
-                "boundary={\"type\":\"walls\"}",
-                "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
-                "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
-            )
+        other in listOf(
+            "restitution.coefficient=0.99",
+            "boundary={\"type\":\"walls\"}",
+            "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
+            "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
+        )
         ) {
             assertEquals(emptyMap<String, Reference>(), elastic(other)) { other }
         }
@@ -74,10 +74,13 @@ class ReferenceTest {
     }
 
     internal companion object {
-        private fun of(name: String, settings: Array<out String>, use: (ScenarioSetup, State) -> Map<String, Reference>) =
-            ScenarioSetup.of(BuiltIn.scenario(name, settings.asList()), name).let { setup ->
-                use(setup, State(setup.population, setup.boundary, 0.0, setup.angularSpeed))
-            }
+        private fun of(
+            name: String,
+            settings: Array<out String>,
+            use: (ScenarioSetup, State) -> Map<String, Reference>,
+        ) = ScenarioSetup.of(BuiltIn.scenario(name, settings.asList()), name).let { setup ->
+            use(setup, State(setup.population, setup.boundary, 0.0, setup.angularSpeed))
+        }
 
         /** References of `ring-patch`, with [settings]. */
         fun patch(vararg settings: String) = of("ring-patch", settings) { setup, state ->
