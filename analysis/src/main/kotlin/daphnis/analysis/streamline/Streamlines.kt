@@ -62,8 +62,7 @@ public class Streamlines private constructor(
 
     /**
      * Residual velocity dispersion, around the group's mean velocity, the shear −(3/2)Ωx subtracted; every particle has
-     * the same weight. The root of a mean of few squares is too small on average, as Gaussian velocities make it; this
-     * is corrected.
+     * the same weight. The bias of the root of few squares is corrected.
      */
     public val dispersion: DoubleArray = nan()
     public val dispersionError: DoubleArray = nan()
@@ -132,7 +131,7 @@ public class Streamlines private constructor(
         val mean = DoubleArray(3) { axis -> group.mean { state.againstFlow(it, axis) } }
         val squares = DoubleArray(3) { axis -> group.variance { state.againstFlow(it, axis) } }
         val square = squares.sum()
-        dispersion[entry] = rootOf(squares, n)
+        dispersion[entry] = rootOfFew(squares, n)
         val spread = group.variance { k ->
             val u = state.againstFlow(k, 0) - mean[0]
             val v = state.againstFlow(k, 1) - mean[1]
@@ -242,19 +241,6 @@ public class Streamlines private constructor(
         public const val FEWEST_FOR_ERROR: Int = 10
 
         /**
-         * √Σσ² from the variances [squares] of components in [n] particles, each over n − 1. Their sum has 1/w degrees
-         * of freedom (Satterthwaite 1946, Biometrics Bull. 2, 110; the fourth powers without their bias), and the root
-         * of f degrees is smaller than that of the mean by 4f/(4f + 1).
-         */
-        private fun rootOf(squares: DoubleArray, n: Int): Double {
-            val sum = squares.sum()
-            if (sum == 0.0) return 0.0
-            val fourth = squares.sumOf { it * it } / (n + 1)
-            val w = fourth / (sum * sum - 2 * fourth)
-            return sqrt(sum) * (1 + w / 4)
-        }
-
-        /**
          * Variance of the width between the middles of a group's neighbours, times n, of its square: n independent
          * particles in each.
          */
@@ -295,11 +281,7 @@ public class Streamlines private constructor(
                 val k = order.order[rank]
                 if (state.isParticle(k)) members[start[slab(k) + 1]++] = k
             }
-            val period = if (state.boundary.hasImages(0)) {
-                state.boundary.box.length(0)
-            } else {
-                Double.POSITIVE_INFINITY
-            }
+            val period = if (state.boundary.hasImages(0)) state.boundary.box.length(0) else Double.POSITIVE_INFINITY
             val lines = Streamlines(slabs, groups, width, key)
             val group = StreamlineGroup(members)
             for (s in 0 until slabs) {
