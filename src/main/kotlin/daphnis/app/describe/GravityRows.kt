@@ -27,7 +27,8 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
     private fun given(force: ForceSpec): Double? = when (force) {
         is ForceSpec.SelfGravity -> force.constant
         is ForceSpec.BodyGravity -> force.constant
-        else -> null
+        is ForceSpec.Satellite -> force.constant
+        is ForceSpec.UniformAcceleration -> null
     }
 
     private fun force(k: Int, force: ForceSpec) {
@@ -45,7 +46,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun satellite(moon: ForceSpec.Satellite): String {
         val planet = (scenario.frame as FrameSpec.Hill).planet
-        val g = scenario.units.gravitationalConstant
+        val g = moon.constant ?: scenario.units.gravitationalConstant
         val mass =
             moon.mass
                 ?: scenario.units.gravitationalParameter(planet)?.let { gm -> g?.let { moon.massRatio!! * gm / it } }
@@ -78,7 +79,11 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
         val wavelength = 4 * Math.PI * Math.PI * g * surface / (omega * omega)
         val q = dispersion * omega / (TOOMRE * g * surface)
-        rows.add("Toomre", "critical wavelength ${say.length(wavelength)}, Q = ${number(q)} at the start$off")
+        val fits = (0..1).joinToString(" × ") { number(setup.boundary.box.length(it) / wavelength) }
+        rows.add(
+            "Toomre",
+            "critical wavelength ${say.length(wavelength)}, the box $fits of it, Q = ${number(q)} at the start$off",
+        )
     }
 
     /** How far self-gravity reaches around each particle; infinite in a box that repeats nowhere. */

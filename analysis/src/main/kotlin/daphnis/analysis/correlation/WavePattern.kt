@@ -11,7 +11,8 @@ import kotlin.math.sin
 /**
  * The wave that dominates the surface density of a patch, such as its wakes: the wave vector k at which the power
  * spectrum of the mean autocorrelation is largest. Crests lie across k. Errors are one standard error over the states,
- * from the jackknife: the pattern is found again without each of the states.
+ * from the jackknife: the pattern is found again without each of the states. States count for as many independent ones
+ * as the correlation of their maps in time leaves.
  *
  * @property pitch angle in radians between the orbit (y) and the crests, atan(k_y/k_x), in (−π/2, π/2); trailing
  *   crests, which lean backward outward, positive
@@ -86,11 +87,8 @@ public class WavePattern private constructor(
                 pitches[k] = pitch + (n - 1) * (pitch - atan2(without[1], without[0]))
                 spacings[k] = spacing + (n - 1) * (spacing - 2 * PI / without[0])
             }
-            return WavePattern(
-                BlockAverage(pitch, BlockAverage.of(pitches).error, n),
-                BlockAverage(spacing, BlockAverage.of(spacings).error, n),
-                contrast,
-            )
+            val states = IndependentStates(maps)
+            return WavePattern(states.average(pitch, pitches), states.average(spacing, spacings), contrast)
         }
 
         /** Median over all directions at the wave number [k]; not below 0. */

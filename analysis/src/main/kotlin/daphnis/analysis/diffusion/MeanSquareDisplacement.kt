@@ -1,12 +1,13 @@
 package daphnis.analysis.diffusion
 
+import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
  * A coefficient of self-diffusion, and the lags over which it was fitted.
  *
- * @property value in length²/time; [error] one standard error
+ * @property value in length²/time; [error] one standard error, NaN where the time is too short to know it
  * @property from shortest lag of the fit, [to] the longest
  */
 public class Diffusion(
@@ -21,18 +22,18 @@ public class Diffusion(
  * origins t₀, for lags up to half the covered time. Their slope over 2 is the coefficient of self-diffusion D once it
  * no longer changes (Einstein 1905, Ann. Phys. 322, 549; Frenkel & Smit, Understanding Molecular Simulation, ch. 4.4).
  *
- * Errors are from [GROUPS] groups of particles, by id, that are taken as independent. They are too small where many
- * particles move together, as in wakes.
+ * Errors are those of averages over time: the mean over all particles, by origin, is a series, whose blocks of at least
+ * a lag's length go through [BlockAverage]. So particles need not be independent of one another, and in wakes they are
+ * not; what is taken as independent is the motion at times far apart, beyond the measured correlation. The time must be
+ * about sixteen times the lag, or an error is NaN.
  *
  * @throws IllegalArgumentException for fewer than [FEWEST_TIMES] times or 2 particles
  */
 public class MeanSquareDisplacement(trajectories: Trajectories) {
-    private val groups: Int
-
     /** Lags in units of time, ascending: the mean over origins, in case times are not evenly spread. */
     public val lag: DoubleArray
 
-    /** `[coordinate][group][lag]`. */
+    /** `[coordinate][lag][origin]`, the mean over all particles. */
     private val square: Array<Array<DoubleArray>>
 
     init {
@@ -41,62 +42,54 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
         }
         require(trajectories.particles >= 2) { "one particle; there must be 2 at least" }
         val lags = trajectories.size / LAG_PART
-        groups = minOf(GROUPS, trajectories.particles)
-        lag =
-            DoubleArray(lags) { l ->
-                (0 until trajectories.size - l - 1).map {
-                    trajectories.time(it + l + 1) -
-                        trajectories.time(it)
-                }.average()
-            }
-        square =
-            Array(trajectories.coordinates.size) { c -> Array(groups) { g -> groupMean(trajectories, c, g, lags) } }
+        lag = DoubleArray(lags) { l ->
+            (0 until trajectories.size - l - 1).sumOf { trajectories.time(it + l + 1) - trajectories.time(it) } /
+                (trajectories.size - l - 1)
+        }
+        square = Array(trajectories.coordinates.size) { c -> Array(lags) { l -> byOrigin(trajectories, c, l) } }
     }
 
-    private fun groupMean(t: Trajectories, coordinate: Int, group: Int, lags: Int): DoubleArray {
-        val first = (t.particles.toLong() * group / groups).toInt()
-        val end = (t.particles.toLong() * (group + 1) / groups).toInt()
-        return DoubleArray(lags) { l ->
-            var sum = 0.0
-            val origins = t.size - l - 1
-            for (origin in 0 until origins) {
-                val from = t.at(origin, coordinate)
-                val to = t.at(origin + l + 1, coordinate)
-                for (k in first until end) sum += (to[k] - from[k]) * (to[k] - from[k])
-            }
-            sum / origins / (end - first)
-        }
+    private fun byOrigin(t: Trajectories, coordinate: Int, l: Int) = DoubleArray(t.size - l - 1) { origin ->
+        val from = t.at(origin, coordinate)
+        val to = t.at(origin + l + 1, coordinate)
+        var sum = 0.0
+        for (k in from.indices) sum += (to[k] - from[k]) * (to[k] - from[k])
+        sum / from.size
     }
 
     /** Mean square displacement along [coordinate] by lag, in length². */
-    public fun mean(coordinate: Int): DoubleArray = DoubleArray(lag.size) { l ->
-        square[coordinate].sumOf { it[l] } /
-            groups
-    }
+    public fun mean(coordinate: Int): DoubleArray = DoubleArray(lag.size) { square[coordinate][it].average() }
 
-    /** One standard error of [mean]. */
+    /** One standard error of [mean]; NaN at lags that are too long for the time. */
     public fun error(coordinate: Int): DoubleArray =
-        DoubleArray(lag.size) { l -> standardError(DoubleArray(groups) { square[coordinate][it][l] }) }
+        DoubleArray(lag.size) { l -> overTime(square[coordinate][l], l + 1) }
 
     /**
      * D of the mean over [coordinates]: half the slope, each lag weighted by 1/lag², from where the displacement has
-     * become linear in time. Null if it is not linear within the available lags.
+     * become linear in time; up to four times that lag, but not beyond a sixteenth of the time if it is twice that lag
+     * at least. Longer lags add noise and no knowledge. Null if it is not linear within the available lags.
      *
      * @param from shortest lag of the fit, such as that found for the mean of more coordinates; null to find it
      */
     @JvmOverloads
     public fun diffusion(vararg coordinates: Int, from: Double? = null): Diffusion? {
         require(coordinates.isNotEmpty()) { "no coordinate" }
-        val byGroup = Array(groups) { g ->
-            DoubleArray(lag.size) { l ->
-                coordinates.sumOf { square[it][g][l] } /
-                    coordinates.size
-            }
+        val mean = Array(lag.size) { l ->
+            DoubleArray(square[0][l].size) { o -> coordinates.sumOf { square[it][l][o] } / coordinates.size }
         }
-        val first = if (from == null) linearFrom(byGroup) else lag.indexOfFirst { it >= from }
-        if (first < 0 || lag.size - first < FEWEST_LAGS) return null
-        val slopes = DoubleArray(groups) { slope(byGroup[it], first) / 2 }
-        return Diffusion(slopes.average(), standardError(slopes), lag[first], lag.last())
+        val first = if (from == null) linearFrom(mean) else lag.indexOfFirst { it >= from }
+        if (first < 0) return null
+        val last = last(first)
+        if (last >= lag.size || last - first + 1 < FEWEST_LAGS) return null
+        val slopes = slopes(mean, first, last).also { for (k in it.indices) it[k] /= 2.0 }
+        return Diffusion(slopes.average(), overTime(slopes, last + 1), lag[first], lag[last])
+    }
+
+    /** The last lag of a fit that begins with lag [first]. */
+    private fun last(first: Int): Int {
+        val shortest = first + 1
+        val most = square[0][0].size / LAGS_IN_TIME
+        return most.coerceIn(2 * shortest, 4 * shortest).coerceAtMost(maxOf(lag.size, 2 * shortest)) - 1
     }
 
     /**
@@ -104,55 +97,76 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
      * standard errors where these are larger, up to 20 %. Memory that remains at t has died out at 2t. Ballistic flight
      * never passes, because its slope doubles with the lag. −1 for none.
      */
-    private fun linearFrom(byGroup: Array<DoubleArray>): Int {
+    private fun linearFrom(mean: Array<DoubleArray>): Int {
         var t = 1
         while (4 * t <= lag.size) {
-            val early = DoubleArray(groups) { rise(byGroup[it], t, 2 * t) }
-            val late = DoubleArray(groups) { rise(byGroup[it], 2 * t, 4 * t) }
+            val late = rise(mean, 2 * t, 4 * t)
+            val early = rise(mean, t, 2 * t)
             val slope = late.average()
-            val noise = standardError(DoubleArray(groups) { late[it] - early[it] })
-            val allowed = maxOf(SAME_SLOPE * slope, minOf(2 * noise, MOST_NOISE * slope))
-            if (slope > 0 && abs(slope - early.average()) <= allowed) return 2 * t - 1
+            val difference = DoubleArray(late.size) { late[it] - early[it] }
+            val allowed = maxOf(SAME_SLOPE * slope, minOf(2 * scatter(difference, 4 * t), MOST_NOISE * slope))
+            if (slope > 0 && abs(difference.average()) <= allowed) return 2 * t - 1
             t++
         }
         return -1
     }
 
-    private fun rise(y: DoubleArray, from: Int, to: Int) = (y[to - 1] - y[from - 1]) / (lag[to - 1] - lag[from - 1])
-
-    private fun slope(y: DoubleArray, first: Int): Double {
-        var w = 0.0
-        var wx = 0.0
-        var wy = 0.0
-        for (l in first until lag.size) {
-            val weight = 1 / (lag[l] * lag[l])
-            w += weight
-            wx += weight * lag[l]
-            wy += weight * y[l]
-        }
-        var xy = 0.0
-        var xx = 0.0
-        for (l in first until lag.size) {
-            val weight = 1 / (lag[l] * lag[l])
-            xy += weight * (lag[l] - wx / w) * (y[l] - wy / w)
-            xx += weight * (lag[l] - wx / w) * (lag[l] - wx / w)
-        }
-        return xy / xx
+    /** By origin, those that both lags have. */
+    private fun rise(mean: Array<DoubleArray>, from: Int, to: Int) = DoubleArray(mean[to - 1].size) {
+        (mean[to - 1][it] - mean[from - 1][it]) / (lag[to - 1] - lag[from - 1])
     }
 
-    private fun standardError(a: DoubleArray): Double {
-        val mean = a.average()
-        return sqrt(a.sumOf { (it - mean) * (it - mean) } / (a.size - 1.0) / a.size)
+    /** The slope over the lags [first] to [last] by origin; linear in the squares. */
+    private fun slopes(mean: Array<DoubleArray>, first: Int, last: Int): DoubleArray {
+        val weight = DoubleArray(last + 1) { if (it < first) 0.0 else 1 / (lag[it] * lag[it]) }
+        val centre = (first..last).sumOf { weight[it] * lag[it] } / weight.sum()
+        val square = (first..last).sumOf { weight[it] * (lag[it] - centre) * (lag[it] - centre) }
+        return DoubleArray(mean[last].size) { origin ->
+            (first..last).sumOf { weight[it] * (lag[it] - centre) * mean[it][origin] } / square
+        }
+    }
+
+    /** One standard error of the average of [series], each number of which is over the time of [length] places. */
+    private fun overTime(series: DoubleArray, length: Int): Double {
+        val windows = series.size / length
+        return when {
+            windows < FEWEST_WINDOWS -> Double.NaN
+            // Too few to measure how they are correlated: only what they have in common by overlapping is known.
+            windows < FEWEST_MEASURED -> scatter(series, length) * sqrt(OVERLAP)
+            else -> BlockAverage.of(blocks(series, windows)).error
+        }
+    }
+
+    /** A rough error of the average of [series], also where there are few blocks of [length] places. */
+    private fun scatter(series: DoubleArray, length: Int): Double {
+        val blocks = blocks(series, (series.size / length).coerceIn(FEWEST_BLOCKS, series.size))
+        val mean = blocks.average()
+        return sqrt(blocks.sumOf { (it - mean) * (it - mean) } / (blocks.size - 1.0) / blocks.size)
+    }
+
+    private fun blocks(series: DoubleArray, count: Int) = DoubleArray(count) { b ->
+        val begin = (series.size.toLong() * b / count).toInt()
+        val end = (series.size.toLong() * (b + 1) / count).toInt()
+        (begin until end).sumOf { series[it] } / (end - begin)
     }
 
     public companion object {
-        /** Groups of particles from which errors are computed. */
-        public const val GROUPS: Int = 20
-
         /** Least number of times: the slope is compared at four lags. */
         public const val FEWEST_TIMES: Int = 16
+
+        /** Lags in the time below which no error is given; Student's t of five numbers is within ±1 in 63 %. */
+        public const val FEWEST_WINDOWS: Int = 5
+
+        /**
+         * Squares of a random walk over the times of neighbouring windows have the correlation 1/6: ∫u(1 − u)² over
+         * ∫(1 − u)³, twice.
+         */
+        private const val OVERLAP = 4.0 / 3
+        private const val FEWEST_MEASURED = 32
+        private const val FEWEST_BLOCKS = 4
         private const val LAG_PART = 2
         private const val FEWEST_LAGS = 3
+        private const val LAGS_IN_TIME = 16
         private const val SAME_SLOPE = 0.05
         private const val MOST_NOISE = 0.2
     }

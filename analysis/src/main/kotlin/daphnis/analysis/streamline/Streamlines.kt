@@ -14,7 +14,7 @@ import kotlin.math.sqrt
  * Streamline k goes through the mean place of group k from slab to slab.
  *
  * Errors are one standard error, from the scatter of the particles of a group (over its number minus one), as if they
- * were independent; NaN for fewer than two.
+ * were independent; NaN for fewer than [FEWEST_FOR_ERROR], whose scatter says too little.
  *
  * Arrays are by group and slab: entry `slab · groups + group`, groups from the inside out, slabs from low y to high. A
  * group of an empty slab, and one that gets no particle, has count 0 and NaN elsewhere.
@@ -62,7 +62,7 @@ public class Streamlines private constructor(
 
     /**
      * Residual velocity dispersion, around the group's mean velocity, the shear −(3/2)Ωx subtracted; every particle has
-     * the same weight.
+     * the same weight. The bias of the root of few squares is corrected.
      */
     public val dispersion: DoubleArray = nan()
     public val dispersionError: DoubleArray = nan()
@@ -129,17 +129,18 @@ public class Streamlines private constructor(
         area[entry] = group.sum { PI * p.radius[it] * p.radius[it] }
         areaScatter[entry] = group.variance { PI * p.radius[it] * p.radius[it] } * n
         val mean = DoubleArray(3) { axis -> group.mean { state.againstFlow(it, axis) } }
-        val square =
-            group.variance { state.againstFlow(it, 0) } + group.variance { state.againstFlow(it, 1) } +
-                group.variance { state.againstFlow(it, 2) }
-        dispersion[entry] = sqrt(square)
+        val squares = DoubleArray(3) { axis -> group.variance { state.againstFlow(it, axis) } }
+        val square = squares.sum()
+        dispersion[entry] = rootOfFew(squares, n)
         val spread = group.variance { k ->
             val u = state.againstFlow(k, 0) - mean[0]
             val v = state.againstFlow(k, 1) - mean[1]
             val w = state.againstFlow(k, 2) - mean[2]
             u * u + v * v + w * w
         }
-        if (square > 0) dispersionError[entry] = sqrt(spread / n) * n / (n - 1) / (2 * sqrt(square))
+        // Squares around a mean that is taken from n particles vary less than those around the true one.
+        val part = n.toDouble() / (n - 1)
+        if (square > 0) dispersionError[entry] = sqrt(spread / n * part) * part / (2 * sqrt(square)) orNone n
         val omega = state.omega
         if (omega == null) guidingX[entry] = meanX[entry] else epicycles(state, omega, group, entry)
     }
@@ -151,11 +152,11 @@ public class Streamlines private constructor(
         fun cosine(k: Int) = 3 * p.x[k] + 2 * p.vy[k] / omega
         fun sine(k: Int) = p.vx[k] / omega
         guidingX[entry] = group.mean { p.x[it] + cosine(it) }
-        if (key == RadialKey.GUIDING_CENTRE) meanXError[entry] = sqrt(group.variance { cosine(it) } / n)
+        if (key == RadialKey.GUIDING_CENTRE) meanXError[entry] = sqrt(group.variance { cosine(it) } / n) orNone n
         meanE[entry] = group.mean { hypot(cosine(it), sine(it)) }
-        meanEError[entry] = sqrt(group.variance { hypot(cosine(it), sine(it)) } / n)
+        meanEError[entry] = sqrt(group.variance { hypot(cosine(it), sine(it)) } / n) orNone n
         meanI[entry] = group.mean { hypot(p.z[it], p.vz[it] / vertical) }
-        meanIError[entry] = sqrt(group.variance { hypot(p.z[it], p.vz[it] / vertical) } / n)
+        meanIError[entry] = sqrt(group.variance { hypot(p.z[it], p.vz[it] / vertical) } / n) orNone n
         val c = group.mean { cosine(it) }
         val s = group.mean { sine(it) }
         val forced = hypot(c, s)
@@ -168,8 +169,8 @@ public class Streamlines private constructor(
             sqrt(Math.max(0.0, forced * forced - noise[entry]).let { if (noise[entry].isNaN()) Double.NaN else it })
         if (forced == 0.0) return
         // Along the mean, and across it.
-        forcedEError[entry] = sqrt(group.variance { (cosine(it) * c + sine(it) * s) / forced } / n)
-        phaseError[entry] = sqrt(group.variance { (sine(it) * c - cosine(it) * s) / forced } / n) / forced
+        forcedEError[entry] = sqrt(group.variance { (cosine(it) * c + sine(it) * s) / forced } / n) orNone n
+        phaseError[entry] = sqrt(group.variance { (sine(it) * c - cosine(it) * s) / forced } / n) / forced orNone n
     }
 
     /**
@@ -199,7 +200,8 @@ public class Streamlines private constructor(
             val excess = Math.max(0.0, scatter - 1.0 / filled.size) / count[entry]
             opticalDepth[entry] = area[entry] / (width * slabWidth) * (1 - excess)
             opticalDepthError[entry] =
-                opticalDepth[entry] * sqrt(scatter / count[entry] + areaScatter[entry] / (area[entry] * area[entry]))
+                opticalDepth[entry] *
+                sqrt(scatter / count[entry] + areaScatter[entry] / (area[entry] * area[entry])) orNone count[entry]
         }
     }
 
@@ -215,7 +217,9 @@ public class Streamlines private constructor(
                 q[k] =
                     hypot(forcedCos[outer] - forcedCos[inner], forcedSin[outer] - forcedSin[inner]) / Math.abs(distance)
                 // Noise of one direction is half of that of both.
-                qError[k] = sqrt((noise[outer] + noise[inner]) / 2) / Math.abs(distance)
+                qError[k] =
+                    sqrt((noise[outer] + noise[inner]) / 2) / Math.abs(distance) orNone
+                    minOf(count[outer], count[inner])
             }
         }
         for (group in 0 until groups) {
@@ -229,7 +233,13 @@ public class Streamlines private constructor(
         }
     }
 
+    /** This error of [particles] particles, or NaN of too few. */
+    private infix fun Double.orNone(particles: Int) = if (particles < FEWEST_FOR_ERROR) Double.NaN else this
+
     public companion object {
+        /** Particles of a group below which no error is given. */
+        public const val FEWEST_FOR_ERROR: Int = 10
+
         /**
          * Variance of the width between the middles of a group's neighbours, times n, of its square: n independent
          * particles in each.
@@ -271,11 +281,7 @@ public class Streamlines private constructor(
                 val k = order.order[rank]
                 if (state.isParticle(k)) members[start[slab(k) + 1]++] = k
             }
-            val period = if (state.boundary.hasImages(0)) {
-                state.boundary.box.length(0)
-            } else {
-                Double.POSITIVE_INFINITY
-            }
+            val period = if (state.boundary.hasImages(0)) state.boundary.box.length(0) else Double.POSITIVE_INFINITY
             val lines = Streamlines(slabs, groups, width, key)
             val group = StreamlineGroup(members)
             for (s in 0 until slabs) {

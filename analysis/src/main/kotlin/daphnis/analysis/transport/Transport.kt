@@ -81,6 +81,9 @@ public class Transport(private val table: TransportTable, private val shearRate:
     public val dispersion: BlockAverage
         get() = average(*diagonal(TransportColumns::moment)) { sqrt(it[0] + it[1] + it[2]) }
 
+    /** √(⟨w_x²⟩ + ⟨w_y²⟩ + ⟨w_z²⟩): of all motion against the boundary's flow, that of waves too. */
+    public val totalDispersion: BlockAverage get() = average(*diagonal(::carried)) { sqrt(it[0] + it[1] + it[2]) }
+
     /** Granular temperature ⟨c²⟩/3. */
     public val temperature: BlockAverage
         get() = average(*diagonal(TransportColumns::moment)) { (it[0] + it[1] + it[2]) / 3 }

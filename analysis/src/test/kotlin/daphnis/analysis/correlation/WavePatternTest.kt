@@ -1,6 +1,7 @@
 package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.State
+import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
@@ -128,6 +129,44 @@ class WavePatternTest {
                 assertTrue(Math.abs(sum[q] / REALISATIONS) < 3.5 * scatter / sqrt(REALISATIONS.toDouble())) {
                     "$count particles: ${sum[q] / REALISATIONS} of $scatter"
                 }
+            }
+        }
+    }
+
+    /** As [waves], but each particle stays from state to state, and is drawn anew with the chance [fresh]. */
+    private fun lasting(count: Int, depth: Double, states: Int, fresh: Double, random: SeededRandom) = run {
+        lateinit var map: SurfaceMap
+        val x = DoubleArray(count)
+        val y = DoubleArray(count)
+        val maps = List(states) { state ->
+            for (k in 0 until count) {
+                if (state > 0 && random.nextDouble() > fresh) continue
+                do {
+                    x[k] = random.nextDouble(-30.0, 30.0)
+                    y[k] = random.nextDouble(-36.0, 36.0)
+                } while (random.nextDouble() * (1 + depth) > 1 + depth * cos(kx * x[k] + ky * y[k]))
+            }
+            map = SurfaceMap.of(state(x.copyOf(), y.copyOf()), 2.5)
+            map.autocorrelation(map.nx / 2, map.ny / 2)
+        }
+        maps to map
+    }
+
+    @Test
+    fun `errors cover the truth in two of three realisations of states that resemble one another`() {
+        val random = SeededRandom(12)
+        val truth = doubleArrayOf(atan(ky / kx), 2 * PI / kx)
+        for ((states, fresh) in listOf(40 to 0.5, 80 to 0.25)) {
+            val found = List(REALISATIONS) { pattern(lasting(400, 0.7, states, fresh, random)) }.filterNotNull()
+            for ((q, of) in listOf<(WavePattern) -> BlockAverage>({ it.pitch }, { it.spacing }).withIndex()) {
+                val known = found.map(of).filter { it.isLevelled }
+                val covered = known.count { Math.abs(it.mean - truth[q]) <= it.error }
+                val spread = sqrt(known.sumOf { (it.mean - truth[q]) * (it.mean - truth[q]) } / known.size)
+                assertTrue(known.size > REALISATIONS * 9 / 10) { "$states states: ${known.size} errors" }
+                assertTrue(covered in known.size * 60 / 100..known.size * 76 / 100) {
+                    "$states states, $fresh fresh: covered $covered of ${known.size}"
+                }
+                assertEquals(1.0, spread / known.map { it.error }.average(), 0.15) { "$states states, $fresh fresh" }
             }
         }
     }

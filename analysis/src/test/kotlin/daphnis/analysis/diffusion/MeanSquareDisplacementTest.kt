@@ -26,7 +26,7 @@ class MeanSquareDisplacementTest {
 
     /**
      * Walkers in a periodic box whose velocity keeps a part [memory] from step to step; unit steps of time and unit
-     * speeds: D = (1 + a)/(1 − a)/2.
+     * speeds: D = (1 + a)/(1 − a)/2. Groups of [together] move together for the most part.
      */
     private fun walk(
         count: Int,
@@ -35,6 +35,7 @@ class MeanSquareDisplacementTest {
         random: SeededRandom,
         drift: Double = 0.0,
         boundary: BoundaryConditions = Periodic(box),
+        together: Int = 1,
     ): Trajectories {
         val v = Array(3) { DoubleArray(count) { random.nextGaussian() } }
         val p = population(count)
@@ -44,12 +45,21 @@ class MeanSquareDisplacementTest {
             for ((axis, x) in listOf(p.x, p.y, p.z).withIndex()) {
                 for (k in 0 until count) {
                     x[k] += v[axis][k] + drift
-                    v[axis][k] = memory * v[axis][k] + sqrt(1 - memory * memory) * random.nextGaussian()
+                    v[axis][k] = memory * v[axis][k] + sqrt(1 - memory * memory) * kick(k, together, random)
                 }
             }
             boundary.endStep(p, t + 1.0)
         }
         return trajectories
+    }
+
+    private var shared = 0.0
+
+    /** A Gaussian number for particle [k], four fifths of whose square it shares with its group of [together]. */
+    private fun kick(k: Int, together: Int, random: SeededRandom): Double {
+        if (together == 1) return random.nextGaussian()
+        if (k % together == 0) shared = random.nextGaussian()
+        return sqrt(0.8) * shared + sqrt(0.2) * random.nextGaussian()
     }
 
     private fun population(count: Int) = Population(
@@ -77,8 +87,46 @@ class MeanSquareDisplacementTest {
             for (l in curve.indices) if (abs(squares.mean(0)[l] - squares.lag[l]) <= squares.error(0)[l]) curve[l]++
         }
         assertTrue(covered in 120..150) { "$covered of $runs" }
-        for (l in listOf(0, 7, 15)) assertTrue(curve[l] in 120..150) { "lag ${l + 1}: ${curve[l]} of $runs" }
+        for (l in listOf(0, 3, 7)) assertTrue(curve[l] in 120..150) { "lag ${l + 1}: ${curve[l]} of $runs" }
+        assertEquals(0, curve[15]) { "a quarter of the time says nothing of its own error" }
         assertEquals(0.5, sum / runs, 0.003)
+    }
+
+    @Test
+    fun `errors cover the coefficient of walkers that go in groups of thirty, as of independent ones`() {
+        // Without the centre of mass, of ten groups: 0.5 (0.8 · 0.9 + 0.2).
+        for ((together, truth) in listOf(1 to 0.5, 30 to 0.46)) {
+            val found = List(200) {
+                MeanSquareDisplacement(walk(300, 64, 0.0, SeededRandom(it + 1L), together = together))
+                    .diffusion(0, 1, 2)!!
+            }
+            val covered = found.count { abs(it.value - truth) <= it.error }
+            assertTrue(covered in 120..150) { "groups of $together: $covered of 200" }
+            val mean = found.map { it.value }.average()
+            val spread = sqrt(found.sumOf { (it.value - mean) * (it.value - mean) } / 199)
+            assertEquals(1.0, spread / found.map { it.error }.average(), 0.15) { "groups of $together" }
+        }
+    }
+
+    @Test
+    fun `two windows of one run of walkers in groups agree within their errors`() {
+        val away = List(100) { run ->
+            val random = SeededRandom(500L + run)
+            val (a, b) = List(2) {
+                MeanSquareDisplacement(walk(300, 64, 0.0, random, together = 30)).diffusion(0, 1, 2)!!
+            }
+            (a.value - b.value) / sqrt(a.error * a.error + b.error * b.error)
+        }.filter { !it.isNaN() }
+        assertTrue(away.size > 90) { "${away.size} of 100 have errors" }
+        assertEquals(1.0, sqrt(away.sumOf { it * it } / away.size), 0.25)
+    }
+
+    @Test
+    fun `a time of fewer than six longest lags has a coefficient without an error`() {
+        val few = MeanSquareDisplacement(walk(300, 23, 0.0, SeededRandom(4))).diffusion(0, 1, 2)!!
+        assertEquals(listOf(2.0, 4.0, true), listOf(few.from, few.to, few.error.isNaN()))
+        val enough = MeanSquareDisplacement(walk(300, 24, 0.0, SeededRandom(4))).diffusion(0, 1, 2)!!
+        assertTrue(enough.to == 4.0 && !enough.error.isNaN())
     }
 
     @Test
@@ -99,9 +147,9 @@ class MeanSquareDisplacementTest {
         var sum = 0.0
         val runs = 40
         for (seed in 1L..runs) {
-            val d = MeanSquareDisplacement(walk(200, 256, 0.8, SeededRandom(seed), drift = 0.3)).diffusion(0, 1, 2)!!
+            val d = MeanSquareDisplacement(walk(200, 512, 0.8, SeededRandom(seed), drift = 0.3)).diffusion(0, 1, 2)!!
             assertTrue(d.from >= 10) { "from lag ${d.from}" }
-            assertEquals(128.0, d.to)
+            assertTrue(d.to in 2 * d.from..4 * d.from && (d.to <= 32 || d.to == 2 * d.from)) { "to lag ${d.to}" }
             if (abs(d.value - 4.5) <= d.error) covered++
             sum += d.value
         }

@@ -89,7 +89,11 @@ class DispersionBySizeTest {
 
     @Test
     fun `dispersion and height of a class of few tell the truth within one error in 60 to 75 percent`() {
-        val counts = listOf(30, 6)
+        for (few in listOf(2, 3, 6)) cover(few)
+    }
+
+    private fun cover(few: Int) {
+        val counts = listOf(30, few)
         val sigmas = listOf(1.0, 0.5)
         fun made(seed: Long) = state(listOf(1.0, 2.0), counts, sigmas, seed)
         val by = DispersionBySize.of(made(1))!!
@@ -112,7 +116,7 @@ class DispersionBySizeTest {
         assertEquals(8, covered.size)
         for ((name, count) in covered) {
             assertTrue(count in REALISATIONS * 60 / 100..REALISATIONS * 75 / 100) {
-                "$name: $count"
+                "$few of few, $name: $count"
             }
         }
     }

@@ -24,6 +24,9 @@ public class VelocityMoments private constructor(
     public val scaleHeight: Double,
     public val guidingX: Double,
 ) {
+    /** √(⟨w_x²⟩ + ⟨w_y²⟩ + ⟨w_z²⟩): of all motion against the boundary's flow, that of waves too. */
+    public val totalDispersion: Double get() = sqrt(kinetic[XX] + kinetic[YY] + kinetic[ZZ])
+
     /** √(⟨c_x²⟩ + ⟨c_y²⟩ + ⟨c_z²⟩), the velocity dispersion of ring dynamics. */
     public val dispersion: Double get() = sqrt(moments[XX] + moments[YY] + moments[ZZ])
 

@@ -71,9 +71,12 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
         check.must(key, (spec.massRatio == null) != (spec.mass == null)) { "needs exactly one of massRatio and mass" }
         val strength = if (spec.mass != null) {
             check.positive("$key.mass", spec.mass)
-            spec.mass * constant(null, key)
+            spec.mass * constant(spec.constant, key)
         } else {
             check.positive("$key.massRatio", spec.massRatio!!)
+            check.must("$key.constant", spec.constant == null) {
+                "goes with mass; the pull of a massRatio follows from the planet"
+            }
             val planet = (scenario.frame as FrameSpec.Hill).planet
             val parameter = scenario.units.gravitationalParameter(planet)
                 ?: check.fail("units.lengthInMetres", "is missing; the mass ratio of a satellite needs it")

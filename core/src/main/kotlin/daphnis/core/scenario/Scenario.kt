@@ -178,6 +178,7 @@ public sealed interface ForceSpec {
      * @property phase φ at time 0 in radians; pericentre at 0
      * @property softening length ε in 1/(r² + ε²)
      * @property radius particles that touch it are removed; 0 for a point
+     * @property constant G in the scenario's units, with [mass]; from [Scenario.units] when left out
      */
     @Serializable
     @SerialName("satellite")
@@ -190,6 +191,7 @@ public sealed interface ForceSpec {
         public val phase: Double = 0.0,
         public val softening: Double = 0.0,
         public val radius: Double = 0.0,
+        public val constant: Double? = null,
     ) : ForceSpec
 
     /**

@@ -17,7 +17,12 @@ import kotlin.math.sqrt
 public fun warnings(setup: ScenarioSetup): List<String> {
     if (setup.population.size == 0) return emptyList()
     val dt = setup.timeStep.next(setup.population)
-    return listOfNotNull(fallsBetweenWalls(setup, dt), coarseOrbit(setup, dt))
+    return listOfNotNull(
+        fallsBetweenWalls(setup, dt),
+        coarseOrbit(setup, dt),
+        coarsePull(setup, dt),
+        smallForWakes(setup),
+    )
 }
 
 /**
@@ -51,18 +56,55 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
 private fun fall(setup: ScenarioSetup, axis: Int): Double =
     abs(setup.scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>().sumOf { it.acceleration[axis] })
 
-/** Collisions are found on chords, which deviate from the epicycles by an amount proportional to the step squared. */
+/**
+ * Collisions are found on chords, which deviate from the paths by an amount proportional to the step squared; what
+ * counts is the shortest of the periods in which paths bend.
+ */
 private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
     val omega = setup.angularSpeed ?: return null
+    val vertical = (setup.scenario.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
     val steps = 2 * Math.PI / (omega * dt)
+    val ofPeriod = steps / maxOf(1.0, vertical)
     // Round-off of a step given as part of an orbit is not a reason to warn.
-    if (steps >= FEWEST_STEPS * (1 - 1e-9)) return null
+    if (ofPeriod >= FEWEST_STEPS * (1 - ROUNDING)) return null
     return line(
-        "timeStep: %.3g steps per orbit; chords deviate from the epicycles by %.1g of an epicycle within a step, " +
-            "and forces act once per step; take %.0f or more",
-        steps,
-        (omega * dt).let { it * it / 8 },
-        FEWEST_STEPS,
+        "timeStep: %.3g steps per %s; chords deviate from the epicycles by %.1g of an epicycle within a step, " +
+            "and forces act once per step; take %.0f or more%s",
+        ofPeriod,
+        if (vertical > 1) line("vertical period (1/%.4g of an orbit)", vertical) else "orbit",
+        (2 * Math.PI / ofPeriod).let { it * it / 8 },
+        Math.ceil(FEWEST_STEPS * maxOf(1.0, vertical) * (1 - ROUNDING)),
+        if (vertical > 1) " per orbit" else "",
+    )
+}
+
+/** Kicks shift the frequency of an orbit by a part (rate · step)²/24. */
+private fun coarsePull(setup: ScenarioSetup, dt: Double): String? {
+    val pull = fastestPull(setup) ?: return null
+    val kicks = 2 * Math.PI / (pull.rate * dt)
+    if (kicks >= FEWEST_KICKS * (1 - ROUNDING)) return null
+    return line(
+        "timeStep: %.3g steps per period of %s, the shortest that gravity makes, and it acts once per step; " +
+            "take steps of %.3g or less",
+        kicks,
+        pull.what,
+        2 * Math.PI / (pull.rate * FEWEST_KICKS),
+    )
+}
+
+/** A patch with self-gravity that is shorter than one unstable wave has no room for wakes. */
+private fun smallForWakes(setup: ScenarioSetup): String? {
+    val wavelength = criticalWavelength(setup) ?: return null
+    val box = setup.boundary.box
+    val shortest = (0..1).filter { setup.boundary.hasImages(it) }.minByOrNull { box.length(it) } ?: return null
+    val ratio = box.length(shortest) / wavelength
+    if (ratio >= 1) return null
+    return line(
+        "box: the edge along %s is %.2g critical wavelengths (4π² G Σ/Ω² = %.4g) long, so it has no room for one " +
+            "self-gravity wake; Daisaka, Tanaka & Ida (2001) take 4 or more",
+        "xy"[shortest],
+        ratio,
+        wavelength,
     )
 }
 
@@ -77,3 +119,7 @@ private const val MOST_FALL = 0.02
 /** Energy gained by an elastic bounce, divided by its energy and the square of that ratio, as measured. */
 private const val GAIN = 0.22
 private const val FEWEST_STEPS = 100.0
+
+/** Steps per period of a pull: fewer than this, and kicks shift its frequency by more than 7 parts in 10⁴. */
+private const val FEWEST_KICKS = 50.0
+private const val ROUNDING = 1e-9

@@ -10,7 +10,6 @@ internal class BoxNumbers(private val study: Study) {
     private val motion = study.motion
     private val population = study.last.population
     private val flow = study.last.boundary.meanFlow
-    private val scenario = study.input.scenario
     private val rows = NumberRows(references())
 
     fun rows(): List<NumberRow> {
@@ -33,9 +32,10 @@ internal class BoxNumbers(private val study: Study) {
     }
 
     private fun references(): Map<String, Reference> {
-        if (scenario == null) return emptyMap()
-        return References.ofElastic(scenario, bulk.fillingFactor, motion.temperature.mean, bulk.numberDensity) +
-            References.ofShear(scenario, bulk.fillingFactor)
+        val scenario = study.physics ?: return emptyMap()
+        val (last, filling) = study.last to bulk.fillingFactor
+        return References.ofElastic(scenario, last, filling, motion.temperature.mean, bulk.numberDensity) +
+            References.ofShear(scenario, last, filling)
     }
 
     /** T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume. */

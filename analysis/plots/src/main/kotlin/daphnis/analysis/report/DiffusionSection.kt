@@ -2,6 +2,7 @@ package daphnis.analysis.report
 
 import daphnis.analysis.diffusion.Coordinate
 import daphnis.analysis.diffusion.Diffusion
+import daphnis.analysis.diffusion.FiniteCube
 import daphnis.analysis.diffusion.MeanSquareDisplacement
 import daphnis.analysis.diffusion.Trajectories
 import daphnis.analysis.plot.Chart
@@ -26,9 +27,10 @@ internal class DiffusionSection(private val study: Study) : Section {
     private val displacement by lazy { trajectories?.let { MeanSquareDisplacement(it) } }
 
     override val heading = "Diffusion"
-    override val over = "Mean square displacements over all origins, without images " +
+    override val over get() = "Mean square displacements over all origins, without images " +
         "and relative to the centre of mass. " +
-        "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on."
+        "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on." +
+        study.judgement.bars(" $ASSUMED").takeIf { it == " $ASSUMED" }.orEmpty()
     override val leftOut get() = when {
         coordinates.isEmpty() -> "no periodic axis is without a mean flow"
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
@@ -76,15 +78,37 @@ internal class DiffusionSection(private val study: Study) : Section {
             )
         }
         val whole = if (all.size == 1) null else row("self_diffusion", "self-diffusion D", mean, units.viscosity, 1.0)
-        return (listOf(whole) + along).filterNotNull()
+        return (listOf(whole, infinite(mean)) + along).filterNotNull()
     }
 
-    private fun row(key: String, what: String, d: Diffusion?, unit: String, scale: Double): NumberRow? {
+    /** D without the images of a periodic cube; null where that is not known. */
+    private fun infinite(mean: Diffusion): NumberRow? {
+        val diameter = 2 * meanRadius
+        val scenario = study.physics ?: return null
+        if (!ElasticGas.isCube(scenario, study.last) || study.bulk.fillingFactor > FiniteCube.MOST_FILLED) return null
+        val mass = study.last.population.mass[0]
+        val thermal = mass * study.motion.temperature.mean
+        val viscosity = FiniteCube.enskogViscosity(diameter, mass, study.bulk.fillingFactor, thermal)
+        val more = FiniteCube.correction(thermal, viscosity, study.last.boundary.box.length(0))
+        val note = "D + 2.837297 kT/(6π η L), Yeh & Hummer 2004; η is Enskog's, ${ReportText.short(viscosity)}"
+        val d = Diffusion(mean.value + more, mean.error, mean.from, mean.to)
+        return row("self_diffusion_infinite_box", "self-diffusion D∞ of an infinite box", d, units.viscosity, 1.0, note)
+    }
+
+    private fun row(
+        key: String,
+        what: String,
+        d: Diffusion?,
+        unit: String,
+        scale: Double,
+        note: String? = null,
+    ): NumberRow? {
         if (d == null) return null
         val orbit = if (omega != null) 2 * PI / omega else 1.0
         val time = study.scale.timeName
         val lags = "slope over lags from ${ReportText.short(d.from / orbit)} to ${ReportText.short(d.to / orbit)} $time"
-        return NumberRow(what, d.value / scale, d.error / scale, unit, note = lags, key = key)
+        val unknown = if (d.error.isNaN()) Unknown.TOO_FEW else null
+        return NumberRow(what, d.value / scale, d.error / scale, unit, null, note ?: lags, unknown, key)
     }
 
     override fun write(page: ReportPage) {
@@ -137,6 +161,12 @@ internal class DiffusionSection(private val study: Study) : Section {
     }
 
     private companion object {
+        /** What the errors rest on. */
+        const val ASSUMED =
+            "± is from blocks of time of all particles together. So particles may move together; what is taken as " +
+                "independent is their motion at times that are further apart than the longest lag of the fit. There " +
+                "is no ± where the time is shorter than ${MeanSquareDisplacement.FEWEST_WINDOWS + 1} times that lag."
+
         /** Bounds on memory: 61 MB, and on time: seconds. */
         const val MOST_PARTICLES = 20_000
         const val MOST_STATES = 128

@@ -18,7 +18,7 @@ internal object MoonEncounter {
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
         val metres = scenario.units.lengthInMetres ?: return null
         val planet = scenario.units.gravitationalParameter(frame.planet) ?: return null
-        val constant = scenario.units.gravitationalConstant ?: return null
+        val constant = moon.constant ?: scenario.units.gravitationalConstant ?: return null
         val ratio = moon.massRatio ?: moon.mass?.let { it * constant / planet } ?: return null
         // Kepler, where the frame is given by its angular speed.
         val frameAxis = frame.distanceInKm?.let { it * METRES_PER_KM / metres } ?: Math.cbrt(planet / (omega * omega))

@@ -4,6 +4,7 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
+import daphnis.analysis.profile.LocalDispersion
 import daphnis.analysis.profile.Profile
 import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
@@ -13,6 +14,11 @@ import daphnis.core.population.VelocityMoments
 /** How the particles move on average: from the rows of transport.csv where there are any, else from the states. */
 internal class Motion(input: AnalysisInput, from: Double, last: State) {
     private val states = Averages(OF_STATE)
+    private val near = if (input.omega == null) {
+        null
+    } else {
+        LocalDispersion.reach(last).takeIf { it > 0 }?.let { Averages(LocalDispersion(it)) }
+    }
 
     /** What the rows from the time of averages on tell; null without two of them. */
     val transport: Transport? =
@@ -22,13 +28,22 @@ internal class Motion(input: AnalysisInput, from: Double, last: State) {
     val size: Int get() = states.size
 
     /** Takes in one more state. */
-    fun add(state: State) = states.add(state)
+    fun add(state: State) {
+        states.add(state)
+        near?.add(state)
+    }
 
     /** ⟨c_a c_b⟩: xx, yy, zz, xy. */
     fun moment(name: String): BlockAverage =
         transport?.moment(name) ?: states.average(VelocityMoments.COMPONENTS.indexOf(name))
 
     val dispersion: BlockAverage get() = transport?.dispersion ?: average(OfState.DISPERSION)
+    val totalDispersion: BlockAverage get() = transport?.totalDispersion ?: average(OfState.TOTAL)
+
+    /** Of near neighbours, from the states; NaN in Hill's frame only where there are too few, elsewhere always. */
+    val thermalDispersion: BlockAverage get() =
+        near?.takeIf { it.size > 0 }?.average(LocalDispersion.COLUMNS.indexOf("c2"))?.root()
+            ?: BlockAverage(Double.NaN, Double.NaN, 0)
     val scaleHeight: BlockAverage get() = transport?.scaleHeight ?: average(OfState.SCALE_HEIGHT)
     val temperature: BlockAverage get() = transport?.temperature ?: average(OfState.TEMPERATURE)
     val ellipsoid: VelocityEllipsoid get() =
@@ -49,6 +64,7 @@ internal class Motion(input: AnalysisInput, from: Double, last: State) {
     /** What is measured of one state beside the moments. */
     private enum class OfState(val of: (State, VelocityMoments) -> Double) {
         DISPERSION({ _, moments -> moments.dispersion }),
+        TOTAL({ _, moments -> moments.totalDispersion }),
         SCALE_HEIGHT({ _, moments -> moments.scaleHeight }),
         TEMPERATURE({ _, moments -> moments.temperature }),
 

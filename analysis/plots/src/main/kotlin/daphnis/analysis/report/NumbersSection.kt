@@ -31,9 +31,11 @@ internal class NumbersSection(private val study: Study, private val others: List
         val lines = rows.map {
             val error = if (it.error.isNaN()) "" else it.error
             val remark = it.unknown?.remark.orEmpty()
-            "${checkNotNull(it.key) { it.name }},${it.value},$error,${it.unit},${it.reference?.value ?: ""},$remark"
+            val reference = it.reference
+            "${checkNotNull(it.key) { it.name }},${it.value},$error,${it.unit},${reference?.value ?: ""},$remark," +
+                "${reference?.error ?: ""}"
         }
-        val header = "quantity,value,standard_error,unit,reference,remark"
+        val header = "quantity,value,standard_error,unit,reference,remark,reference_error"
         WholeFile.write(
             study.tables.resolve("numbers.csv"),
             (listOf(header) + lines).joinToString("\n", postfix = "\n"),
@@ -44,7 +46,8 @@ internal class NumbersSection(private val study: Study, private val others: List
     private fun steadiness(): List<String> {
         val orbit = study.input.omega?.let { 2 * PI / it }
         val unit = if (orbit != null) "orbit" else "unit of time"
-        val text = SteadinessText(study.from, unit, orbit ?: 1.0, FreeCooling.isSeen(study.input))
+        val text =
+            SteadinessText(study.from, unit, orbit ?: 1.0, FreeCooling.isSeen(study.input), Unsteady.advice(study))
         return listOfNotNull(if (study.isStartFound) text.found() else null) + text.of(study.judgement.histories)
     }
 }

@@ -1,18 +1,30 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.insitu.State
 import daphnis.core.scenario.BoundarySpec
+import daphnis.core.scenario.FrameSpec
+import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.SizesSpec
 import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.hypot
+import kotlin.math.sqrt
 
-/** A number from elsewhere, to stand beside a measured one. */
-internal class Reference(val value: Double, val source: String)
+/** A number from elsewhere, with one standard [error] of its own, to stand beside a measured one. */
+internal class Reference(val value: Double, val error: Double, val source: String) {
+    /** How far [measured] is from it, in joint standard errors; NaN where [ofMeasured] is not known. */
+    fun away(measured: Double, ofMeasured: Double): Double = (measured - value) / hypot(error, ofMeasured)
+}
 
 /**
  * Numbers that are known for some scenarios: steady ring patches and sheared gases measured with an independent
- * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By [NumberRow.key].
+ * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By [NumberRow.key]. There are
+ * none unless everything that decides the number is as it was there: sizes and masses, restitution with its scale,
+ * forces, frame and faces.
+ *
+ * The independent code gave no errors. The bounds of docs/validation.md, which hold for all of its numbers, are taken
+ * as three standard errors.
  */
 internal object References {
     private const val INDEPENDENT = "docs/validation.md"
@@ -27,6 +39,9 @@ internal object References {
         doubleArrayOf(1.0, 2.95, 2.10, 1.38, 1.54, 2.16, 18.95, 0.670, 0.859, 0.22),
         doubleArrayOf(2.0, 2.45, 1.62, 1.28, 1.31, 2.49, 44.3, 0.487, 1.859, 0.35),
     )
+
+    /** Bounds of docs/validation.md for the columns above, relative. */
+    private val PATCH_BOUNDS = doubleArrayOf(0.0, 0.03, 0.03, 0.03, 0.03, 0.03, 0.03, 0.06, 0.06, 0.05)
     private val PATCH_KEYS = listOf(
         "",
         "velocity_dispersion",
@@ -53,57 +68,74 @@ internal object References {
         doubleArrayOf(0.95, 0.3, 2.390, 2.837, 0.565),
     )
 
-    /** Of a ring patch, in units of r and Ω. Empty unless the scenario is one of those measured. */
-    fun ofPatch(scenario: Scenario, omega: Double, opticalDepth: Double): Map<String, Reference> {
-        val radius = (scenario.particles?.sizes as? SizesSpec.Equal)?.radius ?: return emptyMap()
+    /** Of a ring patch, in units of r and Ω; [last] is its last state. */
+    fun ofPatch(scenario: Scenario, last: State, omega: Double, opticalDepth: Double): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Bridges ?: return emptyMap()
         val sheet = scenario.boundary as? BoundarySpec.HillSheet ?: return emptyMap()
-        val speed = radius * omega * scenario.units.speedInCmPerSecond
+        val frame = scenario.frame as? FrameSpec.Hill ?: return emptyMap()
+        if (!isPlain(scenario, last)) return emptyMap()
+        val speed = last.population.radius[0] * omega * scenario.units.speedInCmPerSecond
         val same =
             law.prefactor == 0.34 &&
                 law.exponent == -0.234 &&
                 !sheet.radiallyOpen &&
-                scenario.forces.isEmpty() &&
-                scenario.bodies.isEmpty() &&
-                abs(speed / 0.01948 - 1) < 0.02
+                frame.verticalFactor == 1.0 &&
+                abs(speed / 0.01948 - 1) < SAME_SCALE
         if (!same) return emptyMap()
         val row = PATCHES.find { abs(opticalDepth / it[0] - 1) < 0.01 } ?: return emptyMap()
-        return (1 until row.size).associate { PATCH_KEYS[it] to Reference(row[it], INDEPENDENT) }
+        return (1 until row.size).associate {
+            PATCH_KEYS[it] to Reference(row[it], PATCH_BOUNDS[it] / 3 * row[it], INDEPENDENT)
+        }
     }
 
     /** Of a Lees–Edwards box, in the units of its table. */
-    fun ofShear(scenario: Scenario, filling: Double): Map<String, Reference> {
+    fun ofShear(scenario: Scenario, last: State, filling: Double): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
-        if (scenario.boundary !is BoundarySpec.LeesEdwards || scenario.particles?.sizes !is SizesSpec.Equal) {
-            return emptyMap()
-        }
+        val isSheared = scenario.boundary is BoundarySpec.LeesEdwards && scenario.frame == null
+        if (!isSheared || !isPlain(scenario, last)) return emptyMap()
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
         return mapOf(
-            "reduced_temperature" to Reference(row[2], INDEPENDENT),
-            "reduced_pressure" to Reference(row[3], INDEPENDENT),
-            "reduced_shear_stress" to Reference(row[4], INDEPENDENT),
+            "reduced_temperature" to Reference(row[2], 0.03 / 3 * row[2], INDEPENDENT),
+            "reduced_pressure" to Reference(row[3], 0.04 / 3 * row[3], INDEPENDENT),
+            "reduced_shear_stress" to Reference(row[4], 0.04 / 3 * row[4], INDEPENDENT),
         )
     }
 
     /** Collision rate and compressibility of an elastic gas of equal spheres, Carnahan & Starling 1969. */
     fun ofElastic(
         scenario: Scenario,
+        last: State,
         filling: Double,
         temperature: Double,
         numberDensity: Double,
     ): Map<String, Reference> {
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
-        val radius = (scenario.particles?.sizes as? SizesSpec.Equal)?.radius ?: return emptyMap()
-        if (law.coefficient != 1.0 || scenario.boundary !is BoundarySpec.Periodic || filling > 0.49) return emptyMap()
+        if (!ElasticGas.isSeen(scenario, last) || filling > 0.49) return emptyMap()
         val contact = (1 - filling / 2) / ((1 - filling) * (1 - filling) * (1 - filling))
-        val diameter = 2 * radius
+        val diameter = 2 * last.population.radius[0]
+        val rate = 4 * sqrt(PI * temperature) * numberDensity * contact * diameter * diameter
+        val compressibility = 1 + 4 * filling * contact
         return mapOf(
-            "collisions_per_particle" to
-                Reference(
-                    4 * Math.sqrt(PI * temperature) * numberDensity * contact * diameter * diameter,
-                    "Carnahan & Starling 1969",
-                ),
-            "compressibility" to Reference(1 + 4 * filling * contact, "Carnahan & Starling 1969"),
+            "collisions_per_particle" to Reference(rate, STATE_BOUND / 3 * rate, CARNAHAN),
+            "compressibility" to Reference(compressibility, STATE_BOUND / 3 * compressibility, CARNAHAN),
         )
     }
+
+    /** Whether equal spheres meet each other and nothing else: no force, no body, no guard that is felt. */
+    private fun isPlain(scenario: Scenario, last: State): Boolean = scenario.forces.isEmpty() &&
+        scenario.bodies.isEmpty() &&
+        ElasticGas.areEqual(last.population.radius) &&
+        ElasticGas.areEqual(last.population.mass) &&
+        when (val guard = scenario.guard) {
+            null, is GuardSpec.None -> true
+            is GuardSpec.FloorSpeed -> guard.relative?.let { it <= FELT } == true
+            is GuardSpec.ContactDuration -> false
+        }
+
+    /** r Ω by which the restitution law is scaled: c changes by a tenth of this. */
+    private const val SAME_SCALE = 0.005
+
+    /** Floor speed of a guard, in initial rms speeds, that nothing measured depends on. */
+    private const val FELT = 1e-4
+    private const val CARNAHAN = "Carnahan & Starling 1969"
+    private const val STATE_BOUND = 0.005
 }

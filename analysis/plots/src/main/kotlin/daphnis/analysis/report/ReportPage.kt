@@ -67,6 +67,7 @@ internal class ReportPage(private val title: String) {
         // With references there are more columns than a narrow screen has room for.
         if (compared) body.append(HINT)
         body.append(scrolling("numbers", table)).append('\n')
+        if (compared) body.append("<p><small>${escape(COMPARED)}</small></p>\n")
         for (why in Unknown.entries) {
             if (rows.none { it.unknown == why }) continue
             body.append("<p><small><sup>${why.mark}</sup> ${escape(why.sentence)}</small></p>\n")
@@ -83,10 +84,14 @@ internal class ReportPage(private val title: String) {
     private fun comparison(row: NumberRow): String {
         val reference = row.reference ?: return "<td></td><td></td><td></td>"
         val percent = String.format(Locale.ROOT, "%+.1f %%", 100 * (row.value / reference.value - 1))
-        val difference = percent.replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
-        val value = ReportText.plain(reference.value)
+        val away = reference.away(row.value, row.error)
+        val errors = if (away.isNaN()) "" else String.format(Locale.ROOT, " (%+.1f σ)", away)
+        val difference = signed(percent) + signed(errors)
+        val value = ReportText.withError(reference.value, reference.error)
         return "<td class=\"n\">$value</td><td class=\"n\">$difference</td><td>${escape(reference.source)}</td>"
     }
+
+    private fun signed(text: String) = text.replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
 
     fun commands(lines: List<String>) {
         body.append("<pre>${escape(lines.joinToString("\n"))}</pre>\n")
@@ -110,6 +115,10 @@ $body</main></body></html>
 
         /** Seen on screens that are narrower than a chart. */
         private const val HINT = "<p class=\"hint\" aria-hidden=\"true\">scroll sideways →</p>"
+
+        private const val COMPARED =
+            "References are for runs that agree in all parameters; ± is one standard error of " +
+                "theirs, a third of the bound in docs/validation.md. σ is the joint standard error of both."
 
         fun escape(text: String): String =
             text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")

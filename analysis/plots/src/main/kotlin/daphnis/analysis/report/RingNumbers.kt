@@ -13,7 +13,7 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
     private val scenario = study.input.scenario
     private val speedUnit = SpeedUnit(scenario, units.speed)
     private val rows =
-        NumberRows(scenario?.let { References.ofPatch(it, omega, bulk.opticalDepth) } ?: emptyMap())
+        NumberRows(study.physics?.let { References.ofPatch(it, study.last, omega, bulk.opticalDepth) } ?: emptyMap())
 
     fun rows(): List<NumberRow> {
         patch()
@@ -32,7 +32,27 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
 
     private fun motion() {
         val speed = r * omega
-        rows.average("velocity_dispersion", "velocity dispersion c", motion.dispersion per speed, "r Ω")
+        rows.average(
+            "velocity_dispersion",
+            "velocity dispersion c",
+            motion.dispersion per speed,
+            "r Ω",
+            "around the mean flow by radius, in slabs",
+        )
+        rows.average(
+            "velocity_dispersion_thermal",
+            "velocity dispersion, thermal",
+            motion.thermalDispersion per speed,
+            "r Ω",
+            "of near neighbours, without waves",
+        )
+        rows.average(
+            "velocity_dispersion_total",
+            "velocity dispersion, total",
+            motion.totalDispersion per speed,
+            "r Ω",
+            "around the orbital shear, with waves",
+        )
         for (axis in listOf("x", "y", "z")) {
             rows.average("sigma_$axis", "σ_$axis", motion.moment("$axis$axis").root() per speed, "r Ω")
         }

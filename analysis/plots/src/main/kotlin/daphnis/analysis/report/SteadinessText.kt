@@ -11,12 +11,14 @@ import kotlin.math.abs
  * @param unit what [duration] is one of, such as `orbit`
  * @param duration a length of time, by which drifts are given
  * @param isCooling whether it never becomes steady, see [FreeCooling]
+ * @param otherwise what to do about a drift of a run that has no steady part
  */
 internal class SteadinessText(
     private val from: Double,
     private val unit: String,
     private val duration: Double,
     private val isCooling: Boolean = false,
+    private val otherwise: String = "a longer run is needed",
 ) {
     /**
      * One sentence for each of the [histories] that drifts, then one for those that do not, with the largest drift that
@@ -56,7 +58,7 @@ internal class SteadinessText(
         val advice = when {
             isCooling -> "nothing replaces the energy that collisions take, so a longer run is not steady either"
             mser != null && mser > from -> "by MSER-5 it is steady from time ${time(mser)} on (--from)"
-            else -> "a longer run is needed"
+            else -> otherwise
         }
         return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged " +
             "($each per $unit), more than its fluctuations explain, so $lost; $advice."

@@ -8,6 +8,8 @@ import daphnis.analysis.plot.PictureFiles
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.table.UnitNames
 import daphnis.core.format.Snapshot
+import daphnis.core.scenario.Scenario
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.PI
 
@@ -41,6 +43,12 @@ internal class Study(
     val units: UnitNames = input.units
     val scale: PlotScale = PlotScale(units, input.omega, bulk.meanRadius)
     val isRing: Boolean = input.omega != null
+
+    /**
+     * The scenario, where it decides the physics; null without one, and for the run of a program, whose law and forces
+     * may be others.
+     */
+    val physics: Scenario? = input.scenario?.takeUnless { input.directory?.program?.let { Files.exists(it) } == true }
 
     /** Whether light through the patch means something: not through a box that is one of many all around. */
     val isSlab: Boolean = !last.boundary.repeats(2)

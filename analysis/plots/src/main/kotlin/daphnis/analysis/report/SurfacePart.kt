@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.correlation.CentralRidge
 import daphnis.analysis.correlation.SurfaceMap
 import daphnis.analysis.correlation.WavePattern
 import daphnis.analysis.insitu.State
@@ -68,12 +69,15 @@ internal class SurfacePart(private val study: Study) : Part {
 
     private fun wakes(page: ReportPage) {
         val pattern = WavePattern.of(autocorrelations, lagX, lagY, dx, dy)
-        table(pattern)
+        val ridge = if (pattern == null) CentralRidge.of(autocorrelations, lagX, lagY, dx, dy) else null
+        table(pattern, ridge)
         if (pattern == null) {
             page.paragraph(
                 "No pitch angle and no spacing of wakes: no single wave of the surface density is stronger than " +
                     "waves of the same length in other directions.",
             )
+            if (ridge != null) ridge(page, ridge)
+            smallPatch()?.let { page.paragraph(it) }
             return
         }
         val rows = NumberRows()
@@ -92,9 +96,33 @@ internal class SurfacePart(private val study: Study) : Part {
             rows.average(null, name, spacing * (1 / critical), "", "4π² G Σ/Ω²")
         }
         page.numbers(study.judgement.shown(rows.list()))
+        page.paragraph(ASSUMED)
+        smallPatch()?.let { page.paragraph(it) }
     }
 
-    private fun table(pattern: WavePattern?) {
+    private fun ridge(page: ReportPage, ridge: CentralRidge) {
+        val rows = NumberRows()
+        val note = "from the orbit, trailing positive; where A falls off most slowly"
+        rows.average(null, "pitch angle of the central ridge of A", ridge.pitch * (180 / PI), "degrees", note)
+        page.numbers(study.judgement.shown(rows.list()))
+        page.paragraph(ASSUMED)
+    }
+
+    /** How many critical wavelengths the patch is long, with self-gravity. */
+    private fun smallPatch(): String? {
+        val wavelength = study.bulk.criticalWavelength
+        if (!(wavelength > 0)) return null
+        val box = study.last.boundary.box
+        val fits = (0..1).map { box.length(it) / wavelength }
+        val said = "The patch is ${fits.joinToString(" × ") { ReportText.short(it) }} critical wavelengths large"
+        return if (fits.min() < 1) {
+            "$said: it has no room for one wake, and what it does is decided by its size. $ENOUGH"
+        } else {
+            "$said. $ENOUGH"
+        }
+    }
+
+    private fun table(pattern: WavePattern?, ridge: CentralRidge?) {
         fun one(value: Double?) = doubleArrayOf(value ?: Double.NaN)
         Table(
             "wakes",
@@ -104,6 +132,12 @@ internal class SurfacePart(private val study: Study) : Part {
                 Column("spacing", units.length, one(pattern?.spacing?.mean)),
                 Column("spacing_error", units.length, one(pattern?.let { study.judgement.error(it.spacing) })),
                 Column("critical_wavelength", units.length, one(study.bulk.criticalWavelength)),
+                Column("ridge_pitch", "degrees", one(ridge?.let { Math.toDegrees(it.pitch.mean) })),
+                Column(
+                    "ridge_pitch_error",
+                    "degrees",
+                    one(ridge?.let { Math.toDegrees(study.judgement.error(it.pitch)) }),
+                ),
             ),
         ).write(study.tables)
     }
@@ -111,5 +145,11 @@ internal class SurfacePart(private val study: Study) : Part {
     private companion object {
         const val MOST_CELLS = 64
         const val HEIGHT = 560
+        const val ENOUGH = "Daisaka, Tanaka & Ida (2001) take 4 or more."
+
+        /** What the errors of wakes rest on. */
+        const val ASSUMED =
+            "States count for as many independent ones as the correlation of their autocorrelations in " +
+                "time leaves; none is given for fewer than eight."
     }
 }

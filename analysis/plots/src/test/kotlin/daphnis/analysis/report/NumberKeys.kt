@@ -26,6 +26,8 @@ internal object NumberKeys {
         "mean_radius",
         "r_omega",
         "velocity_dispersion",
+        "velocity_dispersion_thermal",
+        "velocity_dispersion_total",
         "sigma_x",
         "sigma_y",
         "sigma_z",
@@ -45,9 +47,10 @@ internal object NumberKeys {
     val RING = STATES + TRANSPORT
     val SELF_GRAVITY = listOf("viscosity_gravitational", "toomre_q", "critical_wavelength")
     val DIFFUSION = listOf("self_diffusion", "self_diffusion_x", "self_diffusion_y", "self_diffusion_z")
+    private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
-    private val all = (RING + SELF_GRAVITY + SHEARED + DIFFUSION + GUIDING_CENTRES).toSet()
+    private val all = (RING + SELF_GRAVITY + SHEARED + DIFFUSION + INFINITE + GUIDING_CENTRES).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {

@@ -30,8 +30,8 @@ class ReportNumberTest {
             "elastic-gas",
             "particles={\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[0.5,0.3]},\"density\":1}",
             "box.lengths=[8,8,8]",
-            "until=16",
-            "output.snapshotEvery=2",
+            "until=24",
+            "output.snapshotEvery=5",
             "velocities={\"type\":\"gaussian\",\"temperature\":1,\"exact\":true}",
         )
         for ((path, diffusion) in listOf(ring to "guiding_centre_diffusion", gas to "self_diffusion")) {

@@ -1,0 +1,36 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.insitu.State
+import daphnis.core.scenario.BoundarySpec
+import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.scenario.Scenario
+import kotlin.math.abs
+
+/** The one kind of gas whose numbers theory knows: elastic spheres of one size and mass, at rest, filling all space. */
+internal object ElasticGas {
+    /** Relative difference at which two lengths or masses still count as equal. */
+    private const val SAME = 1e-9
+
+    /** Whether [last] is a state of such a gas, in a box that repeats along all axes. */
+    fun isSeen(scenario: Scenario, last: State): Boolean {
+        val law = scenario.restitution as? RestitutionSpec.Constant ?: return false
+        return law.coefficient == 1.0 &&
+            scenario.boundary is BoundarySpec.Periodic &&
+            (0..2).all { last.boundary.repeats(it) } &&
+            scenario.frame == null &&
+            scenario.forces.isEmpty() &&
+            scenario.bodies.isEmpty() &&
+            areEqual(last.population.radius) &&
+            areEqual(last.population.mass)
+    }
+
+    /** Whether that box is a cube, too. */
+    fun isCube(scenario: Scenario, last: State): Boolean {
+        val box = last.boundary.box
+        return isSeen(scenario, last) && areEqual(DoubleArray(3) { box.length(it) })
+    }
+
+    /** Whether all [values] are the same; not of none. */
+    fun areEqual(values: DoubleArray): Boolean =
+        values.isNotEmpty() && values.all { abs(it - values[0]) <= SAME * abs(values[0]) }
+}

@@ -1,0 +1,24 @@
+package daphnis.analysis.report
+
+import daphnis.core.scenario.ForceSpec
+
+/** What to say of a ring that drifts and has no steady part: a longer run does not help every one. */
+internal object Unsteady {
+    /** Total over thermal dispersion from which the motion is mostly that of waves. */
+    private const val WAVES = 1.5
+
+    fun advice(study: Study): String {
+        val moon = study.input.scenario?.forces.orEmpty().any { it is ForceSpec.Satellite }
+        val ratio = study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean
+        return advice(moon, ratio)
+    }
+
+    /** Of a ring that a moon passes or not, by the [ratio] of total to thermal dispersion; NaN where it has none. */
+    fun advice(hasMoon: Boolean, ratio: Double): String = when {
+        hasMoon -> "a ring that a moon passes once has no steady state"
+        ratio > WAVES ->
+            "its motion is mostly that of waves (total over thermal dispersion ${ReportText.short(ratio)}), " +
+                "which a longer run need not end"
+        else -> "a longer run is needed"
+    }
+}

@@ -1,0 +1,107 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.insitu.State
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.ScenarioSetup
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.math.PI
+
+/** A number from elsewhere stands beside one of a run only where everything that decides it is the same. */
+class ReferenceTest {
+    @Test
+    fun `a ring patch has references as shipped, and none when any one thing is another`() {
+        assertEquals(9, patch().size)
+        assertEquals(9, patch("guard={\"type\":\"none\"}").size)
+        val others = listOf(
+            "frame.verticalFactor=3.6",
+            "frame.distanceInKm=120000",
+            "restitution.prefactor=0.32",
+            "restitution.exponent=-0.2",
+            "restitution={\"type\":\"constant\",\"coefficient\":0.5}",
+            "restitution={\"type\":\"borderies\",\"criticalSpeed\":0.1}",
+            "guard={\"type\":\"contact-duration\",\"duration\":100}",
+            "guard={\"type\":\"floor-speed\",\"relative\":0.1}",
+            "guard={\"type\":\"floor-speed\",\"speed\":1e-9}",
+            "boundary.radiallyOpen=true",
+            "particles.opticalDepth=0.52",
+            "particles.sizes={\"type\":\"list\",\"radii\":[1.4,1.56]}",
+            "particles.sizes.radius=1.5",
+            "forces=[{\"type\":\"self-gravity\"}]",
+            "forces=[{\"type\":\"satellite\",\"massRatio\":1e-12,\"x\":5000,\"y\":0}]",
+            "bodies=[{\"radius\":5,\"density\":900,\"position\":[0,0,0]}]",
+        )
+        for (other in others) assertEquals(emptyMap<String, Reference>(), patch(other)) { other }
+    }
+
+    @Test
+    fun `a sheared box and an elastic gas have references only where they are the ones that are known`() {
+        assertEquals(3, sheared().size)
+        for (
+        other in listOf(
+            "restitution.coefficient=0.85",
+            "guard={\"type\":\"floor-speed\",\"relative\":0.5}",
+            "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
+            "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
+        )
+        ) {
+            assertEquals(emptyMap<String, Reference>(), sheared(other)) { other }
+        }
+        assertEquals(2, elastic().size)
+        for (
+        other in listOf(
+            "restitution.coefficient=0.99",
+            "boundary={\"type\":\"walls\"}",
+            "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
+            "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
+        )
+        ) {
+            assertEquals(emptyMap<String, Reference>(), elastic(other)) { other }
+        }
+    }
+
+    @Test
+    fun `a difference is in errors of both sides, and a page says so`() {
+        val reference = Reference(10.0, 0.3, "there")
+        assertEquals(2.0, reference.away(11.0, 0.4), 1e-12)
+        assertTrue(reference.away(11.0, Double.NaN).isNaN())
+        fun page(error: Double) = ReportPage("t").apply { numbers(listOf(NumberRow("c", 9.0, error, "m", reference))) }
+            .html("")
+        val html = page(0.4)
+        assertTrue("10.00 ± 0.30" in html && "−10.0 % (−2.0 σ)" in html && "joint standard error" in html) { html }
+        assertTrue("−10.0 %</td>" in page(Double.NaN))
+    }
+
+    internal companion object {
+        private fun of(
+            name: String,
+            settings: Array<out String>,
+            use: (ScenarioSetup, State) -> Map<String, Reference>,
+        ) = ScenarioSetup.of(BuiltIn.scenario(name, settings.asList()), name).let { setup ->
+            use(setup, State(setup.population, setup.boundary, 0.0, setup.angularSpeed))
+        }
+
+        /** References of `ring-patch`, with [settings]. */
+        fun patch(vararg settings: String) = of("ring-patch", settings) { setup, state ->
+            val p = state.population
+            val depth = p.radius.filterIndexed { k, _ -> p.radius[k] < 4 }.sumOf { PI * it * it } / state.area
+            References.ofPatch(BuiltIn.scenario("ring-patch", settings.asList()), state, setup.angularSpeed!!, depth)
+        }
+
+        /** References of `shear-cell`. */
+        fun sheared(vararg settings: String) = of("shear-cell", settings) { _, state ->
+            References.ofShear(BuiltIn.scenario("shear-cell", settings.asList()), state, filling(state))
+        }
+
+        /** References of `elastic-gas`. */
+        fun elastic(vararg settings: String) = of("elastic-gas", settings) { _, state ->
+            val density = state.population.size / state.boundary.box.volume
+            val scenario = BuiltIn.scenario("elastic-gas", settings.asList())
+            References.ofElastic(scenario, state, filling(state), 1.0, density)
+        }
+
+        private fun filling(state: State) =
+            state.population.radius.sumOf { 4.0 / 3 * PI * it * it * it } / state.boundary.box.volume
+    }
+}

@@ -1,0 +1,108 @@
+package daphnis.analysis.profile
+
+import daphnis.analysis.insitu.Averages
+import daphnis.analysis.insitu.State
+import daphnis.analysis.uniform
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.hill.HillSheet
+import daphnis.core.population.VelocityMoments
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.cos
+import kotlin.math.sin
+import kotlin.math.sqrt
+
+class LocalDispersionTest {
+    private val box = Box.centred(100.0, 120.0, 4.0)
+    private val c2 = LocalDispersion.COLUMNS.indexOf("c2")
+
+    /**
+     * A gas of dispersion σ = 0.5 along each axis that moves with a wave of amplitude [AMPLITUDE] whose crests lean: a
+     * mean square of A²/2 along x and A²/8 along y.
+     */
+    private fun wave(count: Int, boundary: BoundaryConditions, seed: Long, amplitude: Double = AMPLITUDE): State {
+        val state = uniform(count, boundary, seed) { 0.5 * it.nextGaussian() }
+        val p = state.population
+        for (k in 0 until count) {
+            val phase = 2 * PI * (2 * p.x[k] / 100 + p.y[k] / 120)
+            p.vx[k] += amplitude * cos(phase)
+            p.vy[k] += amplitude / 2 * sin(phase)
+        }
+        return state
+    }
+
+    @Test
+    fun `thermal and total dispersion of a wave are those it was made with, from 1,000 particles to 100,000`() {
+        val sheet = HillSheet(box, 0.7)
+        val total = sqrt(0.75 + AMPLITUDE * AMPLITUDE * 5 / 8)
+        for (count in listOf(1000, 5000, 20_000, 100_000)) {
+            val state = wave(count, sheet, count.toLong())
+            val measure = LocalDispersion(LocalDispersion.reach(state))
+            // Relative error of a mean square of 3 N numbers, three times as large at the end of a parabola, halved by
+            // the root.
+            val slack = 4 * 3 * sqrt(2.0 / (3 * count)) / 2
+            assertEquals(1.0, sqrt(measure.of(state)[c2] / 0.75), slack) { "thermal, $count" }
+            val moments = VelocityMoments.of(state.population, sheet.meanFlow, 0.7)
+            assertEquals(1.0, moments.totalDispersion / total, 5 * 0.7 / sqrt(count.toDouble())) { "total, $count" }
+            if (count >= 20_000) assertTrue(moments.dispersion > 2 * sqrt(0.75)) { "slabs see the wave" }
+        }
+    }
+
+    @Test
+    fun `the reach of pairs does not matter where it is short of a third of the wave`() {
+        val state = wave(20_000, HillSheet(box, 0.7), 3)
+        for (reach in listOf(3.0, 6.0, 12.0)) {
+            assertEquals(1.0, LocalDispersion(reach).of(state)[c2] / 0.75, 0.06) { "reach $reach" }
+        }
+    }
+
+    @Test
+    fun `errors cover the truth in 60 to 75 percent, with a wave and without, through sliding faces`() {
+        for (boundary in listOf(HillSheet(box, 0.7), LeesEdwards(box, 0.8))) {
+            for (amplitude in listOf(0.0, AMPLITUDE)) {
+                var covered = 0
+                var sum = 0.0
+                for (run in 0 until RUNS) {
+                    val averages = Averages(LocalDispersion(8.0))
+                    repeat(20) { averages.add(wave(300, boundary, 1000L * run + it + 1, amplitude)) }
+                    val a = averages.average(c2)
+                    if (abs(a.mean - 0.75) <= a.error) covered++
+                    sum += a.mean
+                }
+                assertTrue(covered in RUNS * 60 / 100..RUNS * 76 / 100) { "amplitude $amplitude: $covered of $RUNS" }
+                assertEquals(0.75, sum / RUNS, 0.015)
+            }
+        }
+    }
+
+    @Test
+    fun `pairs are weighted by mass, bodies are no particles, and few pairs say nothing`() {
+        // A tenth of the particles is ten times as heavy and at rest: ⟨c²⟩ by mass is that of the light ones, times a
+        // share of 9/19.
+        val state = uniform(4000, HillSheet(box, 0.7)) { 0.5 * it.nextGaussian() }
+        val p = state.population
+        for (k in 0 until p.size step 10) {
+            p.mass[k] = 10.0
+            p.vx[k] = 0.0
+            p.vy[k] = -1.5 * 0.7 * p.x[k]
+            p.vz[k] = 0.0
+        }
+        assertEquals(0.75 * 9 / 19, LocalDispersion(6.0).of(state)[c2], 0.03)
+        val bodies = State(p, state.boundary, 0.0, 0.7, firstBody = 40)
+        assertTrue(LocalDispersion(1.0).of(bodies).drop(1).all { it.isNaN() })
+        assertTrue(LocalDispersion(1.0).of(uniform(0, state.boundary)).drop(1).all { it.isNaN() })
+        assertTrue(LocalDispersion.reach(uniform(1, state.boundary)).isNaN())
+        assertThrows(IllegalArgumentException::class.java) { LocalDispersion(Double.NaN) }
+    }
+
+    private companion object {
+        const val AMPLITUDE = 3.0
+        const val RUNS = 200
+    }
+}
