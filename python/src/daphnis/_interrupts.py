@@ -55,8 +55,8 @@ class Termination:
 
     Where nobody handles the signal it is noted, the run ends after its step, and then the process ends by that signal,
     as it would have at once; the second one ends it at once. A handler of the program itself is called between two
-    steps: the run goes on after it, and ends with a checkpoint if it raises, which then comes out of the run. What is ignored
-    stays so, and so does a handler that was not installed from Python. Signals reach the main thread only.
+    steps: the run goes on after it, and ends with a checkpoint if it raises, which then comes out of the run. What is
+    ignored stays so, and so does a handler that was not installed from Python. Signals reach the main thread only.
     """
 
     def __init__(self) -> None:
