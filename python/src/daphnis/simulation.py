@@ -19,9 +19,6 @@ from .scenarios import ScenarioLike, Settings
 from .scenarios import scenario as as_scenario
 from .states import State
 
-_TOLERANCE = 1e-9
-"""How deep spheres may overlap at the start, as a part of the sum of two radii."""
-
 
 class Simulation:
     """Spheres in memory, advanced one step at a time, without a directory.
@@ -111,7 +108,7 @@ class Simulation:
         setup = setup_of(self.scenario, population)
         start = float(setup.getScenario().getStartTime()) if begin is None else begin
         if population is not None:
-            _check_start(population, setup.getBoundary(), start)
+            _check_inside(population, setup.getBoundary())
         with translated():
             time_step = setup.endlessTimeStep() if endless else setup.getTimeStep()
             stopping = isinstance(time_step, java("daphnis.core.StoppingTimeStep"))
@@ -127,6 +124,8 @@ class Simulation:
                 time=start,
                 time_step=time_step,
             )
+            if population is not None:
+                self._java.checkStart()
         noted([*map(str, setup.getNotices()), *map(str, java("daphnis.core.scenario.Warnings").of(setup))])
         self._first_body = int(setup.getScenario().getFirstBody())
         self._mine = True
@@ -275,8 +274,8 @@ class Simulation:
         return f"<Simulation of {len(self)} spheres at time {self.time:.10g}, step {self.step}>"
 
 
-def _check_start(population: Any, boundary: Any, time: float) -> None:
-    """Spheres of arrays must be inside the box and must not overlap, like those of a scenario."""
+def _check_inside(population: Any, boundary: Any) -> None:
+    """Spheres of arrays must be inside the box, like those of a scenario."""
     open_axis = java("daphnis.core.boundary.ContactFaces").OPEN
     box = boundary.getBox()
     identities = _arrays.of_ints(population.getId())
@@ -289,8 +288,3 @@ def _check_start(population: Any, boundary: Any, time: float) -> None:
             k = outside[0]
             limits = f"{name} from {box.lower(axis)} to {box.upper(axis)}"
             raise InputError(f"position: sphere {identities[k]} at {name} = {places[k]} is outside the box, {limits}")
-    with translated():
-        overlap = java("daphnis.core.search.Overlap").deepest(population, boundary, time)
-    if overlap.getDepth() > _TOLERANCE:
-        pair = f"spheres {overlap.getFirst()} and {overlap.getSecond()}"
-        raise InputError(f"position: {pair} overlap by {overlap.getDepth():.3g} of the sum of their radii")

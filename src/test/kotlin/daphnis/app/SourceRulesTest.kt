@@ -69,7 +69,9 @@ class SourceRulesTest {
         var groups = 0
         val wrong = modules.flatMap { sources("$it/src/main/kotlin") }.flatMap { file ->
             val lines = file.readLines().filterNot { it.trimStart().startsWith("//") }
-            val capacities = lines.flatMap { line -> compared.findAll(line).map { it.groupValues.last(String::isNotEmpty) } }
+            val capacities = lines.flatMap { line ->
+                compared.findAll(line).map { it.groupValues.last(String::isNotEmpty) }
+            }
             val names = lines.map { assigned.find(it)?.groupValues?.get(1) }
             // Stretches of lines that assign one array after another.
             val ends = names.indices.filter { names[it] != null && names.getOrNull(it + 1) == null }

@@ -193,6 +193,16 @@ public class Simulation internal constructor(
     }
 
     /**
+     * Checks now, and so not in the first step, that no spheres which collide overlap. For callers that know them to be
+     * finite and in the box.
+     *
+     * @throws IllegalArgumentException naming the deepest pair
+     */
+    public fun checkStart() {
+        collisions?.checkStart(population, boundary, time)
+    }
+
+    /**
      * Sets the clock to [time] after [step] steps of a run that began with the state which this was made with. To be
      * called before everything else.
      */

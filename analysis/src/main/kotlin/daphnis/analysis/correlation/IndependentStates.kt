@@ -54,20 +54,22 @@ internal class IndependentStates(maps: List<DoubleArray>) {
     /**
      * [mean] with the error of the average of the jackknife [pseudovalues], one of each state; without one for fewer
      * than sixteen states, or when they are worth fewer than eight. The numbers may be slower than the maps, most of
-     * which is noise: then the states are worth what the numbers themselves show, as far as that can be told.
+     * which is noise: then the states are worth what the numbers themselves show.
      */
     fun average(mean: Double, pseudovalues: DoubleArray): BlockAverage {
         val centre = pseudovalues.average()
         val variance = pseudovalues.sumOf { (it - centre) * (it - centre) } / states
         val isKnown = states >= BlockAverage.FEWEST_NUMBERS && number >= BlockAverage.FEWEST_INDEPENDENT
         if (!isKnown) return BlockAverage(mean, Double.NaN, states, number)
-        val own = BlockAverage.of(pseudovalues).independent
-        val worth = if (own.isNaN()) number else minOf(number, maxOf(own, BlockAverage.FEWEST_INDEPENDENT))
+        val own = maxOf(BlockAverage.of(pseudovalues).independent, BlockAverage.FEWEST_INDEPENDENT)
+        // Only where it is clear: what one series shows is known to a third, and the lower of two is low on average.
+        val worth = if (own < number / CLEARLY) own else number
         return BlockAverage(mean, sqrt(variance / (worth - 1)), states, worth)
     }
 
     private companion object {
         const val WINDOW = 2.5
+        const val CLEARLY = 1.5
         const val ITERATIONS = 4
         const val MOST_SHARE = 0.5
     }

@@ -126,8 +126,9 @@ public class CollisionLaw @JvmOverloads constructor(
         outcome: CollisionOutcome,
     ) {
         var b = approach(rows, first, second, slideX, slideY, outcome)
-        val fastest = maxOf(rows.fastestComponent(first), rows.fastestComponent(second), maxOf(abs(slideX), abs(slideY)))
-        val rounding = ROUNDING * fastest
+        val fastest =
+            maxOf(rows.fastestComponent(first), rows.fastestComponent(second), maxOf(abs(slideX), abs(slideY)))
+        val rounding = VELOCITY_ROUNDING * fastest
         if (b >= 0.0 && outcome.impactSpeed > rounding) return
         val dx = outcome.separationX
         val dy = outcome.separationY
@@ -163,9 +164,7 @@ public class CollisionLaw @JvmOverloads constructor(
         val uz = state[q + 2] - state[p + 2]
         return outcome.separationX * ux + outcome.separationY * uy + outcome.separationZ * uz
     }
-
-    private companion object {
-        /** Of a velocity and of what is computed from it, relative to it. */
-        const val ROUNDING = 1e-15
-    }
 }
+
+/** Of a velocity and of what is computed from it, relative to it. */
+private const val VELOCITY_ROUNDING = 1e-15

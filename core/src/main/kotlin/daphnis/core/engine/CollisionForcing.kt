@@ -48,13 +48,18 @@ public class CollisionForcing @JvmOverloads constructor(
         if (isStartUnchecked) {
             // What no engine takes is refused first, as they do it: pairs are not searched for among such spheres.
             Reach().measure(population, boundary, duration)
-            Overlap.requireNone(population, boundary, start)
-            isStartUnchecked = false
+            checkStart(population, boundary, start)
         }
         step.start = start
         step.duration = duration
         step.record = record
         engine.advance(step)
+    }
+
+    /** @throws IllegalArgumentException when spheres overlap at the time [start] */
+    internal fun checkStart(population: Population, boundary: BoundaryConditions, start: Double) {
+        if (isStartUnchecked) Overlap.requireNone(population, boundary, start)
+        isStartUnchecked = false
     }
 
     override fun close() {

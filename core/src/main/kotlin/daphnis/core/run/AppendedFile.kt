@@ -1,6 +1,8 @@
 package daphnis.core.run
 
+import java.io.IOException
 import java.io.RandomAccessFile
+import java.nio.file.Files
 import java.nio.file.Path
 import java.util.zip.CRC32C
 import kotlin.io.path.name
@@ -22,7 +24,7 @@ internal class AppendedFile(
     private val writer: Writer,
     private val clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {
-    private val file = RandomAccessFile(path.toFile(), "rw")
+    private val file = RandomAccessFile(unlinked(path).toFile(), "rw")
     private val checksum = kept?.checksum ?: CRC32C()
     private val pending = StringBuilder()
     private var handedOverAt = clock()
@@ -117,3 +119,6 @@ internal class AppendedFile(
         const val SECOND = 1_000_000_000L
     }
 }
+
+/** @throws IOException for a link, which would lead what is appended elsewhere ([Links]) */
+private fun unlinked(path: Path): Path = path.also { if (Files.isSymbolicLink(it)) throw IOException("$it is a link") }

@@ -64,6 +64,8 @@ internal open class FileOperations {
      */
     fun writeWhole(path: Path, write: (Path) -> Unit) {
         try {
+            // Somebody may have put one there since the directory was looked at ([Links]).
+            if (Files.isSymbolicLink(path)) Files.delete(path)
             write(path, write)
             force(path)
         } catch (e: IOException) {

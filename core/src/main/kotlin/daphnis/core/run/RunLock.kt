@@ -6,6 +6,7 @@ import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
+import java.nio.file.LinkOption
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import java.util.concurrent.ConcurrentHashMap
@@ -48,10 +49,12 @@ public class RunLock private constructor(private val directory: Path, private va
         /**
          * Locks [directory] until the lock is closed.
          *
-         * @throws InputException when a run is in progress in [directory], or it cannot be written
+         * @throws InputException when a run is in progress in [directory], it cannot be written, or it has [Links] to
+         *   elsewhere
          */
         @JvmStatic
         public fun take(directory: Path): RunLock = try {
+            Links.check(directory)
             val real = directory.toRealPath()
             if (!HELD.add(real)) throw busy(directory, ProcessHandle.current().pid().toString())
             try {
@@ -81,6 +84,7 @@ public class RunLock private constructor(private val directory: Path, private va
                     StandardOpenOption.CREATE,
                     StandardOpenOption.READ,
                     StandardOpenOption.WRITE,
+                    LinkOption.NOFOLLOW_LINKS,
                 )
             val isFree = try {
                 channel.tryLock() != null

@@ -100,7 +100,8 @@ class InelasticContactTest {
             repeat(60) { simulation.advance() }
             assertEquals(1L, simulation.collisions!!.counters.collisions)
         }
-        val headOn = simulationOf(populationOf(Sphere(x = -3.0, vx = 1.0), Sphere(x = 3.0, vx = -0.3)), Open, 0.1, plastic)
+        val headOn =
+            simulationOf(populationOf(Sphere(x = -3.0, vx = 1.0), Sphere(x = 3.0, vx = -0.3)), Open, 0.1, plastic)
         repeat(200) { headOn.advance() }
         assertEquals(1L, headOn.collisions!!.counters.collisions)
         val x = headOn.population.x

@@ -52,13 +52,20 @@ class LawLimitsTest {
     @Test
     fun `a law that leaves the range ends the step with its number, and the step is as if it had not begun`() {
         for (engine in CoreEngines.others(Draw(1)) + SerialEngine()) {
-            for ((bad, word) in listOf(3.0 to "3.0", -1.0 to "-1.0", Double.NaN to "NaN", Math.nextUp(1.0) to "1.0000")) {
+            for ((bad, word) in listOf(
+                3.0 to "3.0",
+                -1.0 to "-1.0",
+                Double.NaN to "NaN",
+                Math.nextUp(1.0) to "1.0000",
+            )) {
                 val start = populationOf(Sphere(x = -3.0, vx = 2.0), Sphere(x = 3.0), Sphere(x = 3.0, y = 9.0))
                 val simulation = simulationOf(start, Open, 10.0, { bad }, engine = engine)
                 val before = stateDigest(start)
                 val e = assertThrows(IllegalArgumentException::class.java) { simulation.advance() }
                 val says = "the coefficient of restitution is $word"
-                assertTrue(e.message!!.startsWith(says) && "at an impact speed of 2.0" in e.message!!) { "${e.message}" }
+                assertTrue(e.message!!.startsWith(says) && "at an impact speed of 2.0" in e.message!!) {
+                    "${e.message}"
+                }
                 assertEquals(before, stateDigest(start))
             }
             engine.close()

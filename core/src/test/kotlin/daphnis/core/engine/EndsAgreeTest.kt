@@ -152,7 +152,7 @@ class EndsAgreeTest {
                 4.0,
                 ConstantRestitution(0.0),
             )
-        assertTrue(end.endsWith(" 178740 0")) { end }
+        assertTrue(end.endsWith(" 173160 0")) { end }
     }
 
     @Test

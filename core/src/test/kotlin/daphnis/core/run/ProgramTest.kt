@@ -11,9 +11,9 @@ import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
-import daphnis.core.search.Overlap
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.OutputSpec
+import daphnis.core.search.Overlap
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.core.format.WholeFile
+import daphnis.core.run.Links
 import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.AtomicMoveNotSupportedException
@@ -15,7 +16,7 @@ import java.nio.file.StandardCopyOption.REPLACE_EXISTING
  */
 internal class NewFiles(private val directory: Path) : AutoCloseable {
     /** Where to write them. */
-    val place: Path = Files.createTempDirectory(directory, ".analysis-")
+    val place: Path = Files.createTempDirectory(directory.also { Links.check(it, replaces = true) }, ".analysis-")
 
     private val hook = Thread(::clear)
 
