@@ -107,7 +107,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         val orbit = if (omega != null) 2 * PI / omega else 1.0
         val time = study.scale.timeName
         val lags = "slope over lags from ${ReportText.short(d.from / orbit)} to ${ReportText.short(d.to / orbit)} $time"
-        val unknown = if (d.error.isNaN()) Unknown.TOO_FEW else null
+        val unknown = if (d.error.isNaN()) Unknown.SHORT_TIME else null
         return NumberRow(what, d.value / scale, d.error / scale, unit, null, note ?: lags, unknown, key)
     }
 
