@@ -88,7 +88,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         writingLater(directory) {
             analysis.write(directory, if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress())
         }
-        println("report: ${directory.resolve("report.html")}")
+        printLine("report: ${directory.resolve("report.html")}")
     }
 
     private fun checkOptions() {

@@ -38,7 +38,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
                 val isOver = run.simulation.time >= run.until
                 val now = if (isOver) "already at the end, " else ""
                 val span = if (isOver) times.text(run.simulation.time) else times.span(run.simulation.time, run.until)
-                println("$count, $from${now}time $span, into $directory")
+                printLine("$count, $from${now}time $span, into $directory")
             }
             interruption.armed = true
             val units = UnitsOfDimensions(run.scenario?.units)
@@ -48,14 +48,14 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
                 val command = "daphnis resume ${quoted("$directory")}"
                 val words = "interrupted after step ${summary.steps}; continue with: $command"
                 live?.endsWith(words)
-                println(words)
+                printLine(words)
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             live?.endsWith("complete after step ${summary.steps}, state digest ${summary.stateDigest}")
             if (run.hasSeries) drawPlot(run, summary)
             report(summary, timesOf(run), units)
             if (interruption.requested) {
-                println("interrupted at the end: the run is complete, there is nothing to resume")
+                printLine("interrupted at the end: the run is complete, there is nothing to resume")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
         }
@@ -117,7 +117,7 @@ private fun named(units: UnitsOfDimensions, dimension: String): String =
     UnitNames.raised(units.of(dimension)).takeUnless { it.startsWith(UnitsOfDimensions.UNNAMED) }.orEmpty()
 
 private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensions) {
-    fun say(format: String, vararg values: Any) = println(String.format(Locale.ROOT, format, *values))
+    fun say(format: String, vararg values: Any) = printLine(String.format(Locale.ROOT, format, *values))
     val end = times.text(summary.time)
     val collisions = counted(summary.collisions, "collision")
     say("%s to time %s in %.1f s, %s", counted(summary.steps, "step"), end, summary.wallSeconds, collisions)
@@ -128,5 +128,5 @@ private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensio
     if (summary.maxOverlap > 0) say("deepest overlap %.2g of the sum of two radii", summary.maxOverlap)
     val guarded = counted(summary.guardActivations, "collision")
     if (summary.guardActivations > 0) say("the collapse guard made %s elastic", guarded)
-    println("state digest ${summary.stateDigest}")
+    printLine("state digest ${summary.stateDigest}")
 }

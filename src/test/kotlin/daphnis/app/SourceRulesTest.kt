@@ -58,6 +58,18 @@ class SourceRulesTest {
         assertEquals(emptyList<String>(), long)
     }
 
+    /** What a terminal obeys goes out by no other way than the one that escapes it. */
+    @Test
+    fun `only one file writes to the standard streams`() {
+        val prints =
+            Regex("""(?<![\w.])(?:println|print|echo)\(|::print(?:ln)?\b|\bprintStackTrace\(|\bSystem\.(?:out|err)\b""")
+        val printing = (modules.map { "$it/src/main/kotlin" } + "src/main/kotlin").flatMap(::sources).filter { file ->
+            file.readLines().filterNot { it.trimStart().startsWith("*") }.any { prints.containsMatchIn(it) }
+        }
+        // The other puts its own stream in the place of the usual one.
+        assertEquals(setOf("Printing.kt", "StandardOutput.kt"), printing.map { it.name }.toSet())
+    }
+
     /**
      * A step that ran out of memory may be done again, so a table of several arrays must not think that it has room
      * for what only some of them have room for.
@@ -69,7 +81,9 @@ class SourceRulesTest {
         var groups = 0
         val wrong = modules.flatMap { sources("$it/src/main/kotlin") }.flatMap { file ->
             val lines = file.readLines().filterNot { it.trimStart().startsWith("//") }
-            val capacities = lines.flatMap { line -> compared.findAll(line).map { it.groupValues.last(String::isNotEmpty) } }
+            val capacities = lines.flatMap { line ->
+                compared.findAll(line).map { it.groupValues.last(String::isNotEmpty) }
+            }
             val names = lines.map { assigned.find(it)?.groupValues?.get(1) }
             // Stretches of lines that assign one array after another.
             val ends = names.indices.filter { names[it] != null && names.getOrNull(it + 1) == null }
