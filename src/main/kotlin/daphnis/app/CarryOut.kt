@@ -10,10 +10,13 @@ import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
 import daphnis.app.progress.Progress
 import daphnis.app.progress.TimesInWords
+import daphnis.core.population.Population
 import daphnis.core.run.Run
+import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunException
 import daphnis.core.run.Summary
 import daphnis.core.scenario.PlacementSpec
+import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.table.Dimension
 import daphnis.core.table.UnitsOfDimensions
 import java.util.Locale
@@ -52,7 +55,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             live?.endsWith("complete after step ${summary.steps}, state digest ${summary.stateDigest}")
-            if (run.hasSeries) drawPlot(run, summary)
+            if (run.hasSeries) run.scenario?.let { drawPlot(run.directory, it, run.simulation.population) }
             report(summary, timesOf(run), units)
             if (interruption.requested) {
                 printLine("interrupted at the end: the run is complete, there is nothing to resume")
@@ -79,12 +82,10 @@ private fun originOf(run: Run): String {
 private fun timesOf(run: Run): TimesInWords = run.scenario?.let { TimesInWords.of(it) } ?: TimesInWords(null, null)
 
 /** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */
-internal fun drawPlot(run: Run, summary: Summary) {
+internal fun drawPlot(directory: RunDirectory, scenario: ResolvedScenario, population: Population) {
     fun none(e: Throwable) = warn("no plot: ${e.message ?: e.javaClass.simpleName}; the run is complete")
     try {
-        val scenario = run.scenario ?: return
-        val scale = PlotScale.of(scenario, run.simulation.population)
-        RunPlot.write(run.directory.series, run.directory.plots, summary.scenario, scale)
+        RunPlot.write(directory.series, directory.plots, scenario.name, PlotScale.of(scenario, population))
     } catch (e: Exception) {
         none(e)
     } catch (e: LinkageError) {

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import java.io.IOException
 import java.net.InetAddress
 import java.net.Socket
 import java.net.URI
@@ -47,6 +48,31 @@ class LiveServerTest {
             assertTrue(answer.headers().firstValue("Content-Type").get().startsWith(type))
             assertTrue("default-src 'none'" in answer.headers().firstValue("Content-Security-Policy").get())
             assertTrue("http" !in answer.body()) { path }
+        }
+    }
+
+    @Test
+    fun `who does not finish a request keeps nobody out for long`() {
+        val silent = List(150) {
+            Socket(InetAddress.getLoopbackAddress(), server.port).apply {
+                getOutputStream().write("GET / HTTP/1.1\r\nHost:".toByteArray())
+            }
+        }
+        try {
+            while (true) {
+                try {
+                    if (statusOf("GET / HTTP/1.1", host) == 200) break
+                } catch (_: IOException) {
+                    continue
+                } catch (_: NullPointerException) {
+                    continue // The answer is the end of the stream.
+                }
+            }
+            val first = silent.first()
+            first.soTimeout = 20_000
+            assertEquals(-1, first.getInputStream().read())
+        } finally {
+            for (socket in silent) socket.close()
         }
     }
 

@@ -91,9 +91,7 @@ class FailedGrowthTest {
             val members = Members()
             val limits = IslandLimits(ENTRIES)
             members.clear(limits)
-            Table(members, {
-                members.clear(limits)
-            }, { List(members.size) { members.slot(it) to members.older(it) } }) {
+            Table(members, { members.clear(limits) }, { List(members.size) { members.slot(it) to members.older(it) } }) {
                 members.take(rows, it)
             }
         },
