@@ -106,6 +106,7 @@ public class ClusterNode private constructor(private val process: ClusterProcess
                 )
                 party
             }
+            ground.openness?.let(say)
             say("node ${process.self.address} is waiting for a run; threads: ${ground.threads}")
             return ClusterNode(process, worker)
         }
