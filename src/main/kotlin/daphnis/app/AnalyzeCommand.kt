@@ -95,7 +95,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             writingLater(directory) { analysis.write(directory, progress) }
         }
         analysis.missing?.let { warn("there are no PNG pictures in ${directory.resolve("plots")}, only SVG: $it") }
-        println("report: ${directory.resolve("report.html")}")
+        printLine("report: ${directory.resolve("report.html")}")
     }
 
     private fun checkOptions() {
