@@ -134,7 +134,7 @@ private fun wanted(e: UsageError): String {
     val context = e.context ?: return ""
     val option = context.command.registeredOptions().find { e.paramName in it.names } ?: return ""
     val help = option.optionHelp(context)
-    return if (help.isEmpty()) "" else "; it is $help"
+    return if (help.isEmpty()) "" else ": $help"
 }
 
 internal const val EXIT_DONE = 0

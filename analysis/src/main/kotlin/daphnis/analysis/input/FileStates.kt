@@ -62,7 +62,7 @@ internal class FileStates(
             )
         }
         notices += "$path has no times: steps are numbered, and nothing per unit of time is given; " +
-            "the time of a step would say it"
+            "give the time of a step"
         return false
     }
 

@@ -25,6 +25,8 @@ internal class SizeClassSection(private val study: Study) : Section {
         "Particles by size, around the mean flow and the centre of mass of all. ${study.overAverages} " +
             "By number. ${study.judgement.bars()}"
     override val leftOut get() = when {
+        averages == null && study.bulk.particles < study.last.population.size ->
+            "all particles but bodies have one radius"
         averages == null -> "all particles have one radius"
         filled.isEmpty() -> "too few particles"
         else -> null

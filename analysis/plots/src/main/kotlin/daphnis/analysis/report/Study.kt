@@ -32,7 +32,7 @@ internal class Study(
     val last: State = input.state(input.size - 1, lastSnapshot)
     val bulk: Bulk = Bulk(last, input)
     val motion: Motion = Motion(input, from, last)
-    val judgement: Judgement = Judgement(from) {
+    val judgement: Judgement = Judgement(from, averaged.size) {
         RunHistory.of(input, from).ifEmpty {
             listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
         }
@@ -78,10 +78,7 @@ internal class Study(
     fun time(time: Double): String = span(time, time)
 
     private fun span(begin: Double, end: Double): String {
-        fun text(factor: Double): String {
-            val first = ReportText.short(begin * factor)
-            return if (begin == end) first else "$first to ${ReportText.short(end * factor)}"
-        }
+        fun text(factor: Double) = ReportText.span(begin * factor, end * factor)
         val inUnits = UnitNames.amount(text(1.0), units.time)
         val omega = input.omega ?: return inUnits
         val orbits = text(omega / (2 * PI))

@@ -150,6 +150,6 @@ internal class SurfacePart(private val study: Study) : Part {
         /** What the errors of wakes rest on. */
         const val ASSUMED =
             "States count for as many independent ones as the correlation of their autocorrelations in " +
-                "time leaves; none is given for fewer than eight."
+                "time leaves; no ± is given for fewer than eight."
     }
 }

@@ -104,7 +104,7 @@ public class SweepText(private val sweep: Sweep) {
         val drifting = sweep.runs.count { it.failure == null && !it.isSteady }
         if (drifting == 0) return null
         return "!: ${SweepRun.UNSTEADY}, in $drifting of ${ReportText.count(sweep.runs.size, "run")}; " +
-            "all of them may be off to the same side."
+            "the means of these runs may all be too large, or all too small."
     }
 
     private fun unjudged(): String? {
