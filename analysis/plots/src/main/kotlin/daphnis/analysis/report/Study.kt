@@ -31,6 +31,7 @@ internal class Study(
     val lastSnapshot: Snapshot = input.snapshot(input.size - 1)
     val last: State = input.state(input.size - 1, lastSnapshot)
     val bulk: Bulk = Bulk(last, input)
+    val boxes: Boxes = Boxes(averaged.map { input.boundary(it) })
     val motion: Motion = Motion(input, from, last)
     val judgement: Judgement = Judgement(from, averaged.size) {
         RunHistory.of(input, from).ifEmpty {
@@ -55,7 +56,7 @@ internal class Study(
 
     /** Whether pairs and maps are worth looking at: not for patches a thousand times as long as wide. */
     val isCompact: Boolean =
-        last.boundary.box.let { maxOf(it.length(0), it.length(1)) <= LONGEST * minOf(it.length(0), it.length(1)) }
+        boxes.mean.let { maxOf(it.length(0), it.length(1)) <= LONGEST * minOf(it.length(0), it.length(1)) }
 
     /** Which states an average is over: `5 states of 12, time 3.75 to 10 s (1.2 to 3.1 orbits)`. */
     val averagedStates: String = run {
