@@ -106,7 +106,8 @@ internal class FileStates(
         maxOf(largest(a.velocity[0]), largest(a.velocity[1]), largest(a.velocity[2])).let { speed ->
             (0..2).all { isSame(a.velocity[it], b.velocity[it], speed) }
         } &&
-        isSame(a.radius, b.radius, 0.0) && isSame(a.mass, b.mass, 0.0)
+        isSame(a.radius, b.radius, 0.0) &&
+        isSame(a.mass, b.mass, 0.0)
 
     /** The edge of the box along [axis], or in open space how far particles are apart. */
     private fun extent(a: Snapshot, axis: Int) =
@@ -139,7 +140,8 @@ internal class FileStates(
     private fun placed(states: List<Snapshot>): List<Snapshot> {
         val isUnwrapped = Unwrapping.isIn(states, common)
         if (isUnwrapped && states.size > 1) {
-            notices += "$path: places go on outside the box and are taken as unwrapped: displacements are their differences"
+            notices +=
+                "$path: places go on outside the box and are taken as unwrapped: displacements are their differences"
         }
         return states.mapIndexed { k, state ->
             val known = if (isUnwrapped) state.unwrapped() else state

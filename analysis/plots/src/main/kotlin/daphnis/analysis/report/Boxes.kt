@@ -27,8 +27,12 @@ internal class Boxes(val boundaries: List<BoundaryConditions>) {
     fun ifChanging(words: String): String = if (isChanging) " The box changes: $words" else ""
 
     private inline fun box(mean: ((Box) -> Double) -> Double) = Box(
-        mean { it.lowerX }, mean { it.lowerY }, mean { it.lowerZ },
-        mean { it.upperX }, mean { it.upperY }, mean { it.upperZ },
+        mean { it.lowerX },
+        mean { it.lowerY },
+        mean { it.lowerZ },
+        mean { it.upperX },
+        mean { it.upperY },
+        mean { it.upperZ },
     )
 
     private companion object {

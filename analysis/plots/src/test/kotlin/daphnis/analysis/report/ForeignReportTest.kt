@@ -130,7 +130,11 @@ class ForeignReportTest {
                 val found = table(out, "profile-radial")
                 val depths = found.map { it.getValue("optical_depth") }
                 val mean = depths.average()
-                for (end in listOf(depths.first(), depths.last())) assertEquals(mean, end, mean / 2) { "$name: $depths" }
+                for (end in listOf(depths.first(), depths.last())) {
+                    assertEquals(mean, end, mean / 2) {
+                        "$name: $depths"
+                    }
+                }
                 val lags = table(out, "autocorrelation")
                 val middle = (0..11).map { edges(it)[0] }.average()
                 assertEquals(middle / 2, lags.maxOf { it.getValue("dx") }, middle / 20) { name }
