@@ -13,6 +13,8 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.printing.printLine
+import daphnis.app.printing.warn
 import daphnis.app.progress.ShownProgress
 import daphnis.core.format.SnapshotFormats
 import daphnis.core.scenario.InputException

@@ -23,6 +23,9 @@ import daphnis.app.bench.Verdict
 import daphnis.app.bench.significant
 import daphnis.app.bench.timingTable
 import daphnis.app.bench.timingTitle
+import daphnis.app.printing.printLine
+import daphnis.app.printing.printLines
+import daphnis.app.printing.warn
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest

@@ -8,6 +8,8 @@ import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.counted
 import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
+import daphnis.app.printing.printLine
+import daphnis.app.printing.warn
 import daphnis.app.progress.Progress
 import daphnis.app.progress.TimesInWords
 import daphnis.core.population.Population

@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
+import daphnis.app.printing.printLine
 import daphnis.core.format.FormatException
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord

@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.types.choice
+import daphnis.app.printing.printLines
 
 /** `daphnis completion`. */
 class CompletionCommand : CliktCommand(name = "completion") {

@@ -10,6 +10,7 @@ import daphnis.app.describe.GravityRows
 import daphnis.app.describe.PhysicsRows
 import daphnis.app.describe.Quantities
 import daphnis.app.describe.Rows
+import daphnis.app.printing.printLines
 import daphnis.core.run.engineOf
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings

@@ -7,6 +7,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.double
+import daphnis.app.printing.printLine
 import daphnis.core.format.ExportOptions
 import daphnis.core.format.Exported
 import daphnis.core.format.FormatException

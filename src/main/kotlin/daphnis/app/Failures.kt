@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.app.printing.warn
 import daphnis.core.cluster.FleetException
 import daphnis.core.format.FormatException
 import daphnis.core.format.reasonOf

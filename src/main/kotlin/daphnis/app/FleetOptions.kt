@@ -2,6 +2,7 @@ package daphnis.app
 
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.int
+import daphnis.app.printing.warn
 import daphnis.cluster.ClusterFleet
 import daphnis.cluster.LocalNodes
 import daphnis.cluster.hosts.HostPort

@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.app.printing.flushPrinted
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 

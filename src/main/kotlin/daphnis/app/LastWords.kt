@@ -1,5 +1,7 @@
 package daphnis.app
 
+import daphnis.app.printing.warn
+
 /**
  * Says a line on the error stream when the process is interrupted before [close].
  *

@@ -16,6 +16,8 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.app.live.joinedLive
+import daphnis.app.printing.flushPrinted
+import daphnis.app.printing.showTrace
 import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest

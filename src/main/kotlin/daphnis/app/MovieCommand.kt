@@ -18,6 +18,8 @@ import daphnis.analysis.movie.MovieOptions
 import daphnis.analysis.movie.MovieView
 import daphnis.analysis.report.AnalysisProgress
 import daphnis.app.describe.Quantities.Companion.number
+import daphnis.app.printing.printLine
+import daphnis.app.printing.warn
 import daphnis.app.progress.ShownProgress
 import daphnis.core.run.RunException
 import daphnis.core.scenario.InputException

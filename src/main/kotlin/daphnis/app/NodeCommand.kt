@@ -7,6 +7,7 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
+import daphnis.app.printing.printLine
 import daphnis.cluster.ClusterNode
 import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.hosts.SlurmList

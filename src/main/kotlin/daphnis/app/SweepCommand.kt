@@ -14,6 +14,9 @@ import daphnis.analysis.sweep.SweepPlots
 import daphnis.analysis.sweep.SweepRun
 import daphnis.analysis.sweep.SweepTables
 import daphnis.analysis.sweep.SweepText
+import daphnis.app.printing.printLine
+import daphnis.app.printing.printLines
+import daphnis.app.printing.warn
 import daphnis.app.sweep.KeyLabel
 import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SharedCores

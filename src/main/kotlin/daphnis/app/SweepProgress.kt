@@ -2,6 +2,8 @@ package daphnis.app
 
 import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.sweep.SweepRun
+import daphnis.app.printing.Overwritten
+import daphnis.app.printing.warn
 import daphnis.app.progress.columnsFor
 import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.SweepLine

@@ -4,7 +4,7 @@ import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
 import com.github.ajalt.clikt.parameters.types.int
-import daphnis.app.printLine
+import daphnis.app.printing.printLine
 import daphnis.core.scenario.InputException
 
 /** The option of commands that can be looked at while they run. */

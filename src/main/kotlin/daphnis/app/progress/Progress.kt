@@ -1,8 +1,8 @@
 package daphnis.app.progress
 
 import com.github.ajalt.mordant.terminal.Terminal
-import daphnis.app.Overwritten
-import daphnis.app.printLine
+import daphnis.app.printing.Overwritten
+import daphnis.app.printing.printLine
 import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.Simulation

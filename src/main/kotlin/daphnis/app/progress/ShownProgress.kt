@@ -2,8 +2,8 @@ package daphnis.app.progress
 
 import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.report.AnalysisProgress
-import daphnis.app.Overwritten
-import daphnis.app.warn
+import daphnis.app.printing.Overwritten
+import daphnis.app.printing.warn
 import java.util.Locale
 
 /** One line that is written over on a terminal, a line now and then without one. */

@@ -42,6 +42,7 @@ public class RunLock private constructor(private val directory: Path, private va
         public const val FILE: String = ".lock"
 
         /** Names of all files that a lock may leave. */
+        @JvmField
         public val FILES: Set<String> = setOf(FILE, LockMark.FILE, LockMark.GUARD)
 
         private val HELD: MutableSet<Path> = ConcurrentHashMap.newKeySet()
