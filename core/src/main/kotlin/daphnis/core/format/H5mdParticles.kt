@@ -38,15 +38,15 @@ internal class H5mdParticles(
     }
 
     /**
-     * Moves particles that are between 0 and the edge of a periodic box, so that it is centred on the origin. In the
-     * first frame some may be a hair outside; later they may go on beyond the box.
+     * Moves particles that are between 0 and the edge of a box, whether or not it repeats, so that it is centred on the
+     * origin. In the first frame some may be a hair outside; later they may go on beyond the box.
      *
      * @return what was taken off by frame and axis
      */
-    fun centre(periodic: BooleanArray, cells: List<FileCell>): List<DoubleArray> {
+    fun centre(cells: List<FileCell>): List<DoubleArray> {
         val shifts = cells.map { DoubleArray(3) }
         for (axis in 0..2) {
-            if (!periodic[axis] || cells.any { !(it.lengths[axis] > 0) }) continue
+            if (cells.any { !(it.lengths[axis] > 0) }) continue
             if (!isFromZero(axis) { cells[it].edges[axis][axis] }) continue
             for (t in cells.indices) {
                 val half = cells[t].edges[axis][axis] / 2

@@ -35,7 +35,7 @@ internal class H5mdReader(
         // HDF5 as it is written here has no datasets of size 0, so a state without particles has no values at all.
         val hasParticles = PARTS.any { source.has("$all/$it") }
         val particles = if (hasParticles) H5mdParticles(source, all, path, count) else null
-        val shifts = if (isOwn) null else particles?.centre(periodic, cells)
+        val shifts = if (isOwn) null else particles?.centre(cells)
         val snapshots = steps.indices.map { t ->
             val head = H5mdParticles.Head(
                 steps[t],

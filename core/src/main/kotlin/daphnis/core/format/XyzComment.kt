@@ -12,6 +12,8 @@ internal class XyzComment(private val text: String, private val fail: (String) -
     private var at = 0
 
     init {
+        if (COLON.containsMatchIn(text)) fail("the comment line has a ':' behind a key; write pbc=\"T T F\"")
+        if (LONE.containsMatchIn(text)) fail("pbc has several words without quotes; write pbc=\"T T F\"")
         while (true) {
             skip()
             if (at == text.length) break
@@ -19,7 +21,7 @@ internal class XyzComment(private val text: String, private val fail: (String) -
             skip()
             val value = if (at < text.length && text[at] == '=') value() else "T"
             val before = values.put(key.lowercase(), value)
-            if (before != null && before != value) fail("'${TextLines.shown(key)}' occurs twice, with other values")
+            if (before != null && !isSame(before, value)) fail("'${TextLines.shown(key)}' occurs twice, with other values")
         }
     }
 
@@ -28,6 +30,12 @@ internal class XyzComment(private val text: String, private val fail: (String) -
 
     /** The words of a value, without what marks a list. */
     fun list(vararg keys: String): List<String>? = get(*keys)?.split(SEPARATORS)?.filter { it.isNotEmpty() }
+
+    /** Whether values are the same words, or the same numbers in other digits. */
+    private fun isSame(a: String, b: String): Boolean {
+        val x = a.toDoubleOrNull()
+        return a == b || x != null && x == b.toDoubleOrNull()
+    }
 
     private fun skip() {
         while (at < text.length && (text[at].isWhitespace() || text[at] == ',')) at++
@@ -84,6 +92,10 @@ internal class XyzComment(private val text: String, private val fail: (String) -
         const val OPENING = "[{("
         const val CLOSING = "]})"
         val PAIR = Regex("""[^\s="']++\s*+=""")
+
+        /** Faces as words side by side, of which only the first would be read, and a key that would not be known. */
+        val LONE = Regex("""(?i)^[^"']*\bpbc\s*=\s*([tf01]|true|false),?\s+([tf01]|true|false)(,|\s|$)""")
+        val COLON = Regex("""(?i)^([^"']*\s)?(pbc|lattice)\s*:\s*["'\[{]""")
         val SEPARATORS = Regex("""[\s,;\[\]{}()"']+""")
     }
 }

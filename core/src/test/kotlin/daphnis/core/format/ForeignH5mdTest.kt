@@ -85,12 +85,12 @@ class ForeignH5mdTest {
     }
 
     /** A frame for each [x], where one of 40 particles is, in a cubic box of edge 10 with [edges]. */
-    private fun box(x: DoubleArray, edges: (WritableGroup) -> Unit): Path {
+    private fun box(x: DoubleArray, face: String = "periodic", edges: (WritableGroup) -> Unit): Path {
         val path = home.resolve("box.h5")
         HdfFile.write(path).use { file ->
             val group = file.putGroup("particles").putGroup("atoms")
             val box = group.putGroup("box")
-            box.putAttribute("boundary", arrayOf("periodic", "periodic", "periodic"))
+            box.putAttribute("boundary", arrayOf(face, "periodic", face))
             edges(box)
             val position = group.putGroup("position")
             position.putDataset("step", LongArray(x.size) { 10L * it })
@@ -108,11 +108,20 @@ class ForeignH5mdTest {
     @Test
     fun `a box from 0 is known with a particle a hair outside, and with places that go on beyond it`() {
         for (x in listOf(doubleArrayOf(10.01, 10.01), doubleArrayOf(5.0, 27.0), doubleArrayOf(-0.01, -33.0))) {
-            val states = H5md.read(box(x, ::upright))
+            val states = H5md.read(box(x, edges = ::upright))
             assertEquals(x.map { it - 5 }, states.map { it.position[0][0] })
             assertEquals(listOf(5.0, 5.0, 5.0), states[1].shift.asList())
             assertFalse(states[0].hasTime)
         }
+    }
+
+    @Test
+    fun `a box from 0 is known along axes that do not repeat, too`() {
+        val states = H5md.read(box(doubleArrayOf(5.0, 9.0), "none", ::upright))
+        assertEquals(listOf(false, true, false), states[1].periodic.asList())
+        assertEquals(listOf(0.0, 4.0), states.map { it.position[0][0] })
+        assertTrue((0..2).all { axis -> states[0].position[axis].all { it in -5.0..5.0 } })
+        assertEquals(listOf(5.0, 5.0, 5.0), states[1].shift.asList())
     }
 
     @Test
@@ -135,7 +144,7 @@ class ForeignH5mdTest {
         vectors[1][2][0] = 1.0
         refused(edges(longArrayOf(0, 10), vectors), "frame 1", "leans")
         val notices = ArrayList<String>()
-        H5md.read(box(doubleArrayOf(5.0), ::upright), notices)
+        H5md.read(box(doubleArrayOf(5.0), edges = ::upright), notices)
         assertTrue(notices.single().endsWith("atoms/charge is not used")) { "$notices" }
     }
 

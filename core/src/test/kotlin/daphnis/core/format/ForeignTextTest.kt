@@ -69,6 +69,16 @@ class ForeignTextTest {
     }
 
     @Test
+    fun `faces without quotes are refused with the right form, and equal numbers are no contradiction`() {
+        for (pbc in listOf("pbc=T T F", "pbc = true, true, false", "PBC=1 1 0", "pbc:\"T T F\"", "pbc: [T, T, F]")) {
+            refused("a.xyz", "1\nTime=0 $pbc\nX 1 2 3\n", "a.xyz:2:", "write pbc=\"T T F\"")
+        }
+        assertArrayEquals(BooleanArray(3) { true }, comment("$box pbc=T flag").periodic)
+        assertTrue(comment("pbc=\"T T F\" T note=\"pbc=T T\" $box").periodic[0])
+        assertEquals(0.0, comment("$box Time=0 time=0.0").time)
+    }
+
+    @Test
     fun `what is wrong with a particle is named by its line, in any order of ids`() {
         val head = "Properties=id:I:1:pos:R:3:radius:R:1"
         val rows = "7 1 2 3 1\n3 1e200 0 0 1\n5 4 5 6 1\n"
