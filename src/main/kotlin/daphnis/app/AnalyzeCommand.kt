@@ -87,7 +87,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             timeStep?.let { throw InputException("--time-step", null, "is $it; it is for files, and runs have times") }
             AnalysisInput.ofRun(path, acceptLoss, given)
         }
-        for (notice in input.notices) warn(notice)
+        for (notice in input.notices) warn(noticeInFlags(notice))
         val directory =
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path

@@ -51,6 +51,14 @@ private fun inFlags(wayOut: WayOut): String = when (wayOut) {
         "set daphnis.cluster.tls in a settings file (--config), or add --insecure where the network is trusted"
     }
     WayOut.WRITE_SNAPSHOTS -> "run with --set output.snapshotEvery=10, for example"
+    WayOut.GIVE_TIME_STEP -> "give --time-step DT"
+    WayOut.GIVE_SCENARIO -> "give --scenario"
+}
+
+/** A [notice] on what is analysed, which ends with the way out if there is one, in the words of the command line. */
+internal fun noticeInFlags(notice: String): String {
+    val wayOut = listOf(WayOut.GIVE_TIME_STEP, WayOut.GIVE_SCENARIO).find { notice.endsWith(it.words) } ?: return notice
+    return notice.removeSuffix(wayOut.words) + inFlags(wayOut)
 }
 
 /** Arguments whose flag has another name. */

@@ -122,6 +122,25 @@ class FailuresTest {
     }
 
     @Test
+    fun `a file without times is told the flag that gives them`() {
+        val frame = "2\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1\n" +
+            "A 1 1 1 1 0 0 0.5\nA 4 4 4 0 1 0 0.5\n"
+        val file = home.resolve("states.xyz")
+        Files.writeString(file, frame + frame.replace("A 1 1 1", "A 2 1 1"))
+        val result = daphnis("analyze", file.toString(), "--quiet")
+        assertEquals(0, result.code) { result.err }
+        assertTrue("no times" in result.err && "; give --time-step DT\n" in result.err) { result.err }
+        assertEquals("the rate is 1; give --scenario", noticeInFlags("the rate is 1; give its scenario"))
+        assertEquals("give its scenario, or not", noticeInFlags("give its scenario, or not"))
+    }
+
+    @Test
+    fun `an option without a value is told what it is for`() {
+        val result = daphnis("run", "cooling-gas", "--set")
+        assertTrue(": replace any key of the scenario" in result.err) { result.err }
+    }
+
+    @Test
     fun `compare looks at masses too`() {
         small("a", "--set", "output.snapshotEvery=1")
         small("b", "--set", "output.snapshotEvery=1", "--set", "particles.mass=1.5")

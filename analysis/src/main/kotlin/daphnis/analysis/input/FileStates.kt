@@ -6,6 +6,7 @@ import daphnis.core.format.SnapshotFormats
 import daphnis.core.scenario.BoxDifference
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Surroundings
+import daphnis.core.scenario.WayOut
 import java.nio.file.Path
 import kotlin.math.abs
 
@@ -62,7 +63,7 @@ internal class FileStates(
             )
         }
         notices += "$path has no times: steps are numbered, and nothing per unit of time is given; " +
-            "give the time of a step"
+            WayOut.GIVE_TIME_STEP.words
         return false
     }
 

@@ -1,6 +1,7 @@
 package daphnis.analysis.input
 
 import daphnis.core.format.Snapshot
+import daphnis.core.scenario.WayOut
 import java.nio.file.Path
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -33,7 +34,7 @@ internal class Slide private constructor(
             else -> "$number, from the velocities of the particles, as the box is upright in every state"
         }
         return "$path: images slide $way, and the file does not say how fast: the shear rate is taken as $from; " +
-            "give its scenario to say it"
+            WayOut.GIVE_SCENARIO.words
     }
 
     /** The gradient of the velocities along [slide] across [normal], and its standard error, over the [states]. */

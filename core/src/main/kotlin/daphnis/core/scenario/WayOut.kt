@@ -1,7 +1,7 @@
 package daphnis.core.scenario
 
 /**
- * What a caller can ask for instead after a refusal.
+ * What a caller can ask for instead after a refusal, or to be told more than a notice says is known.
  *
  * @property words as a part of the message
  */
@@ -29,4 +29,10 @@ public enum class WayOut(public val words: String) {
 
     /** A scenario that writes snapshots. */
     WRITE_SNAPSHOTS("run with snapshots"),
+
+    /** The time of a step, of a file that numbers its steps only. */
+    GIVE_TIME_STEP("give the time of a step"),
+
+    /** A scenario, of a file that does not say what it would. */
+    GIVE_SCENARIO("give its scenario"),
 }
