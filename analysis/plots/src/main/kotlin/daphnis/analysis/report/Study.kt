@@ -33,9 +33,7 @@ internal class Study(
     val bulk: Bulk = Bulk(last, input)
     val motion: Motion = Motion(input, from, last)
     val judgement: Judgement = Judgement(from) {
-        RunHistory.of(input, from).ifEmpty {
-            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
-        }
+        RunHistory.of(input, from).ifEmpty { listOfNotNull(motion.history(from)) }
     }
     val plots: Path = directory.resolve("plots")
     val pictures: PictureFiles = PictureFiles(plots)
