@@ -87,16 +87,39 @@ train() (
     mv -f "$archive.$$" "$archive" && { content && place; } >"$archive.stamp"
 ) >/dev/null 2>&1 </dev/null
 
+# Fewer open files are not enough for the libraries and a report.
+fewest_files=128
+
+# Whether the options of the JVM give the heap a size of the form $1, an extended regular expression.
+names_heap() {
+    printf '%s\n' "$options" | grep -Eq -- "-Xmx($1)( |\$)"
+}
+
 # Becomes the JVM that runs the jar $1, which knows its libraries, with the command line that follows. JAVA_OPTS reaches
 # the JVM.
 launch() {
     jar=$1
     shift
     command=$(command_of "$@")
+    options="${JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-} ${JDK_JAVA_OPTIONS:-}"
+
+    # Java opens all libraries at once and dies of a limit below their number; it raises a soft limit itself.
+    files=$(ulimit -H -n 2>/dev/null || echo unlimited)
+    [ "$files" = unlimited ] || [ "$files" -ge $fewest_files ] ||
+        fail "the limit of open files is $files, and $fewest_files are needed at least; set it with ulimit -n"
 
     # A run keeps a few large arrays and makes little garbage: for that the serial collector takes the least memory and
     # time. The heap grows from little, and all but 64 MB of it may be arrays. Who names a collector gets that one.
     collector=
+    growing='-XX:MaxNewSize=64m'
+    least=-Xms8m
+    # A heap no larger than that would make the JVM warn, or end in words of its own.
+    if names_heap '[0-9]{1,2}[mM]|[0-9]{1,5}[kK]|[0-9]{1,8}'; then
+        growing=
+        least=
+        ! names_heap '[0-7][mM]|[0-9]{1,4}[kK]|[0-9]{1,7}' ||
+            fail "not enough memory (JAVA_OPTS has less than 8 MB for the JVM); raise it with JAVA_OPTS=-Xmx…"
+    fi
     case $command in
     # An analysis is much code that runs for a moment: the second compiler would cost more than it gives, and so would a
     # collector with threads of its own.
@@ -108,9 +131,9 @@ launch() {
         ;;
     export | compare | movie) ;;
     *)
-        case "${JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-} ${JDK_JAVA_OPTIONS:-}" in
+        case $options in
         *-XX:+Use*GC*) ;;
-        *) collector='-XX:+UseSerialGC -XX:MaxNewSize=64m' ;;
+        *) collector="-XX:+UseSerialGC $growing" ;;
         esac
         ;;
     esac
@@ -142,11 +165,11 @@ launch() {
     # Words of options, but no names of files: nothing that looks for files may follow.
     set -f
     # shellcheck disable=SC2086
-    set -- $collector $vector ${JAVA_OPTS:-} "$@"
+    set -- $least $collector $vector ${JAVA_OPTS:-} "$@"
     if [ "$shared" ]; then
         set -- -XX:+VerifySharedSpaces "-XX:SharedArchiveFile=$archive" '-Xlog:cds*=off' '-Xlog:class+path=off' "$@"
     fi
     # Pekko uses sun.misc.Unsafe, of which JDK 24 and newer would warn in four lines; older ones do not know the
     # property.
-    exec "$java" -Dsun.misc.unsafe.memory.access=allow -Xms8m "$@"
+    exec "$java" -Dsun.misc.unsafe.memory.access=allow "$@"
 }

@@ -95,7 +95,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             writingLater(directory) { analysis.write(directory, progress) }
         }
         analysis.missing?.let { warn("there are no PNG pictures in ${directory.resolve("plots")}, only SVG: $it") }
-        println("report: ${directory.resolve("report.html")}")
+        printLine("report: ${directory.resolve("report.html")}")
     }
 
     private fun checkOptions() {
@@ -106,6 +106,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         if (!(elevation > 0 && elevation <= 90)) wrong("--elevation", elevation, "in (0, 90] degrees")
         if (!(azimuth >= -360 && azimuth <= 360)) wrong("--azimuth", azimuth, "in -360..360 degrees")
         if (frames < 1) wrong("--frames", frames, "at least 1")
+        if (scenario == null && settings.isNotEmpty()) {
+            throw InputException("--set", null, "is ${settings.first()}, a key of a scenario; give it with --scenario")
+        }
         from?.let { if (!it.isFinite()) wrong("--from", it, "a finite number") }
     }
 

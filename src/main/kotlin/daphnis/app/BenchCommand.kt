@@ -92,7 +92,7 @@ class BenchCommand : CliktCommand(name = "bench") {
         val directory = BenchDirectory(path)
         writing(path) { directory.prepare() }
         val overview = Overview(contests, contestants, rounds, warmUp)
-        if (!quiet) overview.lines().forEach(::say)
+        if (!quiet) overview.lines().forEach(::warn)
         val all = ArrayList<List<Timing>>()
         val plots = LastWords { directory.interrupted() }.use {
             for (index in contests.indices) {
@@ -103,12 +103,12 @@ class BenchCommand : CliktCommand(name = "bench") {
             val isWhole = steps == null && settings.isEmpty()
             val known = if (isWhole) all.filter { isBuiltIn(it.first().scenario) } else emptyList()
             PaperTable.of(known)?.let { table ->
-                println(fitted(table))
+                printLines(fitted(table))
                 writing(path) { directory.writePaperTable(table) }
             }
             writing(path) { directory.drawAll(all) }
         }
-        if (!quiet) println("${if (plots == 0) "tables" else "tables and plots"} are in $path")
+        if (!quiet) printLine("${if (plots == 0) "tables" else "tables and plots"} are in $path")
     }
 
     /** Unless a file has its name. */
@@ -120,20 +120,20 @@ class BenchCommand : CliktCommand(name = "bench") {
         keep: (List<Timing>) -> Unit,
     ): List<Timing> {
         val warm = contest.warmUp(warmUp) { contestant, own ->
-            if (!quiet) say("warming up: ${contestant.engine} on ${contestant.threads}: ${warmed(own)}")
+            if (!quiet) warn("warming up: ${contestant.engine} on ${contestant.threads}: ${warmed(own)}")
         }
-        if (!quiet) left(0, warm)?.let(::say)
+        if (!quiet) left(0, warm)?.let(::warn)
         for (round in 1..rounds) {
             val begin = System.nanoTime()
             contest.round { contestant, turn ->
                 val who = "${contestant.engine} on ${contestant.threads}"
-                if (!quiet) say("round $round of $rounds: $who: ${significant(turn.seconds)} s")
+                if (!quiet) warn("round $round of $rounds: $who: ${significant(turn.seconds)} s")
             }
             keep(contest.timings())
-            if (!quiet) left(round, (System.nanoTime() - begin) * 1e-9)?.let(::say)
+            if (!quiet) left(round, (System.nanoTime() - begin) * 1e-9)?.let(::warn)
         }
         val timings = contest.timings()
-        println(fitted(timingTitle(timings) + "\n\n" + timingTable(timings) + "\n"))
+        printLines(fitted(timingTitle(timings) + "\n\n" + timingTable(timings) + "\n"))
         return timings
     }
 
@@ -144,8 +144,6 @@ class BenchCommand : CliktCommand(name = "bench") {
     }
 
     private fun fitted(text: String): String = outputColumns()?.let { fitted(text, it) } ?: text
-
-    private fun say(line: String) = System.err.println("daphnis: $line")
 
     /** Those that work with fewer threads than asked for take part once, and are named. */
     private fun contestants(): List<Contestant> {
@@ -198,10 +196,10 @@ class BenchCommand : CliktCommand(name = "bench") {
             val what = "has no timing in common with ${words[0]}${comparison.difference()}"
             throw InputException(words[1], null, what)
         }
-        println(fitted(comparison.table()))
-        comparison.unmatched.forEach(::println)
-        comparison.otherJava()?.let(::println)
-        println(comparison.closing())
+        printLines(fitted(comparison.table()))
+        comparison.unmatched.forEach(::printLine)
+        comparison.otherJava()?.let(::printLine)
+        printLine(comparison.closing())
         if (comparison.pairs.any { it.verdict == Verdict.SLOWER }) throw ProgramResult(EXIT_FAILED)
     }
 

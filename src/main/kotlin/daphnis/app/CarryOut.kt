@@ -10,11 +10,14 @@ import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
 import daphnis.app.progress.Progress
 import daphnis.app.progress.TimesInWords
+import daphnis.core.population.Population
 import daphnis.core.run.Run
+import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunException
 import daphnis.core.run.Summary
 import daphnis.core.run.Version
 import daphnis.core.scenario.PlacementSpec
+import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.table.Dimension
 import daphnis.core.table.UnitsOfDimensions
 import java.util.Locale
@@ -39,7 +42,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
                 val isOver = run.simulation.time >= run.until
                 val now = if (isOver) "already at the end, " else ""
                 val span = if (isOver) times.text(run.simulation.time) else times.span(run.simulation.time, run.until)
-                println("$count, $from${now}time $span, into $directory")
+                printLine("$count, $from${now}time $span, into $directory")
             }
             interruption.armed = true
             val units = UnitsOfDimensions(run.scenario?.units)
@@ -49,14 +52,14 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
                 val command = "${Version.command} resume ${quoted("$directory")}"
                 val words = "interrupted after step ${summary.steps}; continue with: $command"
                 live?.endsWith(words)
-                println(words)
+                printLine(words)
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             live?.endsWith("complete after step ${summary.steps}, state digest ${summary.stateDigest}")
-            if (run.hasSeries) drawPlot(run, summary)
+            if (run.hasSeries) run.scenario?.let { drawPlot(run.directory, it, run.simulation.population) }
             report(summary, timesOf(run), units)
             if (interruption.requested) {
-                println("interrupted at the end: the run is complete, there is nothing to resume")
+                printLine("interrupted at the end: the run is complete, there is nothing to resume")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
         }
@@ -80,12 +83,10 @@ private fun originOf(run: Run): String {
 private fun timesOf(run: Run): TimesInWords = run.scenario?.let { TimesInWords.of(it) } ?: TimesInWords(null, null)
 
 /** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */
-internal fun drawPlot(run: Run, summary: Summary) {
+internal fun drawPlot(directory: RunDirectory, scenario: ResolvedScenario, population: Population) {
     fun none(e: Throwable) = warn("no plot: ${e.message ?: e.javaClass.simpleName}; the run is complete")
     try {
-        val scenario = run.scenario ?: return
-        val scale = PlotScale.of(scenario, run.simulation.population)
-        RunPlot.write(run.directory.series, run.directory.plots, summary.scenario, scale)
+        RunPlot.write(directory.series, directory.plots, scenario.name, PlotScale.of(scenario, population))
     } catch (e: Exception) {
         none(e)
     } catch (e: LinkageError) {
@@ -118,7 +119,7 @@ private fun named(units: UnitsOfDimensions, dimension: String): String =
     UnitNames.raised(units.of(dimension)).takeUnless { it.startsWith(UnitsOfDimensions.UNNAMED) }.orEmpty()
 
 private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensions) {
-    fun say(format: String, vararg values: Any) = println(String.format(Locale.ROOT, format, *values))
+    fun say(format: String, vararg values: Any) = printLine(String.format(Locale.ROOT, format, *values))
     val end = times.text(summary.time)
     val collisions = counted(summary.collisions, "collision")
     say("%s to time %s in %.1f s, %s", counted(summary.steps, "step"), end, summary.wallSeconds, collisions)
@@ -129,5 +130,5 @@ private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensio
     if (summary.maxOverlap > 0) say("deepest overlap %.2g of the sum of two radii", summary.maxOverlap)
     val guarded = counted(summary.guardActivations, "collision")
     if (summary.guardActivations > 0) say("the collapse guard made %s elastic", guarded)
-    println("state digest ${summary.stateDigest}")
+    printLine("state digest ${summary.stateDigest}")
 }

@@ -27,7 +27,7 @@ class CompareCommand : CliktCommand(name = "compare") {
         val common = a.snapshotSteps().intersect(b.snapshotSteps().toSet()).sorted()
         for (step in common) {
             val difference = firstDifference(a.readSnapshot(step), b.readSnapshot(step)) ?: continue
-            println("differ at step $step: $difference${sameEnd(endA, endB)}")
+            printLine("differ at step $step: $difference${sameEnd(endA, endB)}")
             throw ProgramResult(EXIT_FAILED)
         }
         val digestA = endA?.stateDigest
@@ -35,11 +35,11 @@ class CompareCommand : CliktCommand(name = "compare") {
         val rest = "${common.size} common snapshots are identical"
         if (endA != null && endB != null && endA.steps != endB.steps) {
             val ends = "one ended after step ${endA.steps}, the other after step ${endB.steps}"
-            println("differ: $ends; $rest${sameEnd(endA, endB)}")
+            printLine("differ: $ends; $rest${sameEnd(endA, endB)}")
             throw ProgramResult(EXIT_FAILED)
         }
         if (digestA != null && digestB != null && digestA != digestB) {
-            println("differ at the end: state digest $digestA against $digestB; $rest")
+            printLine("differ at the end: state digest $digestA against $digestB; $rest")
             throw ProgramResult(EXIT_FAILED)
         }
         if (common.isEmpty() && (digestA == null || digestB == null)) {
@@ -50,7 +50,7 @@ class CompareCommand : CliktCommand(name = "compare") {
         } else {
             "; at least one has not ended, so the ends are not compared"
         }
-        println("identical: ${common.size} common snapshots$digest")
+        printLine("identical: ${common.size} common snapshots$digest")
     }
 
     /** A run that starts from a state of another counts its steps anew, and yet may come to the same end. */

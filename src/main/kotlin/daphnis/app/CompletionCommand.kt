@@ -15,6 +15,6 @@ class CompletionCommand : CliktCommand(name = "completion") {
     override fun run() {
         val script = CompletionGenerator.generateCompletionForCommand(currentContext.findRoot().command, shell)
         // A directory is completed with a slash, and blanks in names are quoted.
-        println(script.replace("\ncomplete -F ", "\ncomplete -o filenames -F "))
+        printLines(script.replace("\ncomplete -F ", "\ncomplete -o filenames -F "))
     }
 }

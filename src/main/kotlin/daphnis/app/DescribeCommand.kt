@@ -34,12 +34,12 @@ class DescribeCommand : CliktCommand(name = "describe") {
         engineOf(scenario, word, allEngines).close()
         val rows = Rows()
         rows.add("scenario", scenario.name)
-        if (scenario.description.isNotEmpty()) rows.add("", scenario.description)
+        if (scenario.description.isNotEmpty()) scenario.description.lines().forEach { rows.add("", it) }
         val say = Quantities(setup.scenario)
         PhysicsRows(setup, say, rows).write()
         GravityRows(setup, say, rows).write()
         CostRows(setup, say, rows).write()
         for (notice in setup.notices + warnings(setup)) rows.add("note", notice)
-        println(rows.text(outputColumns() ?: Int.MAX_VALUE))
+        printLines(rows.text(outputColumns() ?: Int.MAX_VALUE))
     }
 }

@@ -60,8 +60,8 @@ class ExportCommand : CliktCommand(name = "export") {
             val options = ExportOptions(Version.text, scale, if (units == "si") siOf(run) else null)
             format.export(sameParticles(steps.asSequence().map { run.readSnapshot(it) }), target, options)
         }
-        remarks(written).forEach(::println)
-        println("${if (steps.size == 1) "1 snapshot" else "${steps.size} snapshots"} to ${written.path}")
+        remarks(written).forEach(::printLine)
+        printLine("${if (steps.size == 1) "1 snapshot" else "${steps.size} snapshots"} to ${written.path}")
     }
 
     private fun checkOptions() {

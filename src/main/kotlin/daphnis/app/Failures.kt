@@ -2,7 +2,6 @@ package daphnis.app
 
 import daphnis.core.cluster.FleetException
 import daphnis.core.format.FormatException
-import daphnis.core.format.oneLine
 import daphnis.core.format.reasonOf
 import daphnis.core.run.RunException
 import daphnis.core.scenario.InputException
@@ -61,9 +60,6 @@ internal fun complain(message: String, code: Int): Int {
     warn(message)
     return code
 }
-
-/** Says [message] in one line on the error stream, whatever stands in it. */
-internal fun warn(message: String): Unit = System.err.println("daphnis: ${oneLine(message)}")
 
 private fun words(e: Throwable) = e.javaClass.simpleName + e.message?.let { ": $it" }.orEmpty()
 

@@ -42,7 +42,7 @@ internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See 
         val settings = settings(cluster?.let { HostPort.parseList(it, "--cluster") }.orEmpty())
         settings.requireUsable()
         return LateFleet { if (cluster == null) onThisMachine(name, threads) else onCluster(name, settings) }.use {
-            act(FleetEngines(it, log = ::say))
+            act(FleetEngines(it, log = ::warn))
         }
     }
 
@@ -69,16 +69,16 @@ internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See 
             val words = listOf("node", "--join", "$leader", "--threads", "$each", "--until-input-ends")
             LocalNodes.java(MAIN) + words + listOfNotNull(config?.let { "--config=$it" })
         }
-        val local = LocalNodes.start(count, name, command, ::say, config?.let { pathOf(it, "--config") })
+        val local = LocalNodes.start(count, name, command, ::warn, config?.let { pathOf(it, "--config") })
         return object : Fleet by local.fleet {
             override fun close() = local.close()
         }.also { tell(it.nodes()) }
     }
 
     private fun onCluster(name: String, settings: ClusterSettings): Fleet {
-        val fleet = ClusterFleet.join(settings, name, ::say)
+        val fleet = ClusterFleet.join(settings, name, ::warn)
         try {
-            tell(NodesAwaited(fleet, Duration.ofSeconds(WAIT_SECONDS), ::say).await(nodes ?: 1))
+            tell(NodesAwaited(fleet, Duration.ofSeconds(WAIT_SECONDS), ::warn).await(nodes ?: 1))
         } catch (e: Throwable) {
             fleet.use { throw e }
         }
@@ -87,12 +87,10 @@ internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See 
 
     private fun tell(nodes: List<FleetNode>) {
         val together = "${count(nodes.size, "node")} with ${count(nodes.sumOf { it.threads }, "thread")}"
-        say("$together; the loss of nodes costs some seconds each time, and no bit")
+        warn("$together; the loss of nodes costs some seconds each time, and no bit")
     }
 
     private fun count(number: Int, what: String) = if (number == 1) "1 $what" else "$number ${what}s"
-
-    private fun say(line: String): Unit = System.err.println("daphnis: $line")
 
     private fun wrong(option: String, problem: String) = InputException(option, null, problem)
 

@@ -27,7 +27,7 @@ internal class Interruption {
     }
 
     fun done() {
-        System.out.flush()
+        flushPrinted()
         finished.countDown()
         try {
             Runtime.getRuntime().removeShutdownHook(hook)

@@ -6,7 +6,7 @@ package daphnis.app
  * @param words of that line
  */
 internal class LastWords(words: () -> String) : AutoCloseable {
-    private val hook = Thread { System.err.println("daphnis: ${words()}") }
+    private val hook = Thread { warn(words()) }
 
     init {
         Runtime.getRuntime().addShutdownHook(hook)

@@ -41,7 +41,7 @@ class Daphnis : CliktCommand(name = "daphnis") {
 fun main(args: Array<String>) {
     val output = StandardOutput.install()
     val code = runDaphnis(args)
-    System.out.flush()
+    flushPrinted()
     val problem = output.problem ?: exitProcess(code)
     val failed = if (code == EXIT_DONE) EXIT_FAILED else code
     exitProcess(complain("standard output: $problem; part of the output was lost", failed))
@@ -66,7 +66,7 @@ internal fun runDaphnis(args: Array<String>): Int {
         command.echoFormattedHelp(e)
         if (e.statusCode == 0) EXIT_DONE else EXIT_INPUT
     } catch (e: Throwable) {
-        if (DEBUG in args) e.printStackTrace()
+        if (DEBUG in args) showTrace(e)
         complain(e)
     }
 }
@@ -134,7 +134,7 @@ private fun wanted(e: UsageError): String {
     val context = e.context ?: return ""
     val option = context.command.registeredOptions().find { e.paramName in it.names } ?: return ""
     val help = option.optionHelp(context)
-    return if (help.isEmpty()) "" else "; it is $help"
+    return if (help.isEmpty()) "" else ": $help"
 }
 
 internal const val EXIT_DONE = 0

@@ -86,17 +86,17 @@ class MovieCommand : CliktCommand(name = "movie") {
     }
 
     private fun report(frames: MovieFrames, rate: Double, file: Path) {
-        frames.enlarged?.let { println("the box is drawn with its $it, and every frame says so") }
+        frames.enlarged?.let { printLine("the box is drawn with its $it, and every frame says so") }
         val isOne = frames.number == 1
-        if (isOne) println("the run has one snapshot only: for more, set output.snapshotEvery before a run")
+        if (isOne) printLine("the run has one snapshot only: for more, set output.snapshotEvery before a run")
         val count = if (isOne) "1 frame" else "${frames.number} frames"
         val length = String.format(Locale.ROOT, "%.1f", frames.number / rate).removeSuffix(".0")
         val seconds = "$length s at ${number(rate)} per second"
-        println("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
+        printLine("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
         if (fps == null &&
             rate < MovieOptions.USUAL_RATE
         ) {
-            println("few frames are shown slowly; --fps sets another rate")
+            printLine("few frames are shown slowly; --fps sets another rate")
         }
     }
 

@@ -52,7 +52,7 @@ class NodeCommand : CliktCommand(name = "node") {
             leaveKeysToParent()
             thread(isDaemon = true) { endWithInput(started) }
         }
-        ClusterNode.start(settings(), nodeWork()) { if (!untilInputEnds) echo(it) }.use { node ->
+        ClusterNode.start(settings(), nodeWork()) { if (!untilInputEnds) printLine(it) }.use { node ->
             Runtime.getRuntime().addShutdownHook(thread(start = false) { leave(node) })
             started.set(node)
             node.await()
@@ -60,7 +60,7 @@ class NodeCommand : CliktCommand(name = "node") {
     }
 
     private fun leave(node: ClusterNode) {
-        if (!untilInputEnds) echo("leaving the cluster")
+        if (!untilInputEnds) printLine("leaving the cluster")
         node.close()
     }
 

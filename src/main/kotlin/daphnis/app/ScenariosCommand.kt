@@ -24,9 +24,9 @@ class ScenariosCommand : CliktCommand(name = "scenarios") {
         if (name == null) {
             val rows = Rows(BuiltIn.names.maxOf { it.length } + 2)
             for (known in BuiltIn.names) rows.add(known, BuiltIn.scenario(known).description)
-            println(rows.text(outputColumns() ?: Int.MAX_VALUE))
+            printLines(rows.text(outputColumns() ?: Int.MAX_VALUE))
         } else {
-            print(BuiltIn.text(name) ?: throw unknown(name))
+            printLines((BuiltIn.text(name) ?: throw unknown(name)).trimEnd())
         }
     }
 

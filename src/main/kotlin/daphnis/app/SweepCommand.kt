@@ -164,13 +164,15 @@ class SweepCommand : CliktCommand(name = "sweep") {
             val done = results.filterNotNull()
             if (done.size < runs.size) {
                 val finished = done.count { it.failure == null }
-                println("interrupted with $finished of ${runs.size} runs finished; the same command goes on with them")
+                printLine(
+                    "interrupted with $finished of ${runs.size} runs finished; the same command goes on with them",
+                )
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             val keys = plan.varying.map { it.path }
             conclude(Sweep(keys, done, keys.map { label.of(it) }), place)
             if (interruption.requested) {
-                println("interrupted at the end: the sweep is complete")
+                printLine("interrupted at the end: the sweep is complete")
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
         } finally {
@@ -191,7 +193,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
     }
 
     private fun conclude(sweep: Sweep, place: SweepDirectory) {
-        println(table(SweepText(sweep)))
+        printLines(table(SweepText(sweep)))
         var plots = 0
         writing(place.path) {
             val tables = SweepTables(sweep)
@@ -202,7 +204,10 @@ class SweepCommand : CliktCommand(name = "sweep") {
             plots = drawn.write(place.plots)
             drawn.missing?.let { warn("there are no PNG pictures in ${place.plots}, only SVG: $it") }
         }
-        if (!quiet) println("\n${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
+        if (!quiet) {
+            printLine("")
+            printLine("${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
+        }
         val failed = sweep.failed.size
         if (failed > 0) {
             throw ProgramResult(complain("$failed of ${sweep.runs.size} runs failed, see ${place.runs}", EXIT_FAILED))

@@ -73,17 +73,17 @@ internal class SweepProgress(private val quiet: Boolean, private val all: Int) :
         if (quiet) return
         if (live) return show()
         val how = if (result.failure == null) "done" else "failed"
-        say("${run.name}: $how; ${line().text(Int.MAX_VALUE).trim()}")
+        warn("${run.name}: $how; ${line().text(Int.MAX_VALUE).trim()}")
         shownAt = System.nanoTime()
     }
 
     @Synchronized
     private fun show() {
         shownAt = System.nanoTime()
-        if (!live) return say(line().text(Int.MAX_VALUE).trim())
+        if (!live) return warn(line().text(Int.MAX_VALUE).trim())
         val columns = columnsFor(terminal)
         val text = line().text(columns)
-        System.err.print("\r" + text.padEnd(minOf(width, columns)))
+        Overwritten.ERRORS.show(text, width, columns)
         width = text.length
     }
 
@@ -94,12 +94,10 @@ internal class SweepProgress(private val quiet: Boolean, private val all: Int) :
         return SweepLine(finished, failed, if (live) running else 0, all, done / all, left)
     }
 
-    private fun say(line: String) = System.err.println("daphnis: $line")
-
     /** Leaves an empty line to write on. */
     @Synchronized
     fun clear() {
-        if (live && width > 0) System.err.print("\r" + " ".repeat(minOf(width, columnsFor(terminal))) + "\r")
+        if (live && width > 0) Overwritten.ERRORS.clear(width, columnsFor(terminal))
         width = 0
     }
 

@@ -2,6 +2,7 @@ package daphnis.app
 
 import io.jhdf.HdfFile
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -9,6 +10,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.util.concurrent.TimeUnit
+import javax.xml.parsers.DocumentBuilderFactory
 
 /**
  * Words of the command line that no file can have as its name, and hostile files at each of the doors that files come
@@ -34,6 +36,74 @@ class HostileInputTest {
             "until": 0.1 }"""
         val file = Files.writeString(home.resolve("nul.json"), scenario)
         assertRefused(daphnis("describe", "$file"), "placement.path", "a\\u0000b.h5", "NUL")
+    }
+
+    /** What [result] printed, which holds nothing that a terminal obeys but line ends. */
+    private fun plain(result: CommandResult): CommandResult {
+        val obeyed = Regex("[\\p{Cc}\\p{Cf}\\p{Zl}\\p{Zp}&&[^\n]]")
+        for (text in listOf(result.out, result.err)) {
+            assertTrue(obeyed.find(text) == null) { "${obeyed.find(text)?.value?.map { it.code }} in: $text" }
+            // A line that is forged begins with what only the program says.
+            assertTrue(text.lines().none { it.startsWith("FORGED") }) { text }
+        }
+        return result
+    }
+
+    @Test
+    fun `what a terminal obeys is written out wherever a name, a description or a path of others is printed`() {
+        val evil = "x\u001b]0;pwn\u0007\u001b[2J\nFORGED\r\u007f\u009b5m\u2028FORGED\u2029\u202e\u2066\u200f"
+        val json = evil.map { "\\u%04x".format(it.code) }.joinToString("")
+        val text = """{ "name": "$json", "description": "d$json", "box": { "lengths": [10, 10, 10] },
+            "boundary": { "type": "periodic" }, "particles": { "count": 20, "sizes": { "type": "equal", "radius": 0.5 } },
+            "velocities": { "type": "gaussian", "sigma": 1 },
+            "restitution": { "type": "constant", "coefficient": 0.9 }, "timeStep": { "type": "fixed", "dt": 0.05 },
+            "until": 0.5, "output": { "seriesEvery": 1, "snapshotEvery": 5 } }"""
+        val folder = Files.createDirectory(home.resolve("f${evil.replace("/", "")}"))
+        val file = Files.writeString(folder.resolve("$evil.json"), text).toString()
+        val run = folder.resolve("run").toString()
+        val described = assertDone(plain(daphnis("describe", file)))
+        assertTrue("x\\u001b]0;pwn\\u0007\\u001b[2J\\nFORGED\\u000d\\u007f\\u009b5m" in described) { described }
+        assertTrue("run" in assertDone(plain(daphnis("run", file, "--out", run))))
+        assertDone(plain(daphnis("compare", run, run)))
+        assertDone(plain(daphnis("export", run, "--format", "xyz")))
+        assertDone(plain(daphnis("analyze", run)))
+        assertDone(plain(daphnis("movie", run, "--width", "240")))
+        assertDone(
+            plain(
+                daphnis(
+                    "bench", file, "--engines", "serial", "--threads", "1", "--rounds", "1", "--warm-up", "0",
+                    "--out", "$run-bench",
+                ),
+            ),
+        )
+        assertDone(plain(daphnis("bench", "--compare", "$run-bench", "$run-bench")))
+        val keys = arrayOf("--set", "name=\"${json}1\",\"${json}2\"")
+        assertDone(plain(daphnis("sweep", file, *keys, "--out", "$run-sweep")))
+        assertRefused(plain(daphnis("describe", file, "--set", "$evil=1")))
+        assertRefused(plain(daphnis("scenarios", evil)))
+        assertRefused(plain(daphnis(evil)))
+        assertRefused(plain(daphnis("run", "--$evil")))
+        val traced = daphnis("describe", "$file$evil", "--debug")
+        assertTrue("\tat daphnis" in traced.err)
+        assertRefused(
+            plain(
+                CommandResult(
+                    traced.code,
+                    traced.out,
+                    traced.err.lines().filter {
+                        it.startsWith("daphnis:")
+                    }.joinToString("\n"),
+                ),
+            ),
+        )
+        plain(CommandResult(traced.code, traced.out, traced.err.replace("\t", "")))
+        val page = Files.readString(Path.of(run, "report.html"))
+        assertFalse('\u001b' in page || '\u202e' in page)
+        for (picture in Files.walk(Path.of(run, "plots")).use { all ->
+            all.filter { "$it".endsWith(".svg") }.toList()
+        }) {
+            DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(picture.toFile().inputStream())
+        }
     }
 
     /** Exit code and all output of a process of its own, whose locale is C. */

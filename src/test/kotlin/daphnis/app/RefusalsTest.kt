@@ -72,6 +72,8 @@ class RefusalsTest {
         assertRefused(forced, "is not empty and holds no run; --force replaces runs only")
         assertRefused(daphnis("describe", "cooling-gas", "--set", "until"), "daphnis: --set: until: must have the form")
         assertRefused(daphnis("analyze", at("a"), "--from", "99", "--quiet"), "daphnis: --from: is 99; the last state")
+        val alone = daphnis("analyze", at("a"), "--set", "box.lengths=[1,1,1]", "--quiet")
+        assertRefused(alone, "daphnis: --set: is box.lengths=[1,1,1], a key of a scenario; give it with --scenario")
         val series = home.resolve("a/series.csv")
         Files.writeString(series, Files.readString(series).dropLast(80))
         val mend = "; bring it back, or accept what is there: analyze --accept-loss"

@@ -58,6 +58,18 @@ class SourceRulesTest {
         assertEquals(emptyList<String>(), long)
     }
 
+    /** What a terminal obeys goes out by no other way than the one that escapes it. */
+    @Test
+    fun `only one file writes to the standard streams`() {
+        val prints =
+            Regex("""(?<![\w.])(?:println|print|echo)\(|::print(?:ln)?\b|\bprintStackTrace\(|\bSystem\.(?:out|err)\b""")
+        val printing = (modules.map { "$it/src/main/kotlin" } + "src/main/kotlin").flatMap(::sources).filter { file ->
+            file.readLines().filterNot { it.trimStart().startsWith("*") }.any { prints.containsMatchIn(it) }
+        }
+        // The other puts its own stream in the place of the usual one.
+        assertEquals(setOf("Printing.kt", "StandardOutput.kt"), printing.map { it.name }.toSet())
+    }
+
     /**
      * A step that ran out of memory may be done again, so a table of several arrays must not think that it has room
      * for what only some of them have room for.

@@ -130,6 +130,43 @@ class SweepCommandTest {
     }
 
     @Test
+    fun `a plot that a killed sweep had no time for is drawn by the next, and the run is not made again`() {
+        val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
+        assertDone(sweep(*words))
+        val run = folder.resolve("a/runs/seed=1")
+        val plots = listOf("run.svg", "run.png").map { run.resolve("plots/$it") }
+        val (before, summary) = plots.map { Files.size(it) } to Files.readString(run.resolve("summary.json"))
+        // In the middle of the plot, and before it.
+        for (missing in listOf(plots.drop(1), plots)) {
+            missing.forEach(Files::delete)
+            assertDone(sweep(*words))
+            assertEquals(before, plots.map { Files.size(it) })
+            assertEquals(summary, Files.readString(run.resolve("summary.json")))
+        }
+    }
+
+    @Test
+    fun `a table that was damaged is said on the error stream with its run and the mend, and the sweep has failed`() {
+        val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
+        assertDone(sweep(*words))
+        val run = folder.resolve("a/runs/seed=1")
+        val series = run.resolve("series.csv")
+        val whole = Files.readString(series)
+        for (damaged in listOf(whole.dropLast(whole.length / 3), whole.replaceFirst('1', '2'), null)) {
+            if (damaged == null) Files.delete(series) else Files.writeString(series, damaged)
+            val result = sweep(*words)
+            assertEquals(1, result.code) { result.out + result.err }
+            val line = result.err.trim().lines().first()
+            assertTrue(line.startsWith("daphnis: seed=1: ") && "series.csv" in line) { result.err }
+            assertTrue("without the directory it is done again" in line) { result.err }
+            assertTrue("1 of 2 runs failed" in result.err) { result.err }
+        }
+        run.toFile().deleteRecursively()
+        assertDone(sweep(*words))
+        assertEquals(whole, Files.readString(series))
+    }
+
+    @Test
     fun `a run that was resumed to another end is not taken for the sweep's, and is done again when it is removed`() {
         val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
         assertDone(sweep(*words))

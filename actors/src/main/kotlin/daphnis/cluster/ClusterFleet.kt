@@ -17,6 +17,7 @@ import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.FleetNode
 import daphnis.core.cluster.Mail
 import daphnis.core.cluster.MailClosedException
+import daphnis.core.format.oneLine
 import org.apache.pekko.actor.ActorSystem
 import java.time.Duration
 import java.util.concurrent.CompletableFuture
@@ -132,7 +133,7 @@ public class ClusterFleet private constructor(
             beginsAnew -> "no node is left; looking for nodes anew"
             else -> "this process was cut off from the nodes, or stopped for too long; joining again"
         }
-        lines.accept(why)
+        say(why)
         old.process.close()
         val others = synchronized(known) { first.join + known } - address
         // The first that is named may begin a cluster.
@@ -141,7 +142,7 @@ public class ClusterFleet private constructor(
     }
 
     private fun enter(settings: ClusterSettings?): Stay {
-        val process = ClusterProcess(ground(settings), DeskBehavior.RUN, build, lines::accept)
+        val process = ClusterProcess(ground(settings), DeskBehavior.RUN, build, ::say)
         lateinit var party: LeaderParty
         entering = process
         try {
@@ -149,7 +150,7 @@ public class ClusterFleet private constructor(
             process.start {
                 val others = settings?.join.orEmpty() - it.self.address
                 party = LeaderParty(
-                    it.self, run, others, it.greeter, it.mails, it.courier, it.silence, it::later, lines::accept,
+                    it.self, run, others, it.greeter, it.mails, it.courier, it.silence, it::later, ::say,
                 )
                 party
             }
@@ -158,6 +159,9 @@ public class ClusterFleet private constructor(
         }
         return Stay(process, party, settings != null)
     }
+
+    /** Words of others stand in some lines. */
+    private fun say(line: String): Unit = lines.accept(oneLine(line))
 
     /** Has [task] complete a future on the desk's thread, and waits for that. */
     private fun <T> ask(stay: Stay, task: (CompletableFuture<T>) -> Unit): T {

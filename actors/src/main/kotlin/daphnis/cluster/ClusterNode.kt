@@ -14,6 +14,7 @@ import daphnis.cluster.system.OwnGround
 import daphnis.cluster.system.Protocol
 import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.NodeWork
+import daphnis.core.format.oneLine
 import org.apache.pekko.actor.ActorSystem
 import java.time.Duration
 import java.util.function.Consumer
@@ -86,7 +87,8 @@ public class ClusterNode private constructor(private val process: ClusterProcess
         ): ClusterNode = start(OwnGround(settings), work, build, lines)
 
         private fun start(ground: Ground, work: NodeWork, build: Greeter.Build, lines: Consumer<String>): ClusterNode {
-            val process = ClusterProcess(ground, DeskBehavior.NODE, build, lines::accept)
+            val say = { line: String -> lines.accept(oneLine(line)) }
+            val process = ClusterProcess(ground, DeskBehavior.NODE, build, say)
             lateinit var worker: CrewWorker
             process.start {
                 lateinit var party: NodeParty
@@ -100,11 +102,12 @@ public class ClusterNode private constructor(private val process: ClusterProcess
                     it.silence,
                     begin,
                     it::later,
-                    lines::accept,
+                    say,
                 )
                 party
             }
-            lines.accept("node ${process.self.address} is waiting for a run; threads: ${ground.threads}")
+            ground.openness?.let(say)
+            say("node ${process.self.address} is waiting for a run; threads: ${ground.threads}")
             return ClusterNode(process, worker)
         }
     }

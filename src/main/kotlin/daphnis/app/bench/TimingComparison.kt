@@ -76,11 +76,11 @@ internal class TimingComparison(private val old: List<Timing>, private val new: 
     private fun row(pair: Pair): String {
         val (old, new) = pair.old to pair.new
         val interval = pair.interval?.let { "%.2f to %.2f".format(Locale.ROOT, it.low, it.high) }.orEmpty()
-        return listOf(
+        return row(
             new.scenario, new.engine, "${new.threads}", "${old.seconds.size}, ${new.seconds.size}",
             significant(old.median), significant(new.median), "%.2f".format(Locale.ROOT, pair.ratio), interval,
             pair.verdict.words,
-        ).joinToString(" | ", "| ", " |")
+        )
     }
 
     /** All verdicts in one line. */

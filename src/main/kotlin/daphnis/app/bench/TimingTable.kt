@@ -3,6 +3,7 @@ package daphnis.app.bench
 import daphnis.analysis.plot.Yardstick
 import daphnis.app.describe.counted
 import daphnis.app.describe.spheres
+import daphnis.core.format.oneLine
 import java.util.Locale
 
 /** Timings of one scenario as a table in Markdown. */
@@ -33,12 +34,13 @@ internal fun timingTitle(timings: List<Timing>): String {
     val t = timings.first()
     val rounds = if (t.seconds.size == 1) "1 round" else "${t.seconds.size} rounds"
     val done = "${counted(t.steps, "step")}, ${counted(t.collisions, "collision")}"
-    val work = "${t.scenario}: ${spheres(t.spheres)}, $done"
+    val work = "${oneLine(t.scenario)}: ${spheres(t.spheres)}, $done"
     val yardstick = Ranking(timings).yardstick.let { Yardstick(it.engine, it.threads, it.fastest) }
     return "$work; $rounds; speed relative to $yardstick"
 }
 
-private fun row(vararg cells: String) = cells.joinToString(" | ", "| ", " |")
+/** Of a table; names in it come from files. */
+internal fun row(vararg cells: String): String = cells.joinToString(" | ", "| ", " |", transform = ::oneLine)
 
 /** [value] to two decimals; empty for NaN. */
 internal fun hundredths(value: Double): String = if (value.isNaN()) "" else "%.2f".format(Locale.ROOT, value)

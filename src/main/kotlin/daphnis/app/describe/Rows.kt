@@ -1,5 +1,7 @@
 package daphnis.app.describe
 
+import daphnis.core.format.oneLine
+
 /**
  * A description as rows of a label and a text; a label that is repeated is left out.
  *
@@ -9,8 +11,9 @@ internal class Rows(private val label: Int = LABEL) {
     private val rows = ArrayList<Pair<String, String>>()
     private var last = ""
 
+    /** Adds one line of [text], in which nothing is obeyed, not even a line end. */
     fun add(label: String, text: String) {
-        rows += (if (label == last) "" else label) to text
+        rows += (if (label == last) "" else label) to oneLine(text)
         last = label
     }
 
@@ -22,7 +25,7 @@ internal class Rows(private val label: Int = LABEL) {
         val isBeside = columns >= label + LEAST_TEXT
         val indent = " ".repeat(if (isBeside) label else BELOW)
         return rows.flatMap { (name, text) ->
-            val lines = text.lines().flatMap { wrapped(it, columns - indent.length) }.map { indent + it }
+            val lines = wrapped(text, columns - indent.length).map { indent + it }
             when {
                 name.isEmpty() -> lines
                 isBeside -> listOf(name.padEnd(label) + lines[0].drop(label)) + lines.drop(1)

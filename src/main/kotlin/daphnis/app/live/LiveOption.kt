@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
 import com.github.ajalt.clikt.parameters.types.int
+import daphnis.app.printLine
 import daphnis.core.scenario.InputException
 
 /** The option of commands that can be looked at while they run. */
@@ -23,8 +24,7 @@ internal class LiveOption : OptionGroup() {
         val port = live ?: return act(null)
         if (port !in 0..MOST_PORT) throw InputException(LIVE, null, "is $port; a port is in 0..$MOST_PORT, 0 for any")
         return LivePage(port).use { page ->
-            println("live: ${page.address}")
-            System.out.flush()
+            printLine("live: ${page.address}")
             act(page)
         }
     }

@@ -16,21 +16,24 @@ import java.util.concurrent.TimeUnit
  *
  * It listens on the loopback address only. A page of somebody else's in the same browser reaches that too, so requests
  * must name this server as their `Host` (a name which is made to resolve to 127.0.0.1 does not), and events are not for
- * other sites. What can be asked for is a fixed list, by GET; no file is looked up by the name that is asked for.
+ * other sites. What can be asked for is a fixed list, by GET; no file is looked up by the name that is asked for. A
+ * request that does not come to its end within seconds is dropped, so that those who do not finish theirs keep a
+ * thread from nobody for long.
  *
  * @param port to listen on, or 0 for any free one
  * @throws InputException when the port cannot be had
  */
 internal class LiveServer(port: Int, private val feed: Feed) : AutoCloseable {
     private val server = try {
+        if (System.getProperty(REQUEST_LIMIT) == null) System.setProperty(REQUEST_LIMIT, "$REQUEST_SECONDS")
         HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0)
     } catch (e: IOException) {
         val mend = "without a number a free port is chosen"
         throw InputException("--live", null, "port $port cannot be had: ${reasonOf(e)}; $mend")
     }
 
-    /** Above the most watchers there is room for what is answered at once. */
-    private val threads = ThreadPoolExecutor(0, 2 * MOST_WATCHERS, 1, TimeUnit.SECONDS, SynchronousQueue()) { work ->
+    /** Above the most watchers there is room for what is answered at once, and for who is slow to ask. */
+    private val threads = ThreadPoolExecutor(0, MOST_THREADS, 1, TimeUnit.SECONDS, SynchronousQueue()) { work ->
         Thread(work, "daphnis-live").apply { isDaemon = true }
     }
 
@@ -119,6 +122,11 @@ internal class LiveServer(port: Int, private val feed: Feed) : AutoCloseable {
         const val EVENTS = "/events"
         const val NO_BODY = -1L
         const val MOST_WATCHERS = 8
+        const val MOST_THREADS = 64
+
+        /** How long Java's server, which has no other way to be told, waits for the whole of a request. */
+        const val REQUEST_LIMIT = "sun.net.httpserver.maxReqTime"
+        const val REQUEST_SECONDS = 2
         const val HEARTBEAT_MILLISECONDS = 3000L
         const val PATIENCE_MILLISECONDS = 2000L
 

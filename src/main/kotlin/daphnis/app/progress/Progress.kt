@@ -1,6 +1,8 @@
 package daphnis.app.progress
 
 import com.github.ajalt.mordant.terminal.Terminal
+import daphnis.app.Overwritten
+import daphnis.app.printLine
 import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.Simulation
@@ -53,18 +55,17 @@ internal class Progress(
 
     private fun show(line: ProgressLine) {
         if (!live) {
-            println(line.text(Int.MAX_VALUE))
+            printLine(line.text(Int.MAX_VALUE))
             return
         }
         val columns = columnsFor(terminal)
         val text = line.text(columns)
-        print("\r" + text.padEnd(minOf(width, columns)))
-        System.out.flush()
+        Overwritten.OUTPUT.show(text, width, columns)
         width = text.length
     }
 
     override fun close() {
-        if (live && width > 0) print("\r" + " ".repeat(minOf(width, columnsFor(terminal))) + "\r")
+        if (live && width > 0) Overwritten.OUTPUT.clear(width, columnsFor(terminal))
     }
 
     private companion object {

@@ -2,6 +2,8 @@ package daphnis.app.progress
 
 import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.Overwritten
+import daphnis.app.warn
 import java.util.Locale
 
 /** One line that is written over on a terminal, a line now and then without one. */
@@ -14,10 +16,14 @@ internal class ShownProgress : AnalysisProgress {
         val now = System.nanoTime()
         if (onTerminal) {
             val columns = columnsFor(terminal)
-            System.err.print("\r" + "%3d %% %-60s".format(Locale.ROOT, 100 * done / all, what).take(columns))
-            if (done == all) System.err.println()
+            Overwritten.ERRORS.show(
+                "%3d %% %-60s".format(Locale.ROOT, 100 * done / all, what).take(columns),
+                0,
+                columns,
+            )
+            if (done == all) Overwritten.ERRORS.end()
         } else if (now - last > EVERY_NANOSECONDS && done < all) {
-            System.err.println("%d %%  %s".format(Locale.ROOT, 100 * done / all, what))
+            warn("%d %%  %s".format(Locale.ROOT, 100 * done / all, what))
             last = now
         }
     }

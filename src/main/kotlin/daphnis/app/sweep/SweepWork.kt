@@ -10,6 +10,7 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.Output
 import daphnis.core.engine.EngineFactory
 import daphnis.core.format.FormatException
+import daphnis.core.population.Population
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
@@ -17,8 +18,11 @@ import daphnis.core.run.Summary
 import daphnis.core.run.differences
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.WayOut
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -38,7 +42,7 @@ internal interface SweepTeller {
  * @param source what to call the scenario in messages
  * @param from averages begin at this time; null for three eighths of the run
  * @param words what went wrong, in a line
- * @param plot draws what is at the end of a run
+ * @param plot draws what is at the end of a run with a series, whose spheres began as given
  */
 internal class SweepWork(
     private val directory: SweepDirectory,
@@ -48,7 +52,7 @@ internal class SweepWork(
     private val from: Double?,
     private val teller: SweepTeller,
     private val words: (Throwable) -> String,
-    private val plot: (Run, Summary) -> Unit,
+    private val plot: (RunDirectory, ResolvedScenario, Population) -> Unit,
     private val cancelled: () -> Boolean,
 ) {
     /** The [run] with its numbers, or with why it failed; null when it is cancelled before its end. */
@@ -58,10 +62,16 @@ internal class SweepWork(
         val seed = run.seed ?: scenarioOf(run).seed
         return try {
             requireOwn(run, place)
-            if (!isFinished(place) && !simulated(run, place)) return null
+            val wasFinished = isFinished(place)
+            if (!wasFinished && !simulated(run, place)) return null
             teller.at(run.name, 1.0)
             val (numbers, remark) = numbers(place)
+            if (wasFinished) drawMissing(run, place)
             SweepRun(run.name, run.values, seed, numbers, null, remark)
+        } catch (e: FormatException) {
+            // Only a user can mend what is on the disk.
+            teller.notice(run.name, words(e))
+            SweepRun(run.name, run.values, seed, emptyList(), words(e))
         } catch (e: Throwable) {
             // Whatever it is, the other runs go on: a run that ran out of memory leaves them theirs.
             SweepRun(run.name, run.values, seed, emptyList(), words(e))
@@ -70,20 +80,19 @@ internal class SweepWork(
 
     /** What was put in the place of a run by hand, or resumed to another end, is not averaged with the others. */
     private fun requireOwn(run: PlannedRun, place: RunDirectory) {
-        val mend = "without the directory it is done again"
         if (!Files.exists(place.scenario)) {
-            if (Files.exists(place.program)) throw FormatException("${place.path} holds the run of a program; $mend")
+            if (Files.exists(place.program)) throw FormatException("${place.path} holds the run of a program; $MEND")
             return
         }
         val scenario = scenarioOf(run)
         differences(place, scenario, source).firstOrNull()?.let {
-            throw FormatException("${place.path} holds another run than that of this sweep: $it; $mend")
+            throw FormatException("${place.path} holds another run than that of this sweep: $it; $MEND")
         }
         val has = end(ScenarioJson.read(place.scenario))
         val should = end(scenario)
         if (has == should) return
         throw FormatException(
-            "${place.path} was resumed to until=$has, and the runs of this sweep end at until=$should; $mend",
+            "${place.path} was resumed to until=$has, and the runs of this sweep end at until=$should; $MEND",
         )
     }
 
@@ -91,7 +100,7 @@ internal class SweepWork(
 
     private fun isFinished(place: RunDirectory): Boolean {
         if (!Files.exists(place.scenario) || !Files.exists(place.summary)) return false
-        RunRecord.of(place).problems(place.summary).firstOrNull()?.let { throw FormatException(it) }
+        RunRecord.of(place).problems(place.summary).firstOrNull()?.let { throw FormatException("$it; $MEND") }
         return Summary.read(place.summary).finished
     }
 
@@ -107,8 +116,20 @@ internal class SweepWork(
             val start = it.simulation.runStart
             val watcher = Output { s -> teller.at(run.name, part(s.time - start, it.until - start)) }
             val summary = it.execute(watcher) { cancelled() }
-            if (summary.finished && it.hasSeries) plot(it, summary)
+            val scenario = it.scenario
+            if (summary.finished && it.hasSeries && scenario != null) plot(place, scenario, it.simulation.population)
             return summary.finished
+        }
+    }
+
+    /** A sweep that was killed may have left a finished run without its plot. A missing plot is no failure of the run. */
+    private fun drawMissing(run: PlannedRun, place: RunDirectory) {
+        if (!Files.exists(place.series) || Files.exists(place.plots.resolve(LAST_PLOT))) return
+        try {
+            val setup = ScenarioSetup.of(scenarioOf(run), source)
+            plot(place, setup.scenario, setup.population)
+        } catch (e: Exception) {
+            teller.notice(run.name, "no plot: ${words(e)}; the run is complete")
         }
     }
 
@@ -120,6 +141,9 @@ internal class SweepWork(
         val ofReport = Analysis(input, AnalysisOptions(from)).numbers()
         ofReport + atEnd(place.path, input.units) to null
     } catch (e: InputException) {
+        if (e.wayOut == WayOut.ANALYSE_WITH_LOSS) {
+            throw FormatException(e.message("", "bring it back; $MEND"))
+        }
         val units = UnitNames(ScenarioJson.read(place.scenario).units)
         atEnd(place.path, units) to "no numbers of the report: ${words(e).removePrefix("${place.path}: ")}"
     }
@@ -127,5 +151,11 @@ internal class SweepWork(
     private fun atEnd(path: Path, units: UnitNames): List<ReportNumber> {
         val series = RunDirectory(path).series
         return if (Files.exists(series)) ReportNumber.atEnd(SeriesTable.read(series), units) else emptyList()
+    }
+
+    private companion object {
+        /** The file that is written last of the plot of a run. */
+        const val LAST_PLOT = "run.png"
+        const val MEND = "without the directory it is done again"
     }
 }

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import java.io.IOException
 import java.net.InetAddress
 import java.net.Socket
 import java.net.URI
@@ -33,8 +34,9 @@ class LiveServerTest {
 
     /** The status of an answer to [head], word by word as a client may send it. */
     private fun statusOf(vararg head: String): Int = Socket(InetAddress.getLoopbackAddress(), server.port).use {
+        it.soTimeout = 10_000
         it.getOutputStream().write((head.joinToString("\r\n") + "\r\n\r\n").toByteArray())
-        it.getInputStream().bufferedReader().readLine().split(' ')[1].toInt()
+        (it.getInputStream().bufferedReader().readLine() ?: throw IOException("no answer")).split(' ')[1].toInt()
     }
 
     private val host get() = "Host: 127.0.0.1:${server.port}"
@@ -47,6 +49,29 @@ class LiveServerTest {
             assertTrue(answer.headers().firstValue("Content-Type").get().startsWith(type))
             assertTrue("default-src 'none'" in answer.headers().firstValue("Content-Security-Policy").get())
             assertTrue("http" !in answer.body()) { path }
+        }
+    }
+
+    @Test
+    fun `who does not finish a request keeps nobody out for long`() {
+        val silent = List(150) {
+            Socket(InetAddress.getLoopbackAddress(), server.port).apply {
+                getOutputStream().write("GET / HTTP/1.1\r\nHost:".toByteArray())
+            }
+        }
+        try {
+            fun isAnswered() = try {
+                statusOf("GET / HTTP/1.1", host) == 200
+            } catch (_: IOException) {
+                Thread.sleep(100)
+                false
+            }
+            assertTrue((1..100).any { isAnswered() })
+            val first = silent.first()
+            first.soTimeout = 20_000
+            assertEquals(-1, first.getInputStream().read())
+        } finally {
+            for (socket in silent) socket.close()
         }
     }
 

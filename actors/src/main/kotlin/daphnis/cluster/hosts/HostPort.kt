@@ -58,6 +58,8 @@ public data class HostPort(val host: String, val port: Int) {
 
         /** The last number of a port. */
         public const val LAST_PORT: Int = 65535
-        private val HOST = Regex("[A-Za-z0-9_]([A-Za-z0-9._-]*[A-Za-z0-9_])?|[0-9A-Fa-f:]*:[0-9A-Fa-f:.]*(%\\w+)?")
+
+        /** The form of [host]. */
+        internal val HOST = Regex("[A-Za-z0-9_]([A-Za-z0-9._-]*[A-Za-z0-9_])?|[0-9A-Fa-f:]*:[0-9A-Fa-f:.]*(%\\w+)?")
     }
 }

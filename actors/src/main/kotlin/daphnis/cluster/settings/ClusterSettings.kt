@@ -36,6 +36,7 @@ public data class ClusterSettings @JvmOverloads constructor(
 ) {
     init {
         if (port !in 0..HostPort.LAST_PORT) throw wrong("port", "is $port; it must be in 0..${HostPort.LAST_PORT}")
+        if (!HostPort.HOST.matches(host)) throw wrong("host", "'$host' is no name or address of a host")
         if (threads !in 1..ThreadHandler.MOST) {
             throw wrong("threads", "is $threads; it must be in 1..${ThreadHandler.MOST}")
         }

@@ -20,6 +20,9 @@ internal interface Ground {
     val secret: Secret
     val threads: Int
 
+    /** What is not guarded without TLS, in a line for the user; null where it is, or is the business of a host. */
+    val openness: String?
+
     /**
      * The system, for a process with the [role].
      *

@@ -39,6 +39,8 @@ internal class HostGround(
     override val limits: LinkLimits get() = HostConfig.limits(config)
     override val silence: Duration get() = HostConfig.silence(config)
 
+    override val openness: String? get() = null
+
     override fun open(role: String): ActorSystem {
         val name = "the actor system '${system.name()}'"
         val problem = HostConfig.problem(config, role)

@@ -23,6 +23,13 @@ internal class OwnGround(private val settings: ClusterSettings) : Ground {
     override val secret: Secret get() = settings.secret
     override val threads: Int get() = settings.threads
 
+    override val openness: String?
+        get() = when {
+            effective.isTls -> null
+            secret.isNone -> "no secret and no TLS: every program of this machine can join this node, and end it"
+            else -> "no TLS: the secret keeps strangers out, but who is on the network can listen, and disturb"
+        }
+
     override fun open(role: String): ActorSystem = Systems.start(settings, effective.config(listOf(role)))
 
     override fun entrance(

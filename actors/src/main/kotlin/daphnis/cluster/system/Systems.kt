@@ -2,10 +2,13 @@ package daphnis.cluster.system
 
 import com.typesafe.config.Config
 import daphnis.cluster.settings.ClusterSettings
+import daphnis.cluster.wire.SealedMembership
 import daphnis.core.cluster.FleetException
 import org.apache.pekko.actor.ActorSystem
+import org.apache.pekko.actor.BootstrapSetup
 import org.apache.pekko.actor.ExtendedActorSystem
 import org.apache.pekko.actor.InvalidActorNameException
+import org.apache.pekko.actor.setup.ActorSystemSetup
 import org.apache.pekko.actor.typed.ActorRef
 import org.apache.pekko.actor.typed.Behavior
 import org.apache.pekko.actor.typed.javadsl.Adapter
@@ -16,7 +19,8 @@ import java.util.concurrent.TimeoutException
 internal object Systems {
     /** @throws FleetException when it cannot listen */
     fun start(settings: ClusterSettings, config: Config): ActorSystem = try {
-        ActorSystem.create("daphnis", config)
+        val membership = SealedMembership.setup(settings.secret)
+        ActorSystem.create("daphnis", ActorSystemSetup.create(BootstrapSetup.create(config), membership))
     } catch (e: Exception) {
         val where = "port ${settings.port} of ${settings.bind ?: settings.host}"
         val chain = generateSequence<Throwable>(e) { it.cause }.joinToString { "${it.javaClass.name}: ${it.message}" }

@@ -16,7 +16,8 @@ import java.nio.ByteBuffer
 /**
  * Notes as bytes: a letter for the kind, the sender, and the fields in their order, big-endian; texts and random
  * numbers with their length before them. What does not fit is an [IllegalArgumentException] or a
- * [java.nio.BufferUnderflowException]; no length is believed beyond the bytes that are there.
+ * [java.nio.BufferUnderflowException]; no length is believed beyond the bytes that are there. Strangers write notes too:
+ * names of hosts and versions are short and of plain characters, all other texts are bounded.
  */
 internal object NoteCodec {
     fun write(note: Note, to: ByteBuffer) {
@@ -41,7 +42,7 @@ internal object NoteCodec {
         val kind = from.get()
         val peer = from.peer()
         return when (kind) {
-            'H'.code.toByte() -> Hello(peer, from.getInt(), from.text(), from.bytes())
+            'H'.code.toByte() -> Hello(peer, from.getInt(), from.text(VERSION), from.bytes())
             'C'.code.toByte() -> Challenge(peer, from.bytes(), from.bytes(), from.bytes())
             'P'.code.toByte() -> Proof(peer, from.bytes(), from.bytes(), from.get() == 1.toByte())
             'W'.code.toByte() -> Welcome(peer, from.bytes(), from.getInt(), from.get() == 1.toByte())
@@ -64,7 +65,7 @@ internal object NoteCodec {
     }
 
     /** Bytes that [note] takes at most. */
-    fun room(note: Note): Int = ROOM + if (note is Order) note.members.size * (SHORTEST_PEER + LONGEST_HOST) else 0
+    fun room(note: Note): Int = ROOM + if (note is Order) note.members.size * (SHORTEST_PEER + LONGEST_NAME) else 0
 
     private fun kindOf(note: Note): Byte = when (note) {
         is Hello -> 'H'
@@ -80,7 +81,12 @@ internal object NoteCodec {
     private fun ByteBuffer.peer(peer: Peer) =
         text(peer.address.host).putInt(peer.address.port).putLong(peer.incarnation)
 
-    private fun ByteBuffer.peer() = Peer(HostPort(text(), getInt()), getLong())
+    private fun ByteBuffer.peer(): Peer {
+        val host = text(HostPort.HOST)
+        val port = getInt()
+        require(port in 1..HostPort.LAST_PORT) { "port $port" }
+        return Peer(HostPort(host, port), getLong())
+    }
 
     private fun ByteBuffer.bytes(bytes: ByteArray): ByteBuffer = putInt(bytes.size).put(bytes)
 
@@ -92,7 +98,14 @@ internal object NoteCodec {
         return bytes(if (bytes.size <= LONGEST_TEXT) bytes else bytes.copyOf(LONGEST_TEXT))
     }
 
-    private fun ByteBuffer.text() = String(bytes(), Charsets.UTF_8)
+    private fun ByteBuffer.text(): String {
+        val bytes = bytes()
+        require(bytes.size <= LONGEST_TEXT) { "a text of ${bytes.size} bytes" }
+        return String(bytes, Charsets.UTF_8)
+    }
+
+    private fun ByteBuffer.text(form: Regex): String =
+        text().also { require(it.length <= LONGEST_NAME && form.matches(it)) { "a name of another form than $form" } }
 
     /** A number of things that take at least [size] bytes each and must be there. */
     private fun ByteBuffer.count(size: Int): Int {
@@ -105,7 +118,8 @@ internal object NoteCodec {
         requireNotNull(all.getOrNull(index.toInt())) { "number $index of $all" }
 
     private const val LONGEST_TEXT = 1000
-    private const val LONGEST_HOST = 256
+    private const val LONGEST_NAME = 255
+    private val VERSION = Regex("[A-Za-z0-9._+-]{1,64}")
     private const val SHORTEST_PEER = 16
     private const val ROOM = 4096
 }

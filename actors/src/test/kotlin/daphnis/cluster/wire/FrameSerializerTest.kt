@@ -6,6 +6,7 @@ import daphnis.cluster.link.Probe
 import daphnis.cluster.link.Receipt
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -48,6 +49,24 @@ class FrameSerializerTest {
         assertTrue(back.isWhole)
         val order = serializer.fromBinary(serializer.toBinary(all[8]), "N") as Note.Order
         assertEquals(listOf(peer, Peer(HostPort("n", 1), 2)), order.members)
+    }
+
+    @Test
+    fun `names in the note of a stranger are short and plain, or the note is none`() {
+        fun isRead(host: String, version: String = "0.1.0-SNAPSHOT", port: Int = 1): Boolean = try {
+            val note = Note.Hello(Peer(HostPort(host, port), 1), 999, version, ByteArray(32))
+            serializer.fromBinary(serializer.toBinary(note), "N") is Note.Hello
+        } catch (_: NotSerializableException) {
+            false
+        }
+        for (host in listOf("n", "login.cluster_2", "10.0.0.7", "::1", "fe80::1%eth0", "n".repeat(255))) {
+            assertTrue(isRead(host)) { host }
+        }
+        val obeyed =
+            listOf("\n", "\r", "\u001b[2J", "\u0007", "\u007f", "\u009b", "\u2028", "\u2029", "\u202e", "\u2066", " ")
+        for (host in obeyed.map { "evil${it}host" } + listOf("", "n".repeat(256))) assertFalse(isRead(host)) { host }
+        for (version in obeyed.map { "9.9${it}RED" } + listOf("", "1".repeat(65))) assertFalse(isRead("n", version))
+        for (port in listOf(-1, 0, 65536)) assertFalse(isRead("n", port = port)) { "$port" }
     }
 
     @Test

@@ -123,6 +123,13 @@ public class SurfaceMap private constructor(public val nx: Int, public val ny: I
             val box = state.boundary.box
             val nx = Math.rint(box.length(0) / cell).toInt().coerceIn(1, MOST_CELLS)
             val ny = Math.rint(box.length(1) / cell).toInt().coerceIn(1, MOST_CELLS)
+            return of(state, nx, ny)
+        }
+
+        /** The map of [state] in [nx] cells along x and [ny] along y, however large its box is. */
+        @JvmStatic
+        public fun of(state: State, nx: Int, ny: Int): SurfaceMap {
+            require(nx >= 1 && ny >= 1) { "$nx x $ny cells; there must be one at least" }
             val map = SurfaceMap(nx, ny, state)
             val p = state.population
             for (k in 0 until p.size) if (state.isParticle(k)) map.add(p.x[k], p.y[k], p.mass[k])

@@ -45,7 +45,7 @@ public class AnalysisInput internal constructor(
     public val summary: Summary?,
     public val times: DoubleArray,
     private val load: (Int) -> Snapshot,
-    private val boundary: (Int) -> BoundaryConditions,
+    private val around: (Int) -> BoundaryConditions,
     public val omega: Double?,
     public val transport: TransportTable?,
     public val series: SeriesTable?,
@@ -91,10 +91,15 @@ public class AnalysisInput internal constructor(
     /** State [k], which [snapshot], as [snapshot] gives it, is: without a second look into the file. */
     public fun state(k: Int, snapshot: Snapshot): State {
         val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
-        // Of open space the box around the last state, so that bins and maps of one are those of another.
-        val bounds = boundary(k).let { if (it.box.isFinite) it else bounded(it, lastPopulation) }
-        return State(snapshot.population(), bounds, times[k], omega, firstBody, factor)
+        return State(snapshot.population(), boundary(k), times[k], omega, firstBody, factor)
     }
+
+    /**
+     * What is around state [k], as in [state], without a look into its file. Of open space it is the box around the last
+     * state, so that bins and maps of one are those of another.
+     */
+    public fun boundary(k: Int): BoundaryConditions =
+        around(k).let { if (it.box.isFinite) it else bounded(it, lastPopulation) }
 
     public companion object {
         /**

@@ -74,7 +74,7 @@ internal class FileStates(
             )
         }
         notices += "$path has no times: steps are numbered, and nothing per unit of time is given; " +
-            "the time of a step would say it"
+            "give the time of a step"
         return false
     }
 
@@ -113,15 +113,23 @@ internal class FileStates(
     private fun number(state: Snapshot): Number = if (hasTimes) state.time else state.step
 
     /** Whether two states are the same but for digits that a file may have lost. */
-    private fun isSame(a: Snapshot, b: Snapshot): Boolean {
-        if (!a.id.contentEquals(b.id)) return false
-        return (0..2).all { axis ->
-            a.position[axis].indices.all {
-                val p = a.position[axis][it]
-                abs(p - b.position[axis][it]) <= SAME * maxOf(1.0, abs(p))
-            }
-        }
-    }
+    private fun isSame(a: Snapshot, b: Snapshot): Boolean = a.id.contentEquals(b.id) &&
+        (0..2).all { isSame(a.position[it], b.position[it], extent(a, it)) } &&
+        maxOf(largest(a.velocity[0]), largest(a.velocity[1]), largest(a.velocity[2])).let { speed ->
+            (0..2).all { isSame(a.velocity[it], b.velocity[it], speed) }
+        } &&
+        isSame(a.radius, b.radius, 0.0) &&
+        isSame(a.mass, b.mass, 0.0)
+
+    /** The edge of the box along [axis], or in open space how far particles are apart. */
+    private fun extent(a: Snapshot, axis: Int) =
+        if (a.lengths[axis] > 0) a.lengths[axis] else a.position[axis].max() - a.position[axis].min()
+
+    private fun largest(of: DoubleArray) = of.maxOf { abs(it) }
+
+    /** @param scale of what may have lost digits, where it is more than the number itself */
+    private fun isSame(a: DoubleArray, b: DoubleArray, scale: Double) =
+        a.indices.all { abs(a[it] - b[it]) <= SAME * maxOf(scale, abs(a[it])) }
 
     private fun common(states: List<Snapshot>): IntArray {
         val first = states[0].id
@@ -142,7 +150,11 @@ internal class FileStates(
 
     /** Every particle in the box, which is the scenario's where the file has none. */
     private fun placed(states: List<Snapshot>): List<Snapshot> {
-        val isUnwrapped = isUnwrapped(states)
+        val isUnwrapped = Unwrapping.isIn(states, common)
+        if (isUnwrapped && states.size > 1) {
+            notices +=
+                "$path: places go on outside the box and are taken as unwrapped: displacements are their differences"
+        }
         return states.mapIndexed { k, state ->
             val known = if (isUnwrapped) state.unwrapped() else state
             if (given != null) {
@@ -153,33 +165,6 @@ internal class FileStates(
             val hasBox = (0..2).all { given?.repeats(it) != true || state.periodic[it] && !state.lengths[it].isNaN() }
             if (hasBox) known.folded() else known.folded(given)
         }
-    }
-
-    /**
-     * Whether positions go on beyond the box, in a file that does not say: some is outside by more than half of it, or
-     * some is outside and none jumps by more than half from a state to the next.
-     */
-    private fun isUnwrapped(states: List<Snapshot>): Boolean {
-        if (states.any { it.image != null }) return false
-        var isOutside = false
-        for (state in states) {
-            for (axis in 0..2) {
-                val length = state.lengths[axis]
-                if (!state.periodic[axis] || length.isNaN()) continue
-                val farthest = state.position[axis].maxOf { abs(it) } / length
-                if (farthest > 1) return true
-                if (farthest > 0.5) isOutside = true
-            }
-        }
-        return isOutside && states.zipWithNext().none { (a, b) -> jumps(a, b) }
-    }
-
-    private fun jumps(a: Snapshot, b: Snapshot) = (0..2).any { axis ->
-        a.periodic[axis] &&
-            common.any { id ->
-                val from = a.position[axis][java.util.Arrays.binarySearch(a.id, id)]
-                abs(b.position[axis][java.util.Arrays.binarySearch(b.id, id)] - from) > a.lengths[axis] / 2
-            }
     }
 
     private fun withoutRadii(snapshot: Snapshot): String {

@@ -33,7 +33,7 @@ internal class Slide private constructor(
             else -> "$number, from the velocities of the particles, as the box is upright in every state"
         }
         return "$path: images slide $way, and the file does not say how fast: the shear rate is taken as $from; " +
-            "a scenario would say it"
+            "give its scenario to say it"
     }
 
     /** The gradient of the velocities along [slide] across [normal], and its standard error, over the [states]. */

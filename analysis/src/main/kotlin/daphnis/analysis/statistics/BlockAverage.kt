@@ -11,7 +11,8 @@ import kotlin.math.sqrt
  * The squared error is S(0)/n, with S the spectrum of the series and S(0) what the slowest fluctuations that the series
  * can show extrapolate to ([LowFrequencies]). Only these matter to an average. So a fast oscillation neither hides a
  * slow fluctuation nor makes the error larger, negative correlation makes it smaller, and it does not depend on how
- * often numbers were taken. n γ₀/S(0), with γ₀ the variance, is the number of [independent] numbers that the series is
+ * often numbers were taken. An oscillation counts as fast when the series has more than [LowFrequencies.FREQUENCIES]
+ * periods of it; a slower one may make the error several times too large. n γ₀/S(0), with γ₀ the variance, is the number of [independent] numbers that the series is
  * worth; it is at most that of the slow fluctuations. With fewer than [FEWEST_INDEPENDENT] of these, or fewer than
  * [FEWEST_NUMBERS] numbers, [error] is NaN. Where most series of a kind get an error, it covers the true value in 60 to
  * 75 % of them (docs/adr/0118, and docs/validation.md for real runs).
@@ -62,15 +63,15 @@ public class BlockAverage @JvmOverloads constructor(
         /** Length of a series below which no error is given. */
         public const val FEWEST_NUMBERS: Int = 16
 
-        /** Scatter of the pseudovalues of a constant, in units of their number and size. */
-        private const val ROUNDING = 1e-13
+        /** Scatter of a constant, in units of its size; that of its pseudovalues is larger by their number. */
+        private const val ROUNDING = 1e-14
 
         /** Of [series], in order of time. */
         @JvmStatic
         public fun of(series: DoubleArray): BlockAverage {
             val n = series.size
             if (n == 0) return BlockAverage(Double.NaN, Double.NaN, 0, 0.0)
-            return of(series, series.sum() / n)
+            return of(series, series.sum() / n, ROUNDING)
         }
 
         /**
@@ -121,20 +122,24 @@ public class BlockAverage @JvmOverloads constructor(
             }
         }
 
-        /** [mean], with the error of the average of [series]. */
-        internal fun of(series: DoubleArray, mean: Double): BlockAverage {
+        /** [mean], with the error of the average of the pseudovalues in [series]. */
+        internal fun of(series: DoubleArray, mean: Double): BlockAverage = of(series, mean, ROUNDING * series.size)
+
+        /** @param rounding scatter of a constant, in units of its size */
+        private fun of(series: DoubleArray, mean: Double, rounding: Double): BlockAverage {
             val n = series.size
             if (n < FEWEST_NUMBERS ||
                 series.any { !it.isFinite() }
             ) {
                 return BlockAverage(mean, Double.NaN, n, Double.NaN)
             }
-            val centre = series.sum() / n
+            // Around the first, so that a sum of many rounds no more than its numbers.
+            val centre = series[0] + series.sumOf { it - series[0] } / n
             // In units of the largest, so that no square overflows or vanishes.
             val size = series.maxOf { abs(it - centre) }
             val scaled = DoubleArray(n) { if (size == 0.0) 0.0 else (series[it] - centre) / size }
             val scatter = sqrt(scaled.sumOf { it * it } / n)
-            if (size * scatter <= ROUNDING * n * abs(mean)) return BlockAverage(mean, 0.0, n, n.toDouble())
+            if (size * scatter <= rounding * abs(mean)) return BlockAverage(mean, 0.0, n, n.toDouble())
             val (square, independent) = LowFrequencies.squaredError(scaled)
             if (independent < FEWEST_INDEPENDENT) return BlockAverage(mean, Double.NaN, n, independent)
             return BlockAverage(mean, size * sqrt(square), n, independent)

@@ -43,12 +43,12 @@ public class UnitNames @JvmOverloads constructor(units: UnitsSpec?, clock: Strin
     public companion object {
         private const val UNITS_OF = UnitsOfDimensions.UNNAMED
 
-        /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `5 m`. */
+        /** A [number] with its [unit]: `2 units of length`, but `1 unit of length`; `2 per unit of time`; `5 m`. */
         @JvmStatic
-        public fun amount(number: String, unit: String): String = if (number == "1" && unit.startsWith(UNITS_OF)) {
-            "1 unit of ${unit.removePrefix(UNITS_OF)}"
-        } else {
-            "$number $unit"
+        public fun amount(number: String, unit: String): String = when {
+            number == "1" && unit.startsWith(UNITS_OF) -> "1 unit of ${unit.removePrefix(UNITS_OF)}"
+            unit.startsWith("1/(") -> "$number per ${unit.removeSurrounding("1/(", ")")}"
+            else -> "$number $unit"
         }
 
         /** Powers raised: `m^2/s` reads m²/s. */

@@ -122,6 +122,43 @@ class ForeignFileTest {
         assertTrue((0..7).all { k -> input.state(k).population.x.all { it in -5.0..5.0 } })
     }
 
+    @ParameterizedTest
+    @CsvSource("0,0", "105,0", "15,0", "-0.3,0", "0,5e-7", "105,5e-7")
+    fun `places in a box that begins anywhere are wrapped, also with one a hair outside`(shift: Double, hair: Double) {
+        val walk = walk(30, 0.6)
+        val states = walk.mapIndexed { k, p ->
+            val folded = snapshot(k.toLong(), k.toDouble(), p).folded().position
+            val places = Array(3) { a -> DoubleArray(40) { folded[a][it] + shift } }
+            if (k == 7) places[0][3] = shift - 5 - hair
+            snapshot(k.toLong(), k.toDouble(), places)
+        }
+        val input = input(export("h5md", states))
+        assertNull(input.snapshot(3).image)
+        assertTrue(input.notices.none { "unwrapped" in it }) { "${input.notices}" }
+        assertTrue((0 until 30).all { k -> input.state(k).population.x.all { it in -5.0..5.0 } })
+    }
+
+    @Test
+    fun `places that go on beyond the box are said, also of one particle`() {
+        for (speed in listOf(0.8, 3.0, 7.0)) {
+            val states = List(20) { k -> snapshot(k.toLong(), k.toDouble(), Array(3) { doubleArrayOf(speed * k) }) }
+            val input = input(export("h5md", states))
+            assertTrue(input.notices.any { "taken as unwrapped" in it }) { "$speed: ${input.notices}" }
+            assertEquals((speed * 19 / 10 + 0.5).toInt(), input.snapshot(19).image!![0][0])
+        }
+    }
+
+    @Test
+    fun `a wrapped box whose beginning moves is wrapped`() {
+        val states = walk(30, 0.3).mapIndexed { k, p ->
+            // Some of them jump by a box, over 1.8 boxes in all.
+            val corner = DoubleArray(3) { 4.0 * (k / 10) }
+            fun placed(a: Int, x: Double) = x - 10 * Math.floor((x - corner[a]) / 10)
+            snapshot(k.toLong(), k.toDouble(), Array(3) { a -> DoubleArray(40) { placed(a, p[a][it]) } })
+        }
+        assertNull(input(export("xyz", states)).snapshot(3).image)
+    }
+
     private fun row(step: Long, time: String, x: Double, id: Int = 3) =
         "2\nLattice=\"9 0 0 0 9 0 0 0 9\" Step=$step $time Properties=id:I:1:pos:R:3:radius:R:1\n1 1 1 1 .1\n$id $x 4 4 .1\n"
 
@@ -162,6 +199,23 @@ class ForeignFileTest {
         assertEquals(3, again.size)
         refused("frames 1 and 2", "differ") { input(file("c.xyz", frame(0, 1.0) + frame(1, 2.0) + frame(1, 2.1))) }
         refused("frame 2", "must ascend") { input(file("d.xyz", frame(1, 1.0) + frame(2, 2.0) + frame(0, 3.0))) }
+    }
+
+    @Test
+    fun `frames of one time differ by parts of the box, and by velocities, radii and masses`() {
+        fun frame(edge: Double, x: Double, of: String = "3 4 5 1e-8 2") =
+            "2\nLattice=\"$edge 0 0 0 $edge 0 0 0 $edge\" Time=0 Properties=pos:R:3:velo:R:3:radius:R:1:mass:R:1\n" +
+                "0 0 0 $of\n$x 0 0 0 0 0 1e-8 2\n"
+        for (edge in listOf(1e-6, 10.0, 1e4)) {
+            refused("differ") { input(file("a.xyz", frame(edge, 0.2 * edge) + frame(edge, 0.4 * edge))) }
+            val again = input(file("b.xyz", frame(edge, 0.2 * edge) + frame(edge, (0.2 + 1e-8) * edge)))
+            assertEquals(1, again.size)
+        }
+        for (other in listOf("3 4 6 1e-8 2", "3 4 5 2e-8 2", "3 4 5 1e-8 3", "0 0 0 1e-8 2")) {
+            refused("differ") { input(file("c.xyz", frame(10.0, 1.0) + frame(10.0, 1.0, other))) }
+            refused("differ") { input(file("d.xyz", frame(10.0, 1.0, other) + frame(10.0, 1.0))) }
+        }
+        assertEquals(1, input(file("e.xyz", frame(10.0, 1.0) + frame(10.0, 1.0, "3.000001 4 5 1e-8 2"))).size)
     }
 
     @Test

@@ -25,6 +25,14 @@ class BlockAverageTest {
     }
 
     @Test
+    fun `a small scatter of large numbers has an error, and rounding has none`() {
+        val random = SeededRandom(31)
+        val small = BlockAverage.of(DoubleArray(1000) { 1e6 + 1e-5 * random.nextGaussian() })
+        assertEquals(1.0, small.error / (1e-5 / sqrt(1000.0)), 0.5)
+        assertEquals(0.0, BlockAverage.of(DoubleArray(1000) { 0.1 * (1 + it % 3 * 2e-16) }).error)
+    }
+
+    @Test
     fun `one standard error covers the truth in 60 to 75 percent, or the series is said to be too short`() {
         for (n in listOf(8, 20, 100, 1000, 5000)) {
             for (memory in listOf(0.0, 2.0, 5.0, 10.0, 50.0)) {

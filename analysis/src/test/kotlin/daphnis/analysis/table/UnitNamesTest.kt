@@ -51,4 +51,11 @@ class UnitNamesTest {
         assertEquals("temperature [m²/s²]", UnitNames.axis("temperature", "m^2/s^2"))
         assertEquals("optical depth", UnitNames.axis("optical depth", ""))
     }
+
+    @Test
+    fun `an amount of an unnamed rate is said in words`() {
+        assertEquals("2 per unit of time", UnitNames.amount("2", UnitNames(UnitsSpec()).rate))
+        assertEquals("2 1/s", UnitNames.amount("2", "1/s"))
+        assertEquals("1 unit of length", UnitNames.amount("1", "units of length"))
+    }
 }

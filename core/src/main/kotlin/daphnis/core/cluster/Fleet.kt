@@ -1,5 +1,7 @@
 package daphnis.core.cluster
 
+import daphnis.core.format.oneLine
+
 /**
  * The nodes that can work for a run, as its leader sees them. Nodes come and go at any time. Any thread may call.
  */
@@ -49,6 +51,6 @@ public fun interface NodeWork {
     public fun work(mail: Mail, threads: Int)
 }
 
-/** Nodes cannot be had; the message is for the user. */
+/** Nodes cannot be had; the message is one line for the user. */
 public class FleetException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
-    RuntimeException(message, cause)
+    RuntimeException(oneLine(message), cause)

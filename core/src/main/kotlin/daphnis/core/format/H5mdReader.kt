@@ -110,12 +110,16 @@ internal class H5mdReader(
                 it.message.orEmpty().replace(CLASS, "").take(MOST_SHOWN)
             }.filter { it.isNotBlank() }
             val problem = words.distinct().joinToString(", for: ").ifEmpty { "it is cut short or damaged" }
-            return FormatException("$path: is not an H5MD file of daphnis: $problem")
+            val kind = if (NO_HDF5 in problem) "HDF5 file" else "H5MD file of daphnis"
+            return FormatException("$path: is not an $kind: $problem")
         }
 
         /** The class with which some messages begin, which tells a user nothing. */
         private val CLASS = Regex("""[\w.$]*(Exception|Error)(: )?""")
         private const val MOST_SHOWN = 120
+
+        /** What the library says of a file of another kind, or an empty one. */
+        private const val NO_HDF5 = "No valid HDF5 signature"
         private const val MOST_CAUSES = 3
     }
 }

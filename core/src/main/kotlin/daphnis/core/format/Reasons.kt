@@ -30,7 +30,8 @@ public fun reasonOf(e: Exception, named: Path? = null): String {
         is FileSystemException -> e.reason
         is IOException -> e.message
         else -> e.message
-    } ?: e.javaClass.simpleName
+    }?.let { if ("Too many open files" in it) "$it; ulimit -n sets how many there may be" else it }
+        ?: e.javaClass.simpleName
     val file = (e as? FileSystemException)?.file
     return if (file == null || named != null && isSame(file, named)) words else "$file: $words"
 }

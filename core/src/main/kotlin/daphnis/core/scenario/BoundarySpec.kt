@@ -71,8 +71,10 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("sheared-periodic")
     public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec {
-        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
-            daphnis.core.boundary.ShearedPeriodic(box, velocityJump)
+        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
+            ValueCheck(source).speed("boundary.velocityJump", velocityJump)
+            return daphnis.core.boundary.ShearedPeriodic(box, velocityJump)
+        }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "$this, velocity jump ${speed.apply(velocityJump)}"

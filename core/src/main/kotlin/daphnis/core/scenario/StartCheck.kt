@@ -4,6 +4,8 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.format.SnapshotCheck
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
@@ -49,6 +51,7 @@ internal class StartCheck(
         }
         if (isKnown) {
             checkSlide(timeStep)
+            checkJumps(timeStep)
             checkSatellites(timeStep)
         }
         if (!isPlaced) return
@@ -120,6 +123,17 @@ internal class StartCheck(
         val slide = abs(shear.velocity) * timeStep.next(population)
         check.must("timeStep", slide < boundary.box.length(shear.slideAxis) * MOST_SLIDE) {
             "is so long that images slide by $slide in a step; take a smaller dt or shear rate"
+        }
+    }
+
+    /** A sphere that passes many boxes in a step changes its speed by as many jumps. */
+    private fun checkJumps(timeStep: TimeStep) {
+        val jump = abs((boundary as? ShearedPeriodic ?: return).velocityJump)
+        var fastest = 0.0
+        for (u in population.vy) fastest = maxOf(fastest, abs(u))
+        val boxes = fastest * timeStep.next(population) / boundary.box.length(1)
+        check.must("timeStep", boxes * jump <= SnapshotCheck.MOST) {
+            "is so long that the fastest sphere passes $boxes boxes along y in a step; take a smaller dt"
         }
     }
 

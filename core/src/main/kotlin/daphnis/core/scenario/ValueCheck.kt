@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.format.SnapshotCheck
+import kotlin.math.abs
 
 /** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
 internal class ValueCheck(val source: String) {
@@ -21,6 +22,11 @@ internal class ValueCheck(val source: String) {
     fun extent(key: String, value: Double) {
         val range = SnapshotCheck.LEAST..SnapshotCheck.MOST
         that(key, value, value in range) { "must be > 0, ${range.start} to ${range.endInclusive}" }
+    }
+
+    /** A component of a velocity, or a difference of two. */
+    fun speed(key: String, value: Double) {
+        that(key, value, abs(value) <= SnapshotCheck.MOST) { "must be in ±${SnapshotCheck.MOST}" }
     }
 
     fun fraction(key: String, value: Double) {

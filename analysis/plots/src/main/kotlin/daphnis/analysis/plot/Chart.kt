@@ -23,6 +23,7 @@ internal object Chart {
      * positive are left out
      * @param horizontal a dashed line across at this height
      * @param vertical a dashed line upright at this place
+     * @param across places that the axis across shows too, as that of a chart beside this one does
      * @param joined whether lines join the points of a curve
      * @param ticks where the axis across has its marks, all whole numbers; null to choose. With them the other begins
      *   at 0 and ends at a mark, and there is a legend for a single curve too
@@ -42,6 +43,7 @@ internal object Chart {
         marks: NamedMarks? = null,
         joined: Boolean = true,
         subtitle: String = "",
+        across: List<Double> = emptyList(),
     ): CurveChart {
         val points = curves.map { ChartPoints(it, logX, logY) }
         val x = points.flatMap { it.x }
@@ -51,7 +53,7 @@ internal object Chart {
         val field = PlotField(
             xLabel,
             yLabel,
-            x + listOfNotNull(vertical.takeIf { x.isNotEmpty() }),
+            x + across + listOfNotNull(vertical.takeIf { x.isNotEmpty() }),
             y + listOfNotNull(seen),
             logX,
             logY,

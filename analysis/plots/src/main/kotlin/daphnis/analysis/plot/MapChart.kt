@@ -15,7 +15,7 @@ internal class MapChart(
     private val most: Double,
 ) : Figure {
     override fun draw(sheet: Sheet, width: Int, height: Int) {
-        val bar = maxOf(name.length * PlotField.LABEL * PlotField.GLYPH, BAR + ROOM_FOR_NUMBERS) + 2 * PlotField.MARGIN
+        val bar = maxOf(TextWidth.of(name) * PlotField.LABEL, BAR + ROOM_FOR_NUMBERS) + 2 * PlotField.MARGIN
         val frame = field.draw(sheet, width, height, 0.0, bar)
         val tileWidth = step(horizontal) * (frame.atX(1.0) - frame.atX(0.0))
         val tileHeight = step(vertical) * (frame.atY(0.0) - frame.atY(1.0))

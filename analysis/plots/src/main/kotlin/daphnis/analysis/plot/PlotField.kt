@@ -36,9 +36,10 @@ internal class PlotField(
 
     /** Draws axes and grid where [top] points above are taken, and [right] points at the right; the frame of it. */
     fun draw(sheet: Sheet, width: Int, height: Int, top: Double, right: Double = MARGIN): PlotFrame {
-        val widest = ySpan.ticks.labels.maxOfOrNull { it.length } ?: 0
-        val lines = beside.lines().size
-        var left = MARGIN + lines * LABEL * PlotFrame.LINE_HEIGHT + widest * NUMBER * GLYPH + PlotFrame.GAP
+        val numbers = NUMBER * (ySpan.ticks.labels.maxOfOrNull { TextWidth.of(it) } ?: 0.0)
+        // From the title's upper edge to the field: its lines, the numbers, and a gap behind each.
+        val room = beside.lines().size * LABEL * PlotFrame.LINE_HEIGHT + numbers + 2 * PlotFrame.GAP
+        var left = MARGIN + room
         var end = width - right
         var above = top + MARGIN
         var bottom = height - MARGIN - below.lines().size * LABEL * PlotFrame.LINE_HEIGHT - NUMBER - PlotFrame.GAP
@@ -54,8 +55,7 @@ internal class PlotField(
         val frame = PlotFrame(xSpan.axis, ySpan.axis, xSpan.ticks, ySpan.ticks, left, end, above, bottom)
         frame.grid(sheet, NUMBER)
         val lowest = bottom + NUMBER + PlotFrame.GAP + below.lines().size * LABEL * PlotFrame.LINE_HEIGHT
-        val leftmost = left - PlotFrame.GAP - widest * NUMBER * GLYPH - lines * LABEL * PlotFrame.LINE_HEIGHT
-        frame.titles(sheet, below, beside, LABEL, lowest, leftmost)
+        frame.titles(sheet, below, beside, LABEL, lowest, left - room)
         return frame
     }
 
@@ -65,12 +65,13 @@ internal class PlotField(
             operator fun invoke(values: List<Double>, log: Boolean, marks: NamedMarks? = null): Span {
                 val low = minOf(values.minOrNull() ?: 1.0, marks?.from ?: Double.POSITIVE_INFINITY)
                 val high = maxOf(values.maxOrNull() ?: 1.0, marks?.to ?: Double.NEGATIVE_INFINITY)
-                val ticks = marks?.ticks ?: if (log) Ticks.logarithmic(low, high) else Ticks.linear(low, high)
                 if (log) {
                     val room = (high / low).pow(ROOM)
+                    val ticks = marks?.ticks ?: Ticks.logarithmic(low, high)
                     return Span(Axis(low / room, high * room, true), ticks, Double.NaN)
                 }
                 val room = (high - low) * ROOM
+                val ticks = marks?.ticks ?: Ticks.linear(low - room, high + room, WANTED)
                 return Span(Axis(low - room, high + room, false), ticks, high - low + 2 * room)
             }
 
@@ -87,11 +88,11 @@ internal class PlotField(
         /** Sizes of text: of numbers at axes and names in legends, and of the titles of axes. */
         const val NUMBER = 13
         const val LABEL = 15
-
-        /** About how wide a letter is, in sizes of the text. Widths of a font would differ between machines. */
-        const val GLYPH = 0.56
         private const val LONGEST_LABEL = 34
         private const val ROOM = 0.05
+
+        /** Marks of an axis across its room at both ends too. */
+        private const val WANTED = 9
     }
 }
 

@@ -40,7 +40,7 @@ internal class PlotHead(private val title: String, private val subtitle: String,
         return rows
     }
 
-    private fun room(entry: Entry) = SIGN + PlotFrame.GAP + entry.name.length * TEXT * PlotField.GLYPH + BETWEEN
+    private fun room(entry: Entry) = SIGN + PlotFrame.GAP + TextWidth.of(entry.name) * TEXT + BETWEEN
 
     companion object {
         /** How long the line beside a name is. */

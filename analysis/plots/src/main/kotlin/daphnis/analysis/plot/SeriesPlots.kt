@@ -13,11 +13,13 @@ import daphnis.core.table.Dimension
  * say so. A quantity whose column the file lacks, or that has fewer than two values, has no curve.
  *
  * @param from a time that is marked, where averages begin; null for none
+ * @param across times that every plot shows too, in [PlotScale.time]
  */
 internal class SeriesPlots(
     private val series: SeriesTable,
     private val scale: PlotScale,
     private val from: Double? = null,
+    private val across: List<Double> = emptyList(),
 ) {
     private val rows = thinned()
     private val time = DoubleArray(rows.size) { series[TIME][rows[it]] / scale.time }
@@ -39,7 +41,7 @@ internal class SeriesPlots(
     private fun spoken(energy: Column) = energy.name.removeSuffix("_energy").replace("hill", "Hill's").replace('_', ' ')
 
     /**
-     * Collisions of a particle in a unit of time, between rows so far apart that the noise of single steps does not
+     * Collisions per particle in a unit of time, between rows so far apart that the noise of single steps does not
      * hide it.
      */
     fun collisionRate(): Curve? {
@@ -73,6 +75,7 @@ internal class SeriesPlots(
             UnitNames.axis(quantity, unit),
             logY = log,
             vertical = from?.let { it / scale.time },
+            across = across,
         )
     }
 

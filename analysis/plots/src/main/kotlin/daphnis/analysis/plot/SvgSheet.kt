@@ -61,8 +61,8 @@ internal class SvgSheet(width: Int, height: Int) : Sheet {
                 '<' -> out.append("&lt;")
                 '>' -> out.append("&gt;")
                 '&' -> out.append("&amp;")
-                // Other control characters are not allowed in XML at all.
-                else -> out.append(if (c < ' ') ' ' else c)
+                // Control characters and the last two of 16 bits are not allowed in XML at all.
+                else -> out.append(if (c < ' ' || c >= '\uFFFE') ' ' else c)
             }
         }
         out.append("</text>\n")

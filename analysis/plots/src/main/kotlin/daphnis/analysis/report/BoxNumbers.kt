@@ -26,7 +26,7 @@ internal class BoxNumbers(private val study: Study) {
             if (isOld) "around the boundary's straight flow: transport.csv is of an older version" else "",
         )
         if (transport == null) return rows.list()
-        rows.average("collisions_per_particle", "collisions of a particle", transport.collisionRate, units.rate)
+        rows.average("collisions_per_particle", "collisions per particle", transport.collisionRate, units.rate)
         rows.average("compressibility", "compressibility p V / (M T)", transport.compressibility, "")
         if (flow != null && flow.rate != 0.0) sheared(transport, flow.rate)
         return rows.list()

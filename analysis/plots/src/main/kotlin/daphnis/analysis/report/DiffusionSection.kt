@@ -22,6 +22,9 @@ internal class DiffusionSection(private val study: Study) : Section {
     private val meanRadius = study.bulk.meanRadius
     private val chosen = chosen(study.from)
     private val last = study.lastSnapshot
+
+    /** The key of a scenario that makes more states. */
+    private val ofRuns = if (input.directory == null) "" else " (output.snapshotEvery)"
     private val coordinates = coordinates(last, study.last.boundary)
     private var trajectories = if (isExpected() && last.image != null) begun() else null
     private val displacement by lazy { trajectories?.let { MeanSquareDisplacement(it) } }
@@ -35,8 +38,8 @@ internal class DiffusionSection(private val study: Study) : Section {
         coordinates.isEmpty() -> "no periodic axis is without a mean flow"
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
             "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +
-                "${study.time(study.from)} on; it takes ${MeanSquareDisplacement.FEWEST_TIMES} (output.snapshotEvery)"
-        !input.hasTimes -> "the file has no times; the time of a step would make its steps times"
+                "${study.time(study.from)} on; it takes ${MeanSquareDisplacement.FEWEST_TIMES}$ofRuns"
+        !input.hasTimes -> "the file has no times; give the time of a step"
         omega != null && !input.hasVelocities -> "guiding centres follow from velocities"
         last.image == null -> "the states do not say how often particles crossed the box"
         displacement == null -> "too few particles"
@@ -109,7 +112,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         val orbit = if (omega != null) 2 * PI / omega else 1.0
         val time = study.scale.timeName
         val lags = "slope over lags from ${ReportText.short(d.from / orbit)} to ${ReportText.short(d.to / orbit)} $time"
-        val unknown = if (d.error.isNaN()) Unknown.TOO_FEW else null
+        val unknown = if (d.error.isNaN()) Unknown.SHORT_TIME else null
         return NumberRow(what, d.value / scale, d.error / scale, unit, null, note ?: lags, unknown, key)
     }
 

@@ -39,10 +39,13 @@ internal class EllipsoidSection(private val study: Study) : Section {
             return "in the plane its axes are equal within their errors, so they have no direction"
         }
         val degrees = study.motion.orientation * Math.toDegrees(1.0)
-        val error = study.judgement.error(degrees)
-        val turned =
-            if (error.isNaN()) ReportText.short(degrees.mean) else ReportText.withError(degrees.mean, error)
-        return "in the plane its long axis is turned by $turned degrees from x toward y"
+        // The same number as in the table, and marked as there.
+        val rows = NumberRows()
+        rows.average("ellipsoid_orientation", "", degrees, "degrees")
+        val row = study.judgement.shown(rows.list()).single()
+        val turned = ReportText.withError(row.value, row.error)
+        val mark = row.unknown?.let { " (${it.mark}, see Numbers)" }.orEmpty()
+        return "in the plane its long axis is turned by $turned degrees$mark from x toward y"
     }
 
     private fun curve(name: String, a: Double, b: Double, turned: Double): Curve {

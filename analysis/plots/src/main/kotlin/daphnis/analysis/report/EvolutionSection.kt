@@ -6,6 +6,7 @@ import daphnis.analysis.plot.SeriesPlots
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
+import daphnis.core.run.SeriesColumns
 import daphnis.core.run.TransportColumns
 import kotlin.math.sqrt
 
@@ -19,8 +20,19 @@ internal class EvolutionSection(private val study: Study) : Section {
     private val transport = input.transport?.takeIf { it.size >= 2 }
     private val scale = study.scale
 
+    /** First and last time of the whole run, of which series may tell more than states. */
+    private val ends = listOfNotNull(
+        input.times,
+        series?.get(SeriesColumns.TIME),
+        transport?.get(TransportColumns.TIME),
+    )
+        .let { all -> listOf(all.minOf { it.first() }, all.maxOf { it.last() }) }
+
     /** Where averages begin, when that is within the run. */
-    private val mark = study.from.takeIf { it > input.times.first() }
+    private val mark = study.from.takeIf { it > ends[0] }
+
+    /** What every chart shows, so that they can be compared. */
+    private val across = ends.map { it / scale.time }
 
     override val heading = "Evolution"
     private val averaged = mark?.let { "the dashed line is where averages begin, time ${study.time(it)}." }
@@ -33,7 +45,7 @@ internal class EvolutionSection(private val study: Study) : Section {
     }
 
     override fun write(page: ReportPage) {
-        if (series != null) series(page, SeriesPlots(series, scale, mark))
+        if (series != null) series(page, SeriesPlots(series, scale, mark, across))
         if (transport != null) dispersions(page)
     }
 
@@ -100,6 +112,7 @@ internal class EvolutionSection(private val study: Study) : Section {
             UnitNames.axis("time", scale.timeName),
             UnitNames.axis("velocity dispersion", scale.speedName),
             vertical = mark?.let { it / scale.time },
+            across = across,
         )
         study.draw(
             page,

@@ -39,7 +39,7 @@ internal class FlowSection(private val study: Study) : Section {
                 "where the flow is slow the scatter of few particles turns them.",
             HEIGHT,
         )
-        val box = study.last.boundary.box
+        val box = study.boxes.mean
         val cells = f.nx * f.ny
         Table(
             "flow",
@@ -56,7 +56,7 @@ internal class FlowSection(private val study: Study) : Section {
         val f = field
         val backX = DoubleArray(vx.size) { -vx[it] }
         val backY = DoubleArray(vy.size) { -vy[it] }
-        val box = study.last.boundary.box
+        val box = study.boxes.mean
         return (0 until f.ny).map { j ->
             // Forward and backward from the middle.
             val ahead = f.line(vx, vy, f.nx / 2.0, j + 0.5, 2 * f.nx)

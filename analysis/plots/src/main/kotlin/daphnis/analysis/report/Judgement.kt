@@ -6,9 +6,10 @@ import daphnis.analysis.statistics.Steadiness.Verdict
 /**
  * Whether averages from the time [from] on are over a steady time, and so whether they have errors.
  *
+ * @param states how many states averages are over
  * @param quantities the main ones over time, of which each is judged; asked for once, when all states have been seen
  */
-internal class Judgement(private val from: Double, quantities: () -> List<History>) {
+internal class Judgement(private val from: Double, private val states: Int, quantities: () -> List<History>) {
     /** Those that change at all. */
     val histories: List<History> by lazy { quantities().filterNot { it.isConstant(from) } }
 
@@ -39,12 +40,17 @@ internal class Judgement(private val from: Double, quantities: () -> List<Histor
         rows.map { if (isDrifting || it.key in drifting) it.unsteady() else it }
 
     /** What the bars of a chart are; [steady] where the run does not drift. */
-    fun bars(steady: String = BARS): String = if (isDrifting) NO_BARS else steady
+    fun bars(steady: String = ofStates()): String = if (isDrifting) NO_BARS else steady
+
+    private fun ofStates(): String {
+        if (states >= BlockAverage.FEWEST_NUMBERS) return BARS
+        return "There are no bars: ${ReportText.count(states, "state")} ${if (states == 1) "is" else "are"} too few."
+    }
 
     private companion object {
         const val BARS =
-            "Bars are one standard error; there is none where fewer than ${BlockAverage.FEWEST_NUMBERS} states tell " +
-                "something, or where they are worth fewer than eight independent ones."
+            "Bars are one standard error; a point has none where fewer than ${BlockAverage.FEWEST_NUMBERS} states " +
+                "have a value, or where these are worth fewer than eight independent ones."
         const val NO_BARS = "There are no bars, since the run is not steady over the time averaged."
     }
 }

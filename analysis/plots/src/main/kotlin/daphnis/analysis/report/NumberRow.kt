@@ -43,7 +43,12 @@ internal enum class Unknown(val remark: String, val mark: String, val sentence: 
     TOO_FEW(
         "too few independent states",
         "?",
-        "No error can be given: the states that are averaged are worth fewer than eight independent ones.",
+        "No error can be given: the states or rows that are averaged are worth fewer than eight independent ones.",
+    ),
+    SHORT_TIME(
+        "too short for its lags",
+        "†",
+        "No error can be given: the time averaged is shorter than six times the longest lag of the fit.",
     ),
     UNSTEADY("not steady", "!", "No error is given: the run is not steady over the time averaged."),
 }

@@ -17,11 +17,17 @@ internal class OccultationSection(private val study: Study) : Section {
 
     /** Share of the rays that come through, then by place along x. */
     private val light =
-        Averages({ state -> casting.cast(state).let { doubleArrayOf(it.transmission) + it.scan() } })
+        Averages({ state -> casting.cast(state).let { doubleArrayOf(it.transmission) + places(it.scan()) } })
 
     override val heading = "Occultation"
     override val over = "What a star behind the patch would show. ${study.overAverages}"
     override val leftOut = if (study.isSlab) study.tooFew() else "the box is filled above and below"
+
+    /** As many places as in the first state, which in a box that changes may have more or fewer rays. */
+    private fun places(scan: DoubleArray): DoubleArray {
+        val n = if (light.size == 0) scan.size else light.width - 1
+        return DoubleArray(n) { scan[(it.toLong() * scan.size / n).toInt()] }
+    }
 
     override fun add(state: State) {
         if (leftOut == null) light.add(state)
@@ -53,7 +59,7 @@ internal class OccultationSection(private val study: Study) : Section {
             page.paragraph("No scan along x: the patch is so long for its width that too few rays pass side by side.")
             return
         }
-        val box = study.last.boundary.box
+        val box = study.boxes.mean
         val x = DoubleArray(n) { box.lowerX + (it + 0.5) * box.length(0) / n }
         val last = DoubleArray(n) { light.series(1 + it).last() }
         val mean = DoubleArray(n) { light.average(1 + it).mean }

@@ -14,8 +14,8 @@ internal class PairPart(private val study: Study) : Part {
 
     private fun correlation(): PairCorrelation {
         val contact = study.bulk.nearestContact
-        val farthest =
-            minOf(PairCorrelation.farthest(study.last.boundary), RADII * 2 * study.bulk.typicalRadius)
+        val room = study.boxes.boundaries.minOf { PairCorrelation.farthest(it) }
+        val farthest = minOf(room, RADII * 2 * study.bulk.typicalRadius)
         val fromContact = !isInPlane && contact < farthest
         return PairCorrelation(farthest, BINS, if (fromContact) contact else 0.0)
     }

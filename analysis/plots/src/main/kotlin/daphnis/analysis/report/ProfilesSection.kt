@@ -14,7 +14,7 @@ import kotlin.math.sqrt
 internal class ProfilesSection(private val study: Study) : Section {
     private val units = study.units
     private val radialName = if (study.isRing) "radial position x" else "x"
-    private val box = study.last.boundary.box
+    private val box = study.boxes.common
 
     private val radial = Averaged(Profile(0, box.lowerX, box.upperX, bins(box.length(0))))
     private val azimuthal = Averaged(Profile(1, box.lowerY, box.upperY, bins(box.length(1))))
@@ -25,7 +25,8 @@ internal class ProfilesSection(private val study: Study) : Section {
     private val acrossAxis = study.lengthAxis(if (isAcrossY) "y" else radialName)
 
     override val heading = "Profiles"
-    override val over get() = "Averages in equal bins over ${study.averagedStates}. ${study.judgement.bars()}"
+    override val over get() = "Averages in equal bins over ${study.averagedStates}. ${study.judgement.bars()}" +
+        study.boxes.ifChanging("bins are where every box is.")
     override val leftOut = study.tooFew()
 
     /** A profile with its averages. */

@@ -127,14 +127,22 @@ internal object References {
         ElasticGas.areEqual(last.population.mass) &&
         when (val guard = scenario.guard) {
             null, is GuardSpec.None -> true
-            is GuardSpec.FloorSpeed -> guard.relative?.let { it <= FELT } == true
+            // A run has resolved what is relative to a speed.
+            is GuardSpec.FloorSpeed -> (guard.relative ?: (guard.speed ?: Double.NaN).div(rms(last))) <= FELT
             is GuardSpec.ContactDuration -> false
         }
+
+    /** Root mean square of a component of the velocities. */
+    private fun rms(state: State): Double {
+        val p = state.population
+        val sum = (0 until p.size).sumOf { p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it] }
+        return sqrt(sum / (3 * p.size))
+    }
 
     /** r Ω by which the restitution law is scaled: c changes by a tenth of this. */
     private const val SAME_SCALE = 0.005
 
-    /** Floor speed of a guard, in initial rms speeds, that nothing measured depends on. */
+    /** Floor speed of a guard, in rms speeds, that nothing measured depends on. */
     private const val FELT = 1e-4
     private const val CARNAHAN = "Carnahan & Starling 1969"
     private const val STATE_BOUND = 0.005

@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.table.UnitNames
+import daphnis.core.format.oneLine
 import java.util.Base64
 import java.util.Locale
 
@@ -120,7 +121,8 @@ $body</main></body></html>
             "References are for runs that agree in all parameters; ± is one standard error of " +
                 "theirs, a third of the bound in docs/validation.md. σ is the joint standard error of both."
 
-        fun escape(text: String): String =
-            text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
+        /** [text] as it stands in HTML, with its lines; control characters are shown. */
+        fun escape(text: String): String = text.split('\n').joinToString("\n", transform = ::oneLine)
+            .replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
     }
 }

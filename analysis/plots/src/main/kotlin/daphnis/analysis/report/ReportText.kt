@@ -38,6 +38,16 @@ internal object ReportText {
         return if (whole) minus(round(value).toLong().toString()) else plain(value, 3)
     }
 
+    /** From [first] to [last] in few digits, in one notation: `12 to 40`, `(0.72 to 1.91) · 10⁶`. */
+    fun span(first: Double, last: Double): String {
+        if (first == last) return short(first)
+        val size = maxOf(abs(first), abs(last))
+        if (size < 10 * LARGE || first == 0.0 || last == 0.0) return "${short(first)} to ${short(last)}"
+        val power = floor(log10(size)).toInt()
+        fun part(value: Double) = minus(String.format(Locale.ROOT, "%.2f", value / 10.0.pow(power)))
+        return "(${part(first)} to ${part(last)})${PowersOfTen.times(power)}"
+    }
+
     /** A number with as many digits as its [error] leaves meaningful; without one, as [plain]. */
     fun withError(value: Double, error: Double): String {
         if (value.isNaN()) return "–"

@@ -76,7 +76,7 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
     private fun collisions(transport: Transport) {
         rows.average(
             "collisions_per_particle",
-            "collisions of a particle",
+            "collisions per particle",
             transport.collisionRate per (omega / (2 * PI)),
             "1/orbit",
         )

@@ -33,7 +33,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         if (!input.hasVelocities) rows += "velocities" to "the file has no velocities"
         val omega = input.omega ?: return rows
         val orbit = UnitNames.amount(short(2 * PI / omega), units.time)
-        rows += "angular speed Ω" to "${ReportText.plain(omega, 6)} ${units.rate}, orbit $orbit"
+        rows += "angular speed Ω" to "${UnitNames.amount(ReportText.plain(omega, 6), units.rate)}, orbit $orbit"
         return rows
     }
 
@@ -77,8 +77,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     }
 
     private fun states(): List<Pair<String, String>> {
-        val first = short(input.times.first())
-        val span = if (input.size == 1) first else "$first to ${short(input.times.last())}"
+        val span = ReportText.span(input.times.first(), input.times.last())
         return listOf("states" to "${input.size}, time ${UnitNames.amount(span, units.time)}")
     }
 

@@ -26,6 +26,8 @@ internal class SizeClassSection(private val study: Study) : Section {
             "By number. ${study.judgement.bars()}"
     override val applies = study.isRing || study.input.hasVelocities
     override val leftOut get() = when {
+        averages == null && study.bulk.particles < study.last.population.size ->
+            "all particles but bodies have one radius"
         averages == null -> "all particles have one radius"
         filled.isEmpty() -> "too few particles"
         else -> null

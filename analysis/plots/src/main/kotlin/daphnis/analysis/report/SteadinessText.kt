@@ -21,31 +21,50 @@ internal class SteadinessText(
     private val otherwise: String = "a longer run is needed",
 ) {
     /**
-     * One sentence for each of the [histories] that drifts, then one for those that do not, with the largest drift that
-     * may have been missed, and one for those that are too short to tell.
+     * One sentence for each of the [histories] that drifts, with what to do about it in the last of those for which that
+     * is the same; then one for those that do not, with the largest drift that may have been missed, and one for those
+     * that are too short to tell. Of a conserved quantity no drift is missed.
      */
     fun of(histories: List<History>): List<String> {
-        val lines = ArrayList<String>()
-        val steady = ArrayList<String>()
-        val short = ArrayList<String>()
-        for (history in histories) {
-            val found = history.steadiness(from)
-            when (found.verdict) {
-                Verdict.TOO_SHORT -> short += history.name
-                Verdict.STEADY -> steady += "${history.name} ${percent(found.largest / average(history))}"
-                Verdict.DRIFTING -> lines += drift(history, found, histories.size)
-            }
+        val found = histories.map { it to it.steadiness(from) }.groupBy { it.second.verdict }
+        val drifting = found[Verdict.DRIFTING].orEmpty().map { (history, drift) ->
+            drift(history, drift, histories.size) to advice(history)
         }
-        if (steady.isNotEmpty()) {
-            lines +=
-                "No drift is seen over the time averaged. A smaller one than this part of the average may have been " +
-                "missed, with 95 % confidence: ${steady.joinToString()}."
+        val lines = drifting.mapIndexedTo(ArrayList()) { k, (said, advice) ->
+            if (drifting.drop(k + 1).any { it.second == advice }) "$said." else "$said; $advice."
         }
-        if (short.isNotEmpty()) {
+        found[Verdict.STEADY]?.let { lines += steady(it, lines.size) }
+        found[Verdict.TOO_SHORT]?.let { short ->
             lines += "Whether it is steady cannot be told from fewer than ${Steadiness.FEWEST} rows " +
-                "in the time averaged: ${short.joinToString()}."
+                "in the time averaged: ${short.joinToString { rows(it.first) }}."
         }
         return lines
+    }
+
+    private fun steady(found: List<Pair<History, Steadiness>>, drifting: Int): String {
+        val where = when {
+            drifting == 0 -> "over the time averaged"
+            found.size == 1 -> "in the other quantity"
+            else -> "in the other quantities"
+        }
+        val missed = found.map { (history, drift) -> history.name to drift.largest / average(history) }
+            .filter { it.second > ROUND_OFF }
+        if (missed.isEmpty()) return "No drift is seen $where."
+        return "No drift is seen $where. A smaller one than this part of the average may have been missed, " +
+            "with 95 % confidence: ${missed.joinToString { (name, part) -> "$name ${percent(part)}" }}."
+    }
+
+    /** How many rows of [history] tell of the time averaged. */
+    private fun rows(history: History): String {
+        val all = history.values.size
+        val there = all - history.first(from)
+        return if (there <
+            Steadiness.FEWEST
+        ) {
+            "${history.name} ($there of $all)"
+        } else {
+            "${history.name} (not all numbers)"
+        }
     }
 
     private fun drift(history: History, found: Steadiness, judged: Int): String {
@@ -54,14 +73,17 @@ internal class SteadinessText(
         val what = if (part < 0) "fell" else "rose"
         val each = percent(abs(part) * duration / (history.times.last() - history.times[first]))
         val lost = if (found.isDriftingAmong(judged)) "no ± is given" else "what goes with it has no ±"
+        return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged " +
+            "($each per $unit), more than its fluctuations explain, so $lost"
+    }
+
+    private fun advice(history: History): String {
         val mser = history.steadyFrom()
-        val advice = when {
+        return when {
             isCooling -> "nothing replaces the energy that collisions take, so a longer run is not steady either"
             mser != null && mser > from -> "by MSER-5 it is steady from time ${time(mser)} on (--from)"
             else -> otherwise
         }
-        return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged " +
-            "($each per $unit), more than its fluctuations explain, so $lost; $advice."
     }
 
     /** That averages begin where the run was found to become steady. */
@@ -78,4 +100,9 @@ internal class SteadinessText(
 
     private fun percent(part: Double) =
         String.format(Locale.ROOT, if (part < 0.1) "%.2g" else "%.0f", 100 * part) + " %"
+
+    private companion object {
+        /** Part of an average below which a change is an error of rounding: the quantity is conserved. */
+        const val ROUND_OFF = 1e-9
+    }
 }

@@ -10,7 +10,7 @@ internal class StructureFactorPart(private val study: Study) : Part {
     private val averages = Averages(factor)
 
     private fun farthest(): Double {
-        val box = study.last.boundary.box
+        val box = study.boxes.mean
         val shortest = minOf(box.length(0), box.length(1))
         return minOf(2 * Math.PI / (2 * study.bulk.typicalRadius) * 2, 2 * Math.PI / shortest * 60)
     }

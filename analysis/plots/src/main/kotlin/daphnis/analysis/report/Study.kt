@@ -31,8 +31,9 @@ internal class Study(
     val lastSnapshot: Snapshot = input.snapshot(input.size - 1)
     val last: State = input.state(input.size - 1, lastSnapshot)
     val bulk: Bulk = Bulk(last, input)
+    val boxes: Boxes = Boxes(averaged.map { input.boundary(it) })
     val motion: Motion = Motion(input, from, last)
-    val judgement: Judgement = Judgement(from) {
+    val judgement: Judgement = Judgement(from, averaged.size) {
         RunHistory.of(input, from).ifEmpty { listOfNotNull(motion.history(from)) }
     }
     val plots: Path = directory.resolve("plots")
@@ -53,7 +54,7 @@ internal class Study(
 
     /** Whether pairs and maps are worth looking at: not for patches a thousand times as long as wide. */
     val isCompact: Boolean =
-        last.boundary.box.let { maxOf(it.length(0), it.length(1)) <= LONGEST * minOf(it.length(0), it.length(1)) }
+        boxes.mean.let { maxOf(it.length(0), it.length(1)) <= LONGEST * minOf(it.length(0), it.length(1)) }
 
     /** Which states an average is over: `5 states of 12, time 3.75 to 10 s (1.2 to 3.1 orbits)`. */
     val averagedStates: String = run {
@@ -76,10 +77,7 @@ internal class Study(
     fun time(time: Double): String = span(time, time)
 
     private fun span(begin: Double, end: Double): String {
-        fun text(factor: Double): String {
-            val first = ReportText.short(begin * factor)
-            return if (begin == end) first else "$first to ${ReportText.short(end * factor)}"
-        }
+        fun text(factor: Double) = ReportText.span(begin * factor, end * factor)
         val inUnits = UnitNames.amount(text(1.0), units.time)
         val omega = input.omega ?: return inUnits
         val orbits = text(omega / (2 * PI))

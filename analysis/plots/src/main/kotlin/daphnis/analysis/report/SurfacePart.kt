@@ -16,22 +16,23 @@ import kotlin.math.PI
  */
 internal class SurfacePart(private val study: Study) : Part {
     private val units = study.units
-    private val cell: Double = study.last.boundary.box.let {
-        maxOf(2 * study.bulk.typicalRadius, maxOf(it.length(0), it.length(1)) / MOST_CELLS)
-    }
+    private val box = study.boxes.mean
+    private val cell: Double =
+        maxOf(2 * study.bulk.typicalRadius, maxOf(box.length(0), box.length(1)) / MOST_CELLS)
+
+    // As many cells in every state: their maps are averaged, also where the box changes.
+    private val nx = cells(0)
+    private val ny = cells(1)
+    private val lagX = nx / 2
+    private val lagY = ny / 2
+    private val dx = box.length(0) / nx
+    private val dy = box.length(1) / ny
     private val autocorrelations = ArrayList<DoubleArray>()
-    private var lagX = 0
-    private var lagY = 0
-    private var dx = 0.0
-    private var dy = 0.0
+
+    private fun cells(axis: Int) = Math.rint(box.length(axis) / cell).toInt().coerceAtLeast(1)
 
     override fun add(state: State) {
-        val map = SurfaceMap.of(state, cell)
-        lagX = map.nx / 2
-        lagY = map.ny / 2
-        dx = map.dx
-        dy = map.dy
-        autocorrelations += map.autocorrelation(lagX, lagY)
+        autocorrelations += SurfaceMap.of(state, nx, ny).autocorrelation(lagX, lagY)
     }
 
     override fun write(page: ReportPage) {
@@ -55,7 +56,8 @@ internal class SurfacePart(private val study: Study) : Part {
             UnitNames.axis("Δx", units.length),
             "autocorrelation A",
         )
-        val caption = "Autocorrelation A of the surface density, ⟨δΣ δΣ⟩/⟨Σ⟩², the centre left out."
+        val caption = "Autocorrelation A of the surface density, ⟨δΣ δΣ⟩/⟨Σ⟩², the centre left out." +
+            study.boxes.ifChanging("lags are parts of each box, given in the mean one.")
         study.draw(page, figure, "autocorrelation", "autocorrelation of the surface density", caption, HEIGHT)
         Table(
             "autocorrelation",
@@ -112,7 +114,6 @@ internal class SurfacePart(private val study: Study) : Part {
     private fun smallPatch(): String? {
         val wavelength = study.bulk.criticalWavelength
         if (!(wavelength > 0)) return null
-        val box = study.last.boundary.box
         val fits = (0..1).map { box.length(it) / wavelength }
         val said = "The patch is ${fits.joinToString(" × ") { ReportText.short(it) }} critical wavelengths large"
         return if (fits.min() < 1) {
@@ -150,6 +151,6 @@ internal class SurfacePart(private val study: Study) : Part {
         /** What the errors of wakes rest on. */
         const val ASSUMED =
             "States count for as many independent ones as the correlation of their autocorrelations in " +
-                "time leaves; none is given for fewer than eight."
+                "time leaves; no ± is given for fewer than eight."
     }
 }

@@ -5,6 +5,7 @@ import daphnis.analysis.report.ReportText
 import daphnis.analysis.statistics.SampleMean
 import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.table.UnitNames
+import daphnis.core.format.oneLine
 import java.util.Locale
 
 /** The numbers of a [sweep] to be read: tables in Markdown, a row for each quantity and a column for each point. */
@@ -29,13 +30,13 @@ public class SweepText(private val sweep: Sweep) {
         return parts.joinToString("\n\n")
     }
 
-    private fun corner() = if (sweep.keys.size == 1) sweep.keys[0] else "quantity"
+    private fun corner() = if (sweep.keys.size == 1) oneLine(sweep.keys[0]) else "quantity"
 
     private fun label(point: Sweep.Point): String = when (sweep.keys.size) {
         0 -> "mean"
-        1 -> point.values[0]
+        1 -> oneLine(point.values[0])
         else -> sweep.keys.indices.joinToString(", ") {
-            "${sweep.keys[it].substringAfterLast('.')}=${point.values[it]}"
+            oneLine("${sweep.keys[it].substringAfterLast('.')}=${point.values[it]}")
         }
     }
 
@@ -103,7 +104,7 @@ public class SweepText(private val sweep: Sweep) {
         val drifting = sweep.runs.count { it.failure == null && !it.isSteady }
         if (drifting == 0) return null
         return "!: ${SweepRun.UNSTEADY}, in $drifting of ${ReportText.count(sweep.runs.size, "run")}; " +
-            "all of them may be off to the same side."
+            "the means of these runs may all be too large, or all too small."
     }
 
     private fun unjudged(): String? {
@@ -116,10 +117,10 @@ public class SweepText(private val sweep: Sweep) {
     /** Remarks on runs that are finished, each once. */
     private fun incomplete(): List<String> =
         sweep.runs.filter { it.failure == null && it.remark != null }.groupBy { it.remark }.map { (remark, runs) ->
-            "${ReportText.count(runs.size, "run")}: $remark"
+            oneLine("${ReportText.count(runs.size, "run")}: $remark")
         }
 
-    private fun failures(): List<String> = sweep.failed.map { "failed: ${it.name}: ${it.failure}" }
+    private fun failures(): List<String> = sweep.failed.map { oneLine("failed: ${it.name}: ${it.failure}") }
 
     private companion object {
         /** Characters between columns. */

@@ -91,4 +91,50 @@ class ChartTest {
         assertTrue(Figures.INK in tiles(0.5, 0.1, -2.0, 0.0)[2])
         assertTrue(tiles(0.0, 0.0, 0.0, 0.0).all { "#ffffff" in it })
     }
+
+    @Test
+    fun `a title of two lines keeps clear of the numbers, however wide these are`() {
+        val y = doubleArrayOf(1e-4, 1.2345e-3)
+        val figure = Chart.lines(
+            listOf(Curve("a", doubleArrayOf(0.0, 1.0), y)),
+            "time",
+            "granular temperature ⟨c²⟩/3 [units of length²/time²]",
+        )
+        val texts = Regex(
+            "translate\\(([\\d.]+) [\\d.]+\\)( rotate\\(-90\\))?\" font-size=\"(\\d+)\" " +
+                "text-anchor=\"(\\w+)\"[^>]*>([^<]*)<",
+        )
+            .findAll(Figures.svg(figure, 760, 280)).map { it.groupValues }.toList()
+        val font = java.awt.Font("DejaVu Sans", java.awt.Font.PLAIN, 130)
+        val title = texts.filter { it[2].isNotEmpty() }.maxOf { it[1].toDouble() + 0.24 * it[3].toInt() }
+        val numbers = texts.filter { it[4] == "end" }
+        assertTrue(numbers.size >= 3)
+        for (number in numbers) {
+            val glyphs = font.createGlyphVector(java.awt.font.FontRenderContext(null, true, true), number[5])
+            val width = glyphs.logicalBounds.width * number[3].toInt() / 130
+            assertTrue(number[1].toDouble() - width > title + 3) { "$number, title to $title" }
+        }
+    }
+
+    @Test
+    fun `charts side by side show one range, with the same marks`() {
+        fun marks(x: DoubleArray) = Chart.lines(
+            listOf(
+                Curve(
+                    "a",
+                    x,
+                    DoubleArray(x.size) {
+                        it.toDouble()
+                    },
+                ),
+            ),
+            "t",
+            "y",
+            across = listOf(0.0, 40.0),
+        )
+            .let { Regex("text-anchor=\"middle\"[^>]*>([\\d.]+)<").findAll(Figures.svg(it, 760, 280)) }
+            .map { it.groupValues[1] }.toList()
+        assertEquals(listOf("0", "5", "10", "15", "20", "25", "30", "35", "40"), marks(doubleArrayOf(0.13, 39.9)))
+        assertEquals(marks(doubleArrayOf(0.13, 39.9)), marks(doubleArrayOf(0.0, 40.0)))
+    }
 }

@@ -426,7 +426,7 @@ class AnalysisTest {
         wrong("empty.xyz", "", "no frame")
         wrong("none.xyz", "0\n$head", "no particle")
         wrong("cut.bin", "abc", "CartAndRad")
-        wrong("cut.h5", "abc", "H5MD")
+        wrong("cut.h5", "abc", "HDF5")
         wrong("what.vtp", "abc", "unknown format")
         wrong("nan.csv", "x,y,z,radius\n0,0,NaN,1\n", ":2:", "finite")
         assertThrows(InputException::class.java) { AnalysisInput.ofFile(directory.resolve("nowhere.xyz"), null, "") }

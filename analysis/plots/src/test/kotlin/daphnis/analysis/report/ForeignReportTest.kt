@@ -100,6 +100,57 @@ class ForeignReportTest {
         assertEquals(0.5, numbers(AnalysisInput.ofFile(file, null, "")).getValue("self_diffusion"), 0.05)
     }
 
+    /** 300 particles at random in boxes of [edges], which repeat along z or do not. */
+    private fun changing(name: String, isSlab: Boolean, edges: List<DoubleArray>): Path {
+        val random = Random(11)
+        val n = 300
+        val states = edges.mapIndexed { k, l ->
+            Snapshot(
+                k.toLong(), k.toDouble(), l, booleanArrayOf(true, true, !isSlab), 0.0, IntArray(n) { it },
+                Array(3) { a -> DoubleArray(n) { (random.nextDouble() - 0.5) * l[a] } }, Array(3) { DoubleArray(n) },
+                DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 },
+            )
+        }
+        return home.resolve(name).also { H5md.write(states, it, "test") }
+    }
+
+    @Test
+    fun `a box that changes from frame to frame is measured in every section`() {
+        val ways = mapOf<String, (Int) -> DoubleArray>(
+            "breathes" to { k -> DoubleArray(3) { 10 * (1 + 0.02 * Math.sin(1.0 * k)) } },
+            "shrinks" to { k -> DoubleArray(3) { 10 - 0.2 * k } },
+            "grows" to { k -> DoubleArray(3) { 10 + 0.5 * k } },
+            "strains" to { k -> doubleArrayOf(10 + 0.3 * k, 10 - 0.2 * k, 10.0) },
+        )
+        for ((name, edges) in ways) {
+            for (isSlab in listOf(false, true)) {
+                val file = changing("$name$isSlab.h5", isSlab, List(12) { edges(it) })
+                val out = Files.createDirectories(home.resolve("$name$isSlab"))
+                Analysis(AnalysisInput.ofFile(file, null, ""), AnalysisOptions(from = 0.0)).write(out)
+                val found = table(out, "profile-radial")
+                val depths = found.map { it.getValue("optical_depth") }
+                val mean = depths.average()
+                for (end in listOf(depths.first(), depths.last())) {
+                    assertEquals(mean, end, mean / 2) {
+                        "$name: $depths"
+                    }
+                }
+                val lags = table(out, "autocorrelation")
+                val middle = (0..11).map { edges(it)[0] }.average()
+                assertEquals(middle / 2, lags.maxOf { it.getValue("dx") }, middle / 20) { name }
+                assertTrue(table(out, "pair-correlation").isNotEmpty() && table(out, "structure-factor").isNotEmpty())
+                assertEquals(isSlab, Files.exists(out.resolve("tables/occultation.csv")))
+                assertTrue("The box changes: bins are" in Files.readString(out.resolve("report.html")))
+            }
+        }
+    }
+
+    private fun table(out: Path, name: String): List<Map<String, Double>> {
+        val lines = Files.readAllLines(out.resolve("tables/$name.csv")).filter { !it.startsWith("#") }
+        val names = lines[0].split(',').map { it.substringBefore(' ').trim('"') }
+        return lines.drop(1).map { row -> names.zip(row.split(',').map { it.toDoubleOrNull() ?: Double.NaN }).toMap() }
+    }
+
     @Test
     fun `a box that shrinks is reported as it is at the end`() {
         val states = listOf(20.0, 10.0).mapIndexed { k, l ->

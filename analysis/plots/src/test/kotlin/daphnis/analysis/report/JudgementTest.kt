@@ -22,7 +22,7 @@ class JudgementTest {
         NumberRow(it, 1.0, 0.1, "", key = it)
     }
 
-    private fun judged(height: Double) = Judgement(0.0) {
+    private fun judged(height: Double, states: Int = 16) = Judgement(0.0, states) {
         listOf(
             history("scale height", height, "scale_height"),
             history("viscosity", 0.0, "viscosity_total"),
@@ -43,6 +43,17 @@ class JudgementTest {
         assertEquals(listOf("scale_height"), marked(judged(4.4)))
         assertEquals(rows.map { it.key }, marked(judged(4.6)))
         assertTrue(judged(4.6).isDrifting && "no bars" in judged(4.6).bars())
+    }
+
+    @Test
+    fun `bars that cannot be there are not promised`() {
+        assertEquals("There are no bars: 2 states are too few.", judged(2.9, 2).bars())
+        assertEquals("There are no bars: 1 state is too few.", judged(2.9, 1).bars())
+        assertTrue("too few" in judged(2.9, 15).bars())
+        assertTrue(
+            judged(2.9, 16).bars().startsWith("Bars are one standard error; a point has none where fewer than 16"),
+        )
+        assertTrue("not steady" in judged(4.6, 2).bars())
     }
 
     @Test

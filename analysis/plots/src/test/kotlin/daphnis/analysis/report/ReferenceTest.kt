@@ -2,6 +2,7 @@ package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
 import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -23,7 +24,7 @@ class ReferenceTest {
             "restitution={\"type\":\"borderies\",\"criticalSpeed\":0.1}",
             "guard={\"type\":\"contact-duration\",\"duration\":100}",
             "guard={\"type\":\"floor-speed\",\"relative\":0.1}",
-            "guard={\"type\":\"floor-speed\",\"speed\":1e-9}",
+            "guard={\"type\":\"floor-speed\",\"speed\":1e-4}",
             "boundary.radiallyOpen=true",
             "particles.opticalDepth=0.52",
             "particles.sizes={\"type\":\"list\",\"radii\":[1.4,1.56]}",
@@ -82,24 +83,26 @@ class ReferenceTest {
             use(setup, State(setup.population, setup.boundary, 0.0, setup.angularSpeed))
         }
 
-        /** References of `ring-patch`, with [settings]. */
+        /** References of `ring-patch`, with [settings], as the directory of a run has it: all is resolved. */
         fun patch(vararg settings: String) = of("ring-patch", settings) { setup, state ->
             val p = state.population
             val depth = p.radius.filterIndexed { k, _ -> p.radius[k] < 4 }.sumOf { PI * it * it } / state.area
-            References.ofPatch(BuiltIn.scenario("ring-patch", settings.asList()), state, setup.angularSpeed!!, depth)
+            References.ofPatch(written(setup), state, setup.angularSpeed!!, depth)
         }
 
         /** References of `shear-cell`. */
-        fun sheared(vararg settings: String) = of("shear-cell", settings) { _, state ->
-            References.ofShear(BuiltIn.scenario("shear-cell", settings.asList()), state, filling(state))
+        fun sheared(vararg settings: String) = of("shear-cell", settings) { setup, state ->
+            References.ofShear(written(setup), state, filling(state))
         }
 
         /** References of `elastic-gas`. */
-        fun elastic(vararg settings: String) = of("elastic-gas", settings) { _, state ->
+        fun elastic(vararg settings: String) = of("elastic-gas", settings) { setup, state ->
             val density = state.population.size / state.boundary.box.volume
-            val scenario = BuiltIn.scenario("elastic-gas", settings.asList())
-            References.ofElastic(scenario, state, filling(state), 1.0, density)
+            References.ofElastic(written(setup), state, filling(state), 1.0, density)
         }
+
+        private fun written(setup: ScenarioSetup) =
+            ScenarioJson.parse(ScenarioJson.write(setup.scenario), "scenario.json")
 
         private fun filling(state: State) =
             state.population.radius.sumOf { 4.0 / 3 * PI * it * it * it } / state.boundary.box.volume

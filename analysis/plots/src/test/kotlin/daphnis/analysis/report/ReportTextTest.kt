@@ -45,4 +45,12 @@ class ReportTextTest {
         assertEquals("0 spheres", ReportText.count(0, "sphere"))
         assertEquals("2 spheres", ReportText.count(2, "sphere"))
     }
+
+    @Test
+    fun `both ends of a span are in one notation`() {
+        assertEquals("(0.72 to 1.91) · 10⁶", ReportText.span(717279.0, 1.9127e6))
+        assertEquals("0 to 1.91 · 10⁶", ReportText.span(0.0, 1.9127e6))
+        assertEquals("3.75 to 10", ReportText.span(3.75, 10.0))
+        assertEquals("10", ReportText.span(10.0, 10.0))
+    }
 }

@@ -45,7 +45,7 @@ class SteadinessTextTest {
         val (from, orbits) = found.destructured
         assertTrue(from.toInt() in 90..100) { lines[0] }
         assertEquals(from.toDouble() / 10, orbits.toDouble(), 0.01)
-        assertEquals("$NONE: dispersion 0.0 %.", lines[1])
+        assertEquals("No drift is seen in the other quantity.", lines[1])
     }
 
     @Test
@@ -62,7 +62,7 @@ class SteadinessTextTest {
             lines[0]
         }
         // Noise of 1 % in 200 rows has a mean within 0.07 %, and a trend within 0.24 %.
-        val missed = Regex("$NONE: scale height (.*) %\\.").matchEntire(lines[1])!!.groupValues[1].toDouble()
+        val missed = Regex("$OTHER: scale height (.*) %\\.").matchEntire(lines[1])!!.groupValues[1].toDouble()
         assertTrue(missed in 0.2..1.0) { lines[1] }
     }
 
@@ -91,7 +91,11 @@ class SteadinessTextTest {
     @Test
     fun `too few rows, none after the time, and drifts too small for a word`() {
         val lines = SteadinessText(195.0, "orbit", 1.0).of(listOf(history("a") { 1.0 * it }))
-        assertTrue(lines.single().startsWith("Whether it is steady cannot be told from fewer than 24 rows")) {
+        assertTrue(
+            lines.single().startsWith(
+                "Whether it is steady cannot be told from fewer than 24 rows in the time averaged: a (10 of 400).",
+            ),
+        ) {
             lines[0]
         }
         assertTrue("cannot be told" in SteadinessText(1e9, "orbit", 1.0).of(listOf(history("a") { 1.0 })).single())
@@ -110,8 +114,30 @@ class SteadinessTextTest {
         assertTrue(SteadinessText(0.0, "orbit", 1.0).of(emptyList()).isEmpty())
     }
 
+    @Test
+    fun `what to do is said once for all that drift alike, and of the others that they do not`() {
+        val rises = listOf("a", "b").map { name -> history(name) { k -> 1 + k / 400.0 } }
+        val still = listOf("c", "d").map { name -> history(name) { 1.0 } }
+        val lines = SteadinessText(0.0, "orbit", 1.0, otherwise = "that is how it is").of(rises + still)
+        assertEquals(3, lines.size)
+        assertTrue(lines[0].startsWith("Not steady: a rose") && lines[0].endsWith("no ± is given.")) { lines[0] }
+        assertTrue(lines[1].startsWith("Not steady: b rose") && lines[1].endsWith("; that is how it is.")) { lines[1] }
+        assertTrue(lines[2].startsWith("No drift is seen in the other quantities. ")) { lines[2] }
+    }
+
+    @Test
+    fun `of what is conserved no drift is missed`() {
+        val energy = History("energy", time, DoubleArray(400) { 1 + 1e-15 * (it % 3) })
+        val nothing = History("collisions", time, DoubleArray(400))
+        val text = SteadinessText(0.0, "orbit", 1.0)
+        assertEquals("No drift is seen over the time averaged.", text.of(listOf(energy, nothing)).single())
+        val said = text.of(listOf(energy, history("height") { 1.0 })).single()
+        assertTrue(said.startsWith("$NONE: height ") && "energy" !in said) { said }
+    }
+
     private companion object {
         const val NONE = "No drift is seen over the time averaged. " +
             "A smaller one than this part of the average may have been missed, with 95 % confidence"
+        val OTHER = NONE.replace("over the time averaged", "in the other quantity")
     }
 }
