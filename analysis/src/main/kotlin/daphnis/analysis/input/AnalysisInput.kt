@@ -54,6 +54,7 @@ public class AnalysisInput internal constructor(
     public val notices: List<String>,
     public val hasTimes: Boolean,
     private val followed: IntArray?,
+    private val isEachMoving: Boolean = true,
 ) {
     /** Names of the units of all numbers. */
     public val units: UnitNames = UnitNames(scenario?.units, if (hasTimes) null else "steps")
@@ -64,6 +65,9 @@ public class AnalysisInput internal constructor(
     /** The last state, which is kept: bins, pictures and the box of open space come from it. */
     private val last: Snapshot by lazy { load(size - 1) }
     private val lastPopulation by lazy { last.population() }
+
+    /** Whether velocities are known; false for a file that has none, whose particles seem to be at rest. */
+    public val hasVelocities: Boolean get() = isEachMoving && last.hasVelocity
 
     /**
      * State [k] as its file holds it, not to be changed. Read anew each time, except for the last.
@@ -241,7 +245,7 @@ public class AnalysisInput internal constructor(
                 DoubleArray(states.size) { states[it].time }, { states[it] },
                 { k -> boxes?.boundaries?.get(k) ?: around!!.boundary },
                 around?.angularSpeed, null, null, null, null,
-                file.notices + listOfNotNull(boxes?.notice), file.hasTimes, file.common,
+                file.notices + listOfNotNull(boxes?.notice), file.hasTimes, file.common, file.hasVelocities,
             )
         }
 

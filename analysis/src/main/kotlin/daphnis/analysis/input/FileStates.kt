@@ -31,6 +31,9 @@ internal class FileStates(
     /** Whether the file or the caller said the times. */
     val hasTimes: Boolean
 
+    /** Whether every state has velocities: averages over some would be those of others. */
+    val hasVelocities: Boolean
+
     val states: List<Snapshot>
 
     /** Ids of the particles that are in every state, ascending. */
@@ -46,7 +49,16 @@ internal class FileStates(
         val once = once(if (timeStep == null) read else timed(read, timeStep))
         common = common(once)
         states = placed(once)
+        hasVelocities = knowsVelocities(read)
         states.find { !it.hasRadius }?.let { notices += withoutRadii(it) }
+    }
+
+    private fun knowsVelocities(read: List<Snapshot>): Boolean {
+        val silent = read.indexOfFirst { !it.hasVelocity }
+        if (silent < 0) return true
+        val where = if (read.any { it.hasVelocity }) " in frame $silent" else ""
+        notices += "$path has no velocities$where: nothing that follows from them is given, such as temperatures"
+        return false
     }
 
     private fun knowsTimes(read: List<Snapshot>): Boolean {

@@ -96,7 +96,7 @@ internal class H5mdParticles(
             Array(3) { column(position, it) }, Array(3) { column(velocity, it) },
             single(radius, RADIUS), single(mass, 1.0), head.lean.normalAxis, head.lean.slideAxis, hasMass, hasRadius,
             image?.let { data -> Array(3) { axis -> IntArray(count) { data[cube(t, order[it], axis)] } } },
-            head.hasTime, head.shift,
+            head.hasTime, head.shift, velocity != null,
         )
     }
 

@@ -120,6 +120,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
             seen[at] = true
             for (axis in 0..2) rows.velocity[axis][at] = words.number(cells[1 + axis])
         }
+        rows.hasVelocity = true
         return section()
     }
 

@@ -101,6 +101,7 @@ internal class LammpsDumpReader(
         val rows = ParticleRows(n)
         rows.hasMass = columns.mass >= 0
         rows.hasRadius = columns.radius >= 0 || columns.diameter >= 0
+        rows.hasVelocity = columns.velocity.all { it >= 0 }
         val images = if (columns.knowsImages(cell.periodic)) Array(3) { IntArray(n) } else null
         rows.image = images
         val place = DoubleArray(3)

@@ -15,7 +15,8 @@ public object ParticleCsv : ReadableFormat {
     override val isText: Boolean = true
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = false)
 
-    private val KNOWN = listOf("x", "y", "z", "vx", "vy", "vz", "radius", "mass", "id")
+    private val VELOCITIES = listOf("vx", "vy", "vz")
+    private val KNOWN = listOf("x", "y", "z") + VELOCITIES + listOf("radius", "mass", "id")
 
     /** What other programs put between cells. */
     private val SEPARATORS = listOf(';' to "semicolons", '\t' to "tabs", '|' to "bars", ' ' to "spaces")
@@ -118,6 +119,7 @@ public object ParticleCsv : ReadableFormat {
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
                 arrayOf(column("x"), column("y"), column("z")), arrayOf(column("vx"), column("vy"), column("vz")),
                 radius, mass, hasMass = hasMass, hasTime = false,
+                hasVelocity = VELOCITIES.all { it in names },
             )
         }
 

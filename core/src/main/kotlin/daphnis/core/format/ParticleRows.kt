@@ -12,6 +12,7 @@ internal class ParticleRows(private val size: Int) {
     var image: Array<IntArray>? = null
     var hasMass = false
     var hasRadius = false
+    var hasVelocity = false
 
     /**
      * The state in the order of ids, in a box that is centred on the origin.
@@ -38,6 +39,7 @@ internal class ParticleRows(private val size: Int) {
             Array(3) { sorted(position[it]) }, Array(3) { sorted(velocity[it]) }, sorted(radius), sorted(mass),
             lean.normalAxis, lean.slideAxis, hasMass, hasRadius,
             image?.let { all -> Array(3) { axis -> IntArray(size) { all[axis][order[it]] } } }, time != null, shift,
+            hasVelocity,
         )
         SnapshotCheck.check(snapshot) { k -> where(if (k < 0) k else order[k]) }
         return snapshot

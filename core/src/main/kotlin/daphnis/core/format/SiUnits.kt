@@ -18,7 +18,7 @@ public class SiUnits(public val metres: Double, public val seconds: Double, publ
             Array(3) { times(metres, snapshot.position[it]) }, Array(3) { times(speed, snapshot.velocity[it]) },
             times(metres, snapshot.radius), times(kilograms, snapshot.mass),
             snapshot.normalAxis, snapshot.slideAxis, snapshot.hasMass, snapshot.hasRadius, snapshot.image,
-            snapshot.hasTime, times(metres, snapshot.shift),
+            snapshot.hasTime, times(metres, snapshot.shift), snapshot.hasVelocity,
         )
     }
 }

@@ -14,6 +14,7 @@ import daphnis.core.population.Population
  *   @property hasRadius the same for [radius]
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  * @property hasTime whether [time] is from the file; false when the file had none, and it is the number of the step
+ * @property hasVelocity whether [velocity] is from the file; false when the file had none along some axis, and it is 0
  * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
 public class Snapshot @JvmOverloads constructor(
@@ -34,6 +35,7 @@ public class Snapshot @JvmOverloads constructor(
     public val image: Array<IntArray>? = null,
     public val hasTime: Boolean = true,
     public val shift: DoubleArray = DoubleArray(3),
+    public val hasVelocity: Boolean = true,
 ) {
     /** Number of spheres. */
     public val size: Int get() = id.size
@@ -65,9 +67,10 @@ public class Snapshot @JvmOverloads constructor(
         position: Array<DoubleArray> = this.position,
         radius: DoubleArray = this.radius,
         image: Array<IntArray>? = this.image,
+        hasVelocity: Boolean = this.hasVelocity,
     ): Snapshot = Snapshot(
         step, time, lengths, periodic, shearOffset, id, position, velocity, radius, mass, normalAxis, slideAxis,
-        hasMass, hasRadius, image, hasTime, shift,
+        hasMass, hasRadius, image, hasTime, shift, hasVelocity,
     )
 
     /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */

@@ -40,6 +40,10 @@ internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
 
     operator fun contains(quantity: Quantity): Boolean = quantity in places
 
+    /** Whether velocities are there, or what they follow from. */
+    val haveVelocity: Boolean
+        get() = Quantity.VELOCITY in this || Quantity.MOMENTUM in this && Quantity.MASS in this
+
     /** What is read of a particle: [names] by which programs call it, lower case, and the [count] of its columns. */
     enum class Quantity(val count: Int, vararg val names: String) {
         POSITION(3, "pos", "positions", "position"),

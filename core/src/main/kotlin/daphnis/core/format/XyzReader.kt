@@ -27,6 +27,7 @@ internal class XyzReader(
         val rows = ParticleRows(n)
         rows.hasMass = Quantity.MASS in frame.columns
         rows.hasRadius = Quantity.RADIUS in frame.columns || Quantity.DIAMETER in frame.columns
+        rows.hasVelocity = frame.columns.haveVelocity
         if (Quantity.IMAGE in frame.columns) rows.image = Array(3) { IntArray(n) }
         for (k in 0 until n) {
             val line = lines.next() ?: lines.fail("the file is cut short: $n particles are declared, $k are there")

@@ -16,6 +16,7 @@ internal class BoxNumbers(private val study: Study) {
         val transport = motion.transport
         rows.exact("filling_factor", "filling factor φ", bulk.fillingFactor, "")
         rows.exact("mean_radius", "mean radius", bulk.meanRadius, units.length)
+        if (!study.input.hasVelocities) return rows.list()
         val isOld = flow != null && transport?.isPeculiar == false
         rows.average(
             "granular_temperature",

@@ -40,6 +40,7 @@ internal class DiffusionSection(private val study: Study) : Section {
             "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +
                 "${study.time(study.from)} on; it takes ${MeanSquareDisplacement.FEWEST_TIMES}$ofRuns"
         !input.hasTimes -> "the file has no times; give the time of a step"
+        omega != null && !input.hasVelocities -> "guiding centres follow from velocities"
         last.image == null -> "the states do not say how often particles crossed the box"
         displacement == null -> "too few particles"
         else -> null
@@ -52,7 +53,8 @@ internal class DiffusionSection(private val study: Study) : Section {
     }
 
     private fun isExpected() =
-        chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty() && input.hasTimes
+        chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty() && input.hasTimes &&
+            (omega == null || input.hasVelocities)
 
     /** D along each coordinate that counts, and their mean. */
     override fun numbers(): List<NumberRow> {
@@ -87,7 +89,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     /** D without the images of a periodic cube; null where that is not known. */
     private fun infinite(mean: Diffusion): NumberRow? {
         val diameter = 2 * meanRadius
-        val scenario = study.physics ?: return null
+        val scenario = study.physics?.takeIf { input.hasVelocities } ?: return null
         if (!ElasticGas.isCube(scenario, study.last) || study.bulk.fillingFactor > FiniteCube.MOST_FILLED) return null
         val mass = study.last.population.mass[0]
         val thermal = mass * study.motion.temperature.mean

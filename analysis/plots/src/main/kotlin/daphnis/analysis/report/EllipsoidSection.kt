@@ -15,6 +15,7 @@ internal class EllipsoidSection(private val study: Study) : Section {
 
     override val heading = "Velocity ellipsoid"
     override val over = study.overMotion
+    override val applies = study.input.hasVelocities
     override val leftOut get() =
         study.tooFew() ?: if (e.dispersion > 0) null else "no particle moves against the mean flow"
 

@@ -15,7 +15,7 @@ internal class FlowSection(private val study: Study) : Section {
 
     override val heading = "Mean flow"
     override val over = study.overAverages
-    override val applies = !study.isRing && study.last.boundary.meanFlow != null
+    override val applies = !study.isRing && study.input.hasVelocities && study.last.boundary.meanFlow != null
     override val leftOut =
         if (study.isCompact) study.tooFew() else "the box is more than twenty times as long as wide"
 

@@ -10,7 +10,8 @@ import daphnis.analysis.statistics.Steadiness.Verdict
  * @param quantities the main ones over time, of which each is judged; asked for once, when all states have been seen
  */
 internal class Judgement(private val from: Double, private val states: Int, quantities: () -> List<History>) {
-    val histories: List<History> by lazy(quantities)
+    /** Those that change at all. */
+    val histories: List<History> by lazy { quantities().filterNot { it.isConstant(from) } }
 
     private val found by lazy { histories.map { it.steadiness(from) } }
 

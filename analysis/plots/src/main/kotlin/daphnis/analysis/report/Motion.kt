@@ -12,9 +12,9 @@ import daphnis.analysis.transport.Transport
 import daphnis.core.population.VelocityMoments
 
 /** How the particles move on average: from the rows of transport.csv where there are any, else from the states. */
-internal class Motion(input: AnalysisInput, from: Double, last: State) {
+internal class Motion(private val input: AnalysisInput, from: Double, last: State) {
     private val states = Averages(OF_STATE)
-    private val near = if (input.omega == null) {
+    private val near = if (input.omega == null || !input.hasVelocities) {
         null
     } else {
         LocalDispersion.reach(last).takeIf { it > 0 }?.let { Averages(LocalDispersion(it)) }
@@ -54,8 +54,16 @@ internal class Motion(input: AnalysisInput, from: Double, last: State) {
     /** Of the states, as transport.csv does not hold it. */
     val middlePlane: BlockAverage get() = average(OfState.MIDDLE_PLANE)
 
-    /** Granular temperature by state. */
-    fun temperatures(): DoubleArray = states.series(column(OfState.TEMPERATURE))
+    /** What of the states tells whether they are steady, from the time [from] on; null where nothing does. */
+    fun history(from: Double): History? {
+        val times = DoubleArray(size) { from + it }
+        fun of(number: OfState) = states.series(column(number))
+        return when {
+            input.hasVelocities -> History("granular temperature", times, of(OfState.TEMPERATURE))
+            input.omega != null -> History("scale height", times, of(OfState.SCALE_HEIGHT))
+            else -> null
+        }
+    }
 
     private fun average(number: OfState) = states.average(column(number))
 

@@ -17,6 +17,7 @@ internal class NumbersSection(private val study: Study, private val others: List
 
     override fun write(page: ReportPage) {
         val rows = rows()
+        for (line in RunWarnings.of(study, rows)) page.paragraph(line)
         val notes = ArrayList<String>()
         if (rows.any { !it.error.isNaN() }) {
             notes +=

@@ -64,13 +64,14 @@ internal class ProfilesSection(private val study: Study) : Section {
         table("azimuthal", azimuthal)
         val overHeight = table("vertical", vertical)
         drawn(page, vertical, overHeight, "filling_factor", "height z", "Filling factor over height.")
-        dispersions(page)
+        if (study.input.hasVelocities) dispersions(page)
     }
 
     /** Writes the table of a profile. */
     private fun table(name: String, of: Averaged): Table {
         val columns = arrayListOf(Column("centre", units.length, of.centres()))
         for ((c, column) in Profile.COLUMNS.withIndex()) {
+            if (!study.input.hasVelocities && isOfMotion(column)) continue
             val all = of.column(c)
             val unit = unitOf(column, of.profile.axis)
             columns += Column(column, unit, DoubleArray(all.size) { all[it].mean })
@@ -136,6 +137,8 @@ internal class ProfilesSection(private val study: Study) : Section {
         column.startsWith("c_") -> units.temperature
         else -> ""
     }
+
+    private fun isOfMotion(column: String) = column.startsWith("mean_v") || column.startsWith("c_")
 
     private companion object {
         const val MOST_BINS = 60

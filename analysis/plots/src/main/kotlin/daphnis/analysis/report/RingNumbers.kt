@@ -17,7 +17,8 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
 
     fun rows(): List<NumberRow> {
         patch()
-        motion()
+        if (study.input.hasVelocities) motion()
+        heights()
         motion.transport?.let { collisions(it) }
         bulk.selfGravity?.let { gravity(it) }
         return rows.list()
@@ -65,6 +66,9 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
             "degrees",
             if (isTurned) "from the radial direction toward the orbit" else "none: its axes are equal within errors",
         )
+    }
+
+    private fun heights() {
         rows.average("scale_height", "scale height H", motion.scaleHeight per r, "r")
         rows.average("midplane_filling_factor", "filling factor in the middle plane", motion.middlePlane per 1.0, "")
     }
@@ -107,7 +111,9 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
 
     private fun gravity(constant: Double) {
         val marginal = 3.36 * constant * bulk.surfaceDensity / omega
-        rows.average("toomre_q", "Toomre's Q", motion.moment("xx").root() per marginal, "", "σ_x Ω / (3.36 G Σ)")
+        if (study.input.hasVelocities) {
+            rows.average("toomre_q", "Toomre's Q", motion.moment("xx").root() per marginal, "", "σ_x Ω / (3.36 G Σ)")
+        }
         rows.exact("critical_wavelength", "critical wavelength 4π² G Σ/Ω²", bulk.criticalWavelength, units.length)
     }
 

@@ -27,6 +27,13 @@ internal class History(
     /** Index of the first value at [from] or later; the number of values when there is none. */
     fun first(from: Double): Int = times.indexOfFirst { it >= from }.let { if (it < 0) times.size else it }
 
+    /** Whether its values from the time [from] on are known to be one, as of spheres at rest: there is no drift to judge. */
+    fun isConstant(from: Double): Boolean {
+        val averaged = values.copyOfRange(first(from), values.size)
+        if (averaged.size < Steadiness.FEWEST) return false
+        return averaged.max() - averaged.min() <= ROUND_OFF * averaged.maxOf { abs(it) }
+    }
+
     /** Whether it has a trend over the time [from] on; a change too small for a word is none. */
     fun steadiness(from: Double): Steadiness {
         val averaged = values.copyOfRange(first(from), values.size)
@@ -40,6 +47,9 @@ internal class History(
     private companion object {
         /** Change, as a part of the average, that is not worth a word. */
         const val NEGLIGIBLE = 1e-3
+
+        /** Spread over the largest value that is none. */
+        const val ROUND_OFF = 1e-9
     }
 }
 

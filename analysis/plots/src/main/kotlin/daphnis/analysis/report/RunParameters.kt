@@ -7,6 +7,8 @@ import daphnis.analysis.report.ReportText.short
 import daphnis.analysis.table.UnitNames
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Summary
+import daphnis.core.scenario.BoundarySpec
+import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.UnitsSpec
 import java.nio.file.Files
 import kotlin.math.PI
@@ -28,6 +30,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         rows += if (smallest == largest) "radius" to length(smallest) else "radii" to length("$smallest to $largest")
         rows += "box" to length((0..2).joinToString(" × ") { short(box.length(it)) })
         boundary()?.let { rows += "boundary" to it }
+        if (!input.hasVelocities) rows += "velocities" to "the file has no velocities"
         val omega = input.omega ?: return rows
         val orbit = UnitNames.amount(short(2 * PI / omega), units.time)
         rows += "angular speed Ω" to "${UnitNames.amount(ReportText.plain(omega, 6), units.rate)}, orbit $orbit"
@@ -36,11 +39,18 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
 
     private fun length(text: String) = UnitNames.amount(text, units.length)
 
-    /** Of a file without a scenario, which has a periodic box or none; a scenario says it with its values. */
-    private fun boundary(): String? = when {
-        input.scenario != null -> null
-        (0..2).any { last.boundary.hasImages(it) } -> "periodic"
-        else -> "open; the box is where the spheres are"
+    /** Of a file without a scenario, by axis; a scenario says it with its values. */
+    private fun boundary(): String? {
+        if (input.scenario != null) return null
+        val (periodic, open) = (0..2).partition { last.boundary.hasImages(it) }
+        val lengths = input.snapshot(input.size - 1).lengths
+        val around = if (open.any { lengths[it].isNaN() }) AROUND else ""
+        fun along(axes: List<Int>) = axes.joinToString { "${"xyz"[it]}" }
+        return when {
+            open.isEmpty() -> "periodic"
+            periodic.isEmpty() -> "open$around"
+            else -> "periodic along ${along(periodic)}; open along ${along(open)}$around"
+        }
     }
 
     private fun scenario(): List<Pair<String, String>> {
@@ -49,11 +59,15 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         val program = input.directory?.program
         if (program != null && Files.exists(program)) {
             // The scenario was given for space, time and units only.
-            val boundary = "boundary" to scenario.boundary.inWords({ short(it) }, { short(it) })
+            val boundary = "boundary" to around(scenario, scenario.boundary.inWords({ short(it) }, { short(it) }))
             return listOf(boundary, "restitution, forces" to "of ${ProgramRecord.read(program)}", units)
         }
-        return ScenarioWords(scenario).rows() + units
+        val words = ScenarioWords(scenario).rows()
+        return words.map { (name, text) -> name to if (name == "boundary") around(scenario, text) else text } + units
     }
+
+    private fun around(scenario: Scenario, boundary: String) =
+        if (scenario.boundary is BoundarySpec.Open) "open$AROUND" else boundary
 
     /** Without a length nothing is known in SI units but speeds and, for what it is worth, masses. */
     private fun units(units: UnitsSpec): String {
@@ -84,5 +98,10 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         emptyList()
     } else {
         listOf("summary" to "none yet: the run goes on or was interrupted")
+    }
+
+    private companion object {
+        /** Of a box whose open faces nobody gave. */
+        const val AROUND = "; the box is where the spheres are"
     }
 }

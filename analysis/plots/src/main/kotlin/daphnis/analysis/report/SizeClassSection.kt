@@ -24,6 +24,7 @@ internal class SizeClassSection(private val study: Study) : Section {
     override val over get() =
         "Particles by size, around the mean flow and the centre of mass of all. ${study.overAverages} " +
             "By number. ${study.judgement.bars()}"
+    override val applies = study.isRing || study.input.hasVelocities
     override val leftOut get() = when {
         averages == null && study.bulk.particles < study.last.population.size ->
             "all particles but bodies have one radius"
@@ -37,7 +38,8 @@ internal class SizeClassSection(private val study: Study) : Section {
     }
 
     override fun write(page: ReportPage) {
-        val names = listOf("c_xx" to "sigma_x", "c_yy" to "sigma_y", "c_zz" to "sigma_z", "c2" to "c")
+        val hasVelocities = study.input.hasVelocities
+        val names = if (hasVelocities) SIGMAS + ("c2" to "c") else emptyList()
         val columns = arrayListOf(
             column("count", "", filled) { average(it, "count").mean },
             column("mean_radius", units.length, filled) { radius[it] },
@@ -52,9 +54,11 @@ internal class SizeClassSection(private val study: Study) : Section {
             columns.first { it.name == "${name}_error" }.values.map { it / one }.toDoubleArray(),
         )
         val scale = study.scale
-        val dispersions = listOf("σ_x" to "sigma_x", "σ_y" to "sigma_y", "σ_z" to "sigma_z")
-            .map { (label, name) -> curve(label, name, scale.speed) }
-        draw(page, "size-dispersion", dispersions, "velocity dispersion", scale.speedName)
+        if (hasVelocities) {
+            val dispersions = listOf("σ_x" to "sigma_x", "σ_y" to "sigma_y", "σ_z" to "sigma_z")
+                .map { (label, name) -> curve(label, name, scale.speed) }
+            draw(page, "size-dispersion", dispersions, "velocity dispersion", scale.speedName)
+        }
         if (study.isRing) draw(page, "size-height", listOf(curve("H", "H", 1.0)), "scale height H", units.length)
     }
 
@@ -85,4 +89,9 @@ internal class SizeClassSection(private val study: Study) : Section {
             }
         },
     )
+
+    private companion object {
+        /** Columns of squares, and of their roots. */
+        val SIGMAS = listOf("c_xx" to "sigma_x", "c_yy" to "sigma_y", "c_zz" to "sigma_z")
+    }
 }

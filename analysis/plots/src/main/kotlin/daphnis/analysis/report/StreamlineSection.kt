@@ -20,7 +20,7 @@ internal class StreamlineSection(private val study: Study) : Section {
 
     override val heading = "Streamlines"
     override val over = study.overLast
-    override val applies = study.isRing
+    override val applies = study.isRing && study.input.hasVelocities
     override val leftOut = study.tooFew(LEAST)
 
     /** What is [asked] for, else by the number of spheres. */

@@ -34,9 +34,7 @@ internal class Study(
     val boxes: Boxes = Boxes(averaged.map { input.boundary(it) })
     val motion: Motion = Motion(input, from, last)
     val judgement: Judgement = Judgement(from, averaged.size) {
-        RunHistory.of(input, from).ifEmpty {
-            listOf(History("granular temperature", DoubleArray(motion.size) { from + it }, motion.temperatures()))
-        }
+        RunHistory.of(input, from).ifEmpty { listOfNotNull(motion.history(from)) }
     }
     val plots: Path = directory.resolve("plots")
     val pictures: PictureFiles = PictureFiles(plots)
