@@ -54,7 +54,7 @@ public class AnalysisInput internal constructor(
     public val notices: List<String>,
     public val hasTimes: Boolean,
     private val followed: IntArray?,
-    private val isEachMoving: Boolean = true,
+    private val isEachMoving: Boolean,
 ) {
     /** Names of the units of all numbers. */
     public val units: UnitNames = UnitNames(scenario?.units, if (hasTimes) null else "steps")
@@ -204,7 +204,7 @@ public class AnalysisInput internal constructor(
             val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
             return AnalysisInput(
                 name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, { boundary }, omega,
-                transport, series, impacts, run, notices, true, null,
+                transport, series, impacts, run, notices, true, null, true,
             )
         }
 
@@ -267,10 +267,8 @@ public class AnalysisInput internal constructor(
         ): AnalysisInput {
             require(times.isNotEmpty()) { "there is no state" }
             return AnalysisInput(
-                name, null, Int.MAX_VALUE, null, times, read::apply, {
-                    boundary
-                }, omega, null, null, null, null, emptyList(), true,
-                null,
+                name, null, Int.MAX_VALUE, null, times, read::apply, { boundary }, omega, null, null, null, null,
+                emptyList(), true, null, true,
             )
         }
     }

@@ -12,16 +12,29 @@ internal class XyzComment(private val text: String, private val fail: (String) -
     private var at = 0
 
     init {
-        if (COLON.containsMatchIn(text)) fail("the comment line has a ':' behind a key; write pbc=\"T T F\"")
-        if (LONE.containsMatchIn(text)) fail("pbc has several words without quotes; write pbc=\"T T F\"")
+        // Whether the pair before was faces in a word of their own.
+        var wereFaces = false
         while (true) {
             skip()
             if (at == text.length) break
-            val key = if (text[at] in QUOTES) quoted() else word { it == '=' || it.isWhitespace() }
+            val isQuoted = text[at] in QUOTES
+            val key = if (isQuoted) quoted() else word { it == '=' || it.isWhitespace() }
+            COLON.matchEntire(key)?.takeUnless { isQuoted }?.let { found ->
+                val name = found.groupValues[1]
+                val form = if (name.equals("pbc", ignoreCase = true)) FORM else "$name=\"ax ay az bx by bz cx cy cz\""
+                fail("the comment line has a ':' behind $name; write $form")
+            }
             skip()
-            val value = if (at < text.length && text[at] == '=') value() else "T"
+            val isPair = at < text.length && text[at] == '='
+            if (wereFaces && !isPair && FACE.matches(key)) fail("pbc has several words without quotes; write $FORM")
+            val value = if (isPair) value() else "T"
+            wereFaces = isPair && key.equals("pbc", ignoreCase = true) && text[at - 1] !in ENDING
             val before = values.put(key.lowercase(), value)
-            if (before != null && !isSame(before, value)) fail("'${TextLines.shown(key)}' occurs twice, with other values")
+            if (before != null &&
+                !isSame(before, value)
+            ) {
+                fail("'${TextLines.shown(key)}' occurs twice, with other values")
+            }
         }
     }
 
@@ -93,9 +106,14 @@ internal class XyzComment(private val text: String, private val fail: (String) -
         const val CLOSING = "]})"
         val PAIR = Regex("""[^\s="']++\s*+=""")
 
-        /** Faces as words side by side, of which only the first would be read, and a key that would not be known. */
-        val LONE = Regex("""(?i)^[^"']*\bpbc\s*=\s*([tf01]|true|false),?\s+([tf01]|true|false)(,|\s|$)""")
-        val COLON = Regex("""(?i)^([^"']*\s)?(pbc|lattice)\s*:\s*["'\[{]""")
+        const val ENDING = QUOTES + CLOSING
+        const val FORM = "pbc=\"T T F\""
+
+        /** One face in a word of its own, which would be taken for a key. */
+        val FACE = Regex("""(?i)([tf01]|true|false),?""")
+
+        /** A key that would not be known, with what stands behind it. */
+        val COLON = Regex("""(?i)(pbc|lattice):(["'\[{].*)?""")
         val SEPARATORS = Regex("""[\s,;\[\]{}()"']+""")
     }
 }

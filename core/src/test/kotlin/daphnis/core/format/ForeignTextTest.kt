@@ -69,9 +69,29 @@ class ForeignTextTest {
     }
 
     @Test
+    fun `whether velocities are known is told, in every text`() {
+        val row = "X 1 2 3 4 5 6\n"
+        assertTrue(comment("$box Properties=species:S:1:pos:R:3:velo:R:3", row).hasVelocity)
+        assertFalse(comment("$box Properties=species:S:1:pos:R:3:forces:R:3", row).hasVelocity)
+        val momenta = "$box Properties=species:S:1:pos:R:3:momenta:R:3"
+        assertTrue(comment("$momenta:masses:R:1", "X 1 2 3 4 5 6 2\n").hasVelocity)
+        fun dump(columns: String, values: String) = read(
+            "a.dump",
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n" +
+                "ITEM: ATOMS id x y z $columns\n1 1 2 3 $values\n",
+        ).single()
+        assertTrue(dump("vx vy vz", "1 2 3").hasVelocity)
+        assertFalse(dump("vx vy", "1 2").hasVelocity)
+        assertTrue(read("a.csv", "x,y,z,vx,vy,vz,radius\n1,2,3,4,5,6,0.5\n").single().hasVelocity)
+        assertFalse(read("b.csv", "x,y,z,radius\n1,2,3,0.5\n").single().hasVelocity)
+    }
+
+    @Test
     fun `faces without quotes are refused with the right form, and equal numbers are no contradiction`() {
         for (pbc in listOf("pbc=T T F", "pbc = true, true, false", "PBC=1 1 0", "pbc:\"T T F\"", "pbc: [T, T, F]")) {
-            refused("a.xyz", "1\nTime=0 $pbc\nX 1 2 3\n", "a.xyz:2:", "write pbc=\"T T F\"")
+            for (line in listOf("Time=0 $pbc", "$box $pbc note=x")) {
+                refused("a.xyz", "1\n$line\nX 1 2 3\n", "a.xyz:2:", "write pbc=\"T T F\"")
+            }
         }
         assertArrayEquals(BooleanArray(3) { true }, comment("$box pbc=T flag").periodic)
         assertTrue(comment("pbc=\"T T F\" T note=\"pbc=T T\" $box").periodic[0])

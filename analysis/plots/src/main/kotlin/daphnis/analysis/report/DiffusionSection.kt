@@ -52,9 +52,10 @@ internal class DiffusionSection(private val study: Study) : Section {
         trajectories?.add(snapshot)
     }
 
-    private fun isExpected() =
-        chosen.size >= MeanSquareDisplacement.FEWEST_TIMES && coordinates.isNotEmpty() && input.hasTimes &&
-            (omega == null || input.hasVelocities)
+    private fun isExpected() = chosen.size >= MeanSquareDisplacement.FEWEST_TIMES &&
+        coordinates.isNotEmpty() &&
+        input.hasTimes &&
+        (omega == null || input.hasVelocities)
 
     /** D along each coordinate that counts, and their mean. */
     override fun numbers(): List<NumberRow> {

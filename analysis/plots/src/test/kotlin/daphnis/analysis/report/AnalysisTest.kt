@@ -400,7 +400,7 @@ class AnalysisTest {
 
     @Test
     fun `that the last line of a text has no end is a notice`() {
-        val whole = "x,y,z,radius\n0,0,0,0.5\n3,0,0,0.25\n"
+        val whole = "x,y,z,vx,vy,vz,radius\n0,0,0,1,2,3,0.5\n3,0,0,3,2,1,0.25\n"
         val file = Files.writeString(directory.resolve("a.csv"), whole)
         assertEquals(emptyList<String>(), AnalysisInput.ofFile(file, null, "").notices)
         Files.writeString(file, whole.dropLast(2))

@@ -49,6 +49,54 @@ class ForeignReportTest {
         }
     }
 
+    private fun page(input: AnalysisInput, name: String): String {
+        val directory = Files.createDirectories(home.resolve(name))
+        Analysis(input, AnalysisOptions(from = 0.0)).write(directory)
+        return Files.readString(directory.resolve("report.html"))
+    }
+
+    @Test
+    fun `a file without velocities has no numbers of motion, and says so`() {
+        val input = AnalysisInput.ofFile(walk(hasTimes = true) { IntArray(200) { k -> k } }, null, "")
+        assertEquals(1, input.notices.count { "has no velocities" in it }) { "${input.notices}" }
+        val html = page(input, "walk")
+        assertTrue("the file has no velocities" in html)
+        assertTrue("NaN %" !in html && "granular temperature" !in html)
+        assertTrue("granular_temperature" !in Files.readString(home.resolve("walk/tables/numbers.csv")))
+    }
+
+    @Test
+    fun `faces are named by axis where they differ`() {
+        val x = DoubleArray(50) { it * 0.1 }
+        val state = Snapshot(
+            0L, 0.0, doubleArrayOf(10.0, 10.0, 10.0), booleanArrayOf(true, true, false), 0.0, IntArray(50) { it },
+            arrayOf(x, x, x), arrayOf(x, x, x), DoubleArray(50) { 0.01 }, DoubleArray(50) { 1.0 },
+        )
+        val file = SnapshotFormats.named("xyz").export(sequenceOf(state), home, ExportOptions("test")).path
+        assertTrue("periodic along x, y; open along z" in page(AnalysisInput.ofFile(file, null, ""), "slab"))
+    }
+
+    @Test
+    fun `what a run warned of stands in its report, and energy that does not balance is told from chance`() {
+        val settings = listOf("frame.verticalFactor=3.6", "particles.opticalDepth=0.1", "untilOrbits=0.3")
+        val path = home.resolve("coarse")
+        Run.start(BuiltIn.scenario("ring-patch", settings), "ring-patch", path).use { it.execute() }
+        assertTrue("The run warned: " in page(AnalysisInput.ofRun(path), "report"))
+        val plain = home.resolve("plain")
+        val gas = BuiltIn.scenario("cooling-gas", listOf("particles.count=50", "until=1"))
+        Run.start(gas, "cooling-gas", plain).use { it.execute() }
+        assertTrue("The run warned: " !in page(AnalysisInput.ofRun(plain), "fine"))
+        for ((balance, error, isOff) in listOf(
+            Triple(0.958, 0.0019, true),
+            Triple(1.02, 0.001, true),
+            Triple(0.995, 0.0005, false),
+            Triple(1.05, 0.02, false),
+            Triple(0.9, Double.NaN, false),
+        )) {
+            assertEquals(isOff, RunWarnings.isOff(balance, error)) { "$balance ± $error" }
+        }
+    }
+
     /** A walk of 200 particles with D = 1/2, in a box of edge 10 and 60 states, of which [id] names the particles. */
     private fun walk(hasTimes: Boolean, id: (Int) -> IntArray): Path {
         val random = Random(5)
