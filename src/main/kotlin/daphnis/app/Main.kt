@@ -92,7 +92,8 @@ internal fun daphnisCommand(): Daphnis {
     val commands = others + HelpCommand(others.map { it.commandName }.toSet())
     val daphnis = Daphnis().subcommands(commands)
     // The library hands these settings down to no command below.
-    val columns = outputColumns()
+    // Nothing is asked of the terminal where nobody says: that loads native code.
+    val columns = columnsOf(System.getenv("COLUMNS"))?.let { outputColumns() }
     for (command in commands + daphnis) {
         command.context {
             // Of what is no terminal, such as a pager, the library takes no notice of the columns.
