@@ -3,6 +3,7 @@ package daphnis.core
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
+import daphnis.core.population.SphereQuantity
 
 /**
  * What a population and its counters were before the step under way, so that the step can be taken back. The engine
@@ -10,9 +11,7 @@ import daphnis.core.population.Population
  * to be kept. Taking back allocates nothing, calls no other object's code and uses no other thread.
  */
 internal class StepUndo(private val population: Population, private val counters: CollisionCounters?) {
-    private var vx = DoubleArray(0)
-    private var vy = DoubleArray(0)
-    private var vz = DoubleArray(0)
+    private val kept = Array(KICKED.size) { DoubleArray(0) }
     private var hasVelocities = false
     private val counted = CollisionCounters()
 
@@ -29,13 +28,9 @@ internal class StepUndo(private val population: Population, private val counters
      */
     fun keepVelocities(loop: RangeLoop) {
         val size = population.size
-        if (vx.size != size) vx = DoubleArray(size)
-        if (vy.size != size) vy = DoubleArray(size)
-        if (vz.size != size) vz = DoubleArray(size)
+        for (k in kept.indices) if (kept[k].size != size) kept[k] = DoubleArray(size)
         loop.runLight(size) { _, from, to ->
-            population.vx.copyInto(vx, from, from, to)
-            population.vy.copyInto(vy, from, from, to)
-            population.vz.copyInto(vz, from, from, to)
+            for (k in kept.indices) population.column(KICKED[k]).copyInto(kept[k], from, from, to)
         }
         hasVelocities = true
     }
@@ -49,11 +44,12 @@ internal class StepUndo(private val population: Population, private val counters
     fun takeBack() {
         population.takeStepBack()
         // Indexed as before the step, since the arrays are those from before the step.
-        if (hasVelocities) {
-            vx.copyInto(population.vx)
-            vy.copyInto(population.vy)
-            vz.copyInto(population.vz)
-        }
+        if (hasVelocities) for (k in kept.indices) kept[k].copyInto(population.column(KICKED[k]))
         counters?.set(counted)
+    }
+
+    private companion object {
+        /** Places of the columns that forces change. */
+        val KICKED = SphereQuantity.places { it.change == SphereQuantity.Change.KICKED }
     }
 }

@@ -8,6 +8,7 @@ import daphnis.core.engine.bricks.Halo
 import daphnis.core.engine.bricks.IndexRuns
 import daphnis.core.engine.bricks.Outcome
 import daphnis.core.engine.bricks.PathList
+import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import java.nio.ByteBuffer
 
@@ -20,7 +21,7 @@ internal object BrickWire {
     private const val OUTCOME = 2
     private const val AGREED = 3
     private const val AXES = 3
-    private val noSpheres = SphereBlock.joined(emptyList())
+    private val noSpheres = PopulationColumns.joined(emptyList())
 
     /** Whether [message] has nothing but its head. */
     fun isEmpty(message: BrickMessage): Boolean = when (message) {
@@ -80,10 +81,7 @@ internal object BrickWire {
         when (message) {
             is Halo -> {
                 into.int(message.own.size).int(message.near.size)
-                SphereBlock.eachColumn(message.spheres) { column ->
-                    eachRun(message) { from, until -> into.doubles(column, from, until) }
-                }
-                eachRun(message) { from, until -> into.ints(message.spheres.id, from, until) }
+                SphereBlock.write(into, message.spheres) { act -> eachRun(message, act) }
             }
             is Outcome -> {
                 into.int(message.paths.size)

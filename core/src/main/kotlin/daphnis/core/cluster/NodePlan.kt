@@ -10,6 +10,7 @@ import daphnis.core.engine.bricks.Cuts.Companion.AXES
 import daphnis.core.engine.bricks.HaloMargins
 import daphnis.core.engine.bricks.Territory
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import daphnis.core.search.GridExtent
 import daphnis.core.step.PreparedStep
@@ -95,21 +96,13 @@ internal class NodePlan(
 
     /** The spheres of all nodes at their indices [mine], by rank. */
     private fun joined(population: Population, mine: IntArray): SphereColumns {
-        val block = pick(population, mine)
+        val block = PopulationColumns.picked(population, mine)
         val parts = arrayOfNulls<SphereColumns>(turns.size)
         parts[turns.rank] = block
         turns.tell({ SphereBlock.write(this, block, 0, block.size) }) { from, message ->
             parts[from] = SphereBlock.read(message)
         }
-        return SphereBlock.joined(parts.filterNotNull())
-    }
-
-    private fun pick(p: Population, indices: IntArray): SphereBlock {
-        fun column(a: DoubleArray) = DoubleArray(indices.size) { a[indices[it]] }
-        return SphereBlock(
-            column(p.x), column(p.y), column(p.z), column(p.vx), column(p.vy), column(p.vz), column(p.radius),
-            column(p.mass), column(p.lastCollision), IntArray(indices.size) { p.id[indices[it]] },
-        )
+        return PopulationColumns.joined(parts.filterNotNull())
     }
 
     /** See [Bodies.find]; asks the other nodes only when there may be some. */
@@ -181,6 +174,6 @@ internal class NodePlan(
         /** Shorter times say little. */
         const val LEAST_SECONDS = 0.002
         const val MOST_WEIGHT = 4.0
-        val NONE = SphereBlock.joined(emptyList())
+        val NONE = PopulationColumns.joined(emptyList())
     }
 }

@@ -46,11 +46,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
     }
 
     private fun receivePart(begin: Begin): Population {
-        val block = SpheresWire.receive(mail, Mail.LEADER)
-        val part = Population(
-            block.x, block.y, block.z, block.vx, block.vy, block.vz, block.radius, block.mass, block.id,
-        )
-        block.lastCollision.copyInto(part.lastCollision)
+        val part = Population(SpheresWire.receive(mail, Mail.LEADER))
         part.beginPart(IdPlaces.like(begin.ids, begin.idCount))
         return part
     }

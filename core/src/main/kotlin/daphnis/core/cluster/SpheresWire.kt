@@ -1,6 +1,7 @@
 package daphnis.core.cluster
 
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 
 /** Any number of spheres as messages of limited length. */
@@ -19,15 +20,15 @@ internal object SpheresWire {
     }
 
     /** Receives what [send] has sent. */
-    fun receive(mail: Mail, from: Int): SphereBlock {
+    fun receive(mail: Mail, from: Int): PopulationColumns {
         val count = mail.receive(from).int
-        val blocks = ArrayList<SphereBlock>()
+        val blocks = ArrayList<PopulationColumns>()
         receive(mail, from, count) { blocks += it }
-        return blocks.singleOrNull() ?: SphereBlock.joined(blocks)
+        return blocks.singleOrNull() ?: PopulationColumns.joined(blocks)
     }
 
     /** Receives the [count] spheres that follow their number, and hands each message of them to [take]. */
-    inline fun receive(mail: Mail, from: Int, count: Int, take: (SphereBlock) -> Unit) {
+    inline fun receive(mail: Mail, from: Int, count: Int, take: (PopulationColumns) -> Unit) {
         var received = 0
         while (received < count) {
             val block = SphereBlock.read(mail.receive(from))

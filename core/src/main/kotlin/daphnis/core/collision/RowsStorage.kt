@@ -11,12 +11,8 @@ private const val NOWHERE = -1
 /** Writes the slots [from] until [to], at the end of a step of [duration], to the same entries of [columns]. */
 internal fun StepRows.storeRange(columns: PopulationColumns, duration: Double, from: Int, to: Int) {
     storeStates(columns, duration, from, to) { it }
-    mass.copyInto(columns.mass, from, from, to)
+    for (side in carried) storeSide(side, columns, duration, from, to) { it }
     id.copyInto(columns.id, from, from, to)
-    if (tracksLastCollision) {
-        val last = columns.lastCollision
-        for (slot in from until to) last[slot] = lastCollision[slot] - duration
-    }
 }
 
 /**
@@ -31,10 +27,11 @@ internal fun StepRows.storeFirst(first: Int, columns: PopulationColumns, at: Int
     var k = at
     for (slot in 0 until size) {
         if (origin[slot] >= first) continue
-        columns.mass[k] = mass[slot]
-        columns.id[k] = id[slot]
-        if (tracksLastCollision) columns.lastCollision[k] = lastCollision[slot] - duration
-        k++
+        columns.id[k++] = id[slot]
+    }
+    for (side in carried) {
+        k = at
+        storeSide(side, columns, duration, 0, size) { if (origin[it] < first) k++ else NOWHERE }
     }
     return next - at
 }
@@ -45,8 +42,25 @@ internal fun StepRows.storeFirst(first: Int, columns: PopulationColumns, at: Int
  */
 internal fun StepRows.storeAt(columns: PopulationColumns, duration: Double, places: IntArray) {
     storeStates(columns, duration, 0, size) { places[it] }
-    if (!tracksLastCollision) return
-    for (slot in 0 until size) columns.lastCollision[places[slot]] = lastCollision[slot] - duration
+    for (side in changing) storeSide(side, columns, duration, 0, size) { places[it] }
+}
+
+/** Writes the column [side], which is not in the packed rows, of the slots [from] until [to]. */
+private inline fun StepRows.storeSide(
+    side: Int,
+    columns: PopulationColumns,
+    duration: Double,
+    from: Int,
+    to: Int,
+    place: (Int) -> Int,
+) {
+    val own = side(side)
+    val out = columns.column(side)
+    val passed = StepRows.passed(side, duration)
+    for (slot in from until to) {
+        val k = place(slot)
+        if (k != NOWHERE) out[k] = own[slot] - passed
+    }
 }
 
 /** Writes positions, velocities and radii of the slots [from] until [to], each to the entry that [place] says. */

@@ -5,6 +5,9 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.SphereColumns
+import daphnis.core.population.SphereQuantity
+import daphnis.core.population.SphereQuantity.Change.NEVER
+import daphnis.core.population.SphereQuantity.Change.NOTED
 
 /**
  * The population during one step: a packed copy in cell order with eight doubles per sphere. A sphere in a collision is
@@ -24,9 +27,21 @@ public class StepRows {
     public var state: DoubleArray = DoubleArray(0)
         private set
 
-    /** Mass by slot. */
-    public var mass: DoubleArray = DoubleArray(0)
+    /** Columns by place that are not in [state]. */
+    private val sides = Array(SphereQuantity.WIDTH) { DoubleArray(0) }
+
+    /** Places of the columns besides [state] that this step carries. */
+    internal var carried: IntArray = UNNOTED
         private set
+
+    /** Places of those that collisions change. */
+    internal val changing: IntArray get() = changing(tracksLastCollision)
+
+    /** The column at [place], which is not in [state], by slot. */
+    internal fun side(place: Int): DoubleArray = sides[place]
+
+    /** Mass by slot. */
+    public val mass: DoubleArray get() = sides[MASS]
 
     /** Stable id by slot. */
     public var id: IntArray = IntArray(0)
@@ -40,8 +55,7 @@ public class StepRows {
      * Time of the last collision by slot, counted from the start of this step (≤ 0 when it lies before); −∞ when there
      * was none.
      */
-    public var lastCollision: DoubleArray = DoubleArray(0)
-        private set
+    public val lastCollision: DoubleArray get() = sides[LAST_COLLISION]
 
     /** Two numbers per slot, [rank] and [streak], which lie side by side since a collision changes both. */
     internal var marks: IntArray = IntArray(0)
@@ -51,8 +65,7 @@ public class StepRows {
     public var size: Int = 0
         private set
 
-    internal var tracksLastCollision = false
-        private set
+    internal val tracksLastCollision: Boolean get() = carried !== UNNOTED
 
     /** Consecutive collisions of one sphere which are no farther apart in time than this belong to one [streak]. */
     private var resolution = 0.0
@@ -86,7 +99,7 @@ public class StepRows {
         reserve(population.size)
         size = population.size
         resolution = duration * RESOLUTION
-        this.tracksLastCollision = tracksLastCollision
+        carried = if (tracksLastCollision) SIDES else UNNOTED
         loop.run(size) { _, from, to -> loadRange(population, order, from, to) }
     }
 
@@ -112,18 +125,17 @@ public class StepRows {
             state[p + RADIUS] = r[k]
             p += STRIDE
         }
-        val m = population.mass
         val ids = population.id
         for (slot in from until to) {
             val k = order[slot]
-            mass[slot] = m[k]
             id[slot] = ids[k]
             origin[slot] = k
         }
         marks.fill(0, from * MARKS, to * MARKS)
-        if (tracksLastCollision) {
-            val last = population.lastCollision
-            for (slot in from until to) lastCollision[slot] = last[order[slot]]
+        for (side in carried) {
+            val own = sides[side]
+            val column = population.column(side)
+            for (slot in from until to) own[slot] = column[order[slot]]
         }
     }
 
@@ -143,7 +155,7 @@ public class StepRows {
     internal fun begin(duration: Double, tracksLastCollision: Boolean) {
         size = 0
         resolution = duration * RESOLUTION
-        this.tracksLastCollision = tracksLastCollision
+        carried = if (tracksLastCollision) SIDES else UNNOTED
     }
 
     /** Appends the sphere at [index] of [population], at the start of the step, and returns its slot. */
@@ -151,11 +163,10 @@ public class StepRows {
         val k = size
         if (k * STRIDE == state.size) grow()
         copyState(population, index, state, k * STRIDE)
-        mass[k] = population.mass[index]
+        for (side in carried) sides[side][k] = population.column(side)[index]
         id[k] = population.id[index]
         origin[k] = index
         marks.fill(0, k * MARKS, (k + 1) * MARKS)
-        if (tracksLastCollision) lastCollision[k] = population.lastCollision[index]
         size = k + 1
         return k
     }
@@ -172,14 +183,13 @@ public class StepRows {
     public fun take(rows: StepRows, slot: Int): Int {
         val k = size++
         if (k * STRIDE == state.size) grow()
-        tracksLastCollision = rows.tracksLastCollision
+        carried = rows.carried
         resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
-        mass[k] = rows.mass[slot]
+        for (side in carried) sides[side][k] = rows.sides[side][slot]
         id[k] = rows.id[slot]
         origin[k] = rows.origin[slot]
         rows.marks.copyInto(marks, k * MARKS, slot * MARKS, (slot + 1) * MARKS)
-        if (tracksLastCollision) lastCollision[k] = rows.lastCollision[slot]
         return k
     }
 
@@ -187,7 +197,7 @@ public class StepRows {
     public fun put(slot: Int, rows: StepRows, k: Int) {
         rows.state.copyInto(state, slot * STRIDE, k * STRIDE, (k + 1) * STRIDE)
         rows.marks.copyInto(marks, slot * MARKS, k * MARKS, (k + 1) * MARKS)
-        if (tracksLastCollision) lastCollision[slot] = rows.lastCollision[k]
+        for (side in changing) sides[side][slot] = rows.sides[side][k]
     }
 
     /** Moves [slot] along its path to its collision at [time], from the start of the step. */
@@ -204,11 +214,10 @@ public class StepRows {
 
     private fun grow() {
         val n = maxOf(INITIAL, size * 2)
-        mass = mass.copyOf(n)
+        for (side in SIDES) sides[side] = sides[side].copyOf(n)
         id = id.copyOf(n)
         origin = origin.copyOf(n)
         marks = marks.copyOf(n * MARKS)
-        lastCollision = lastCollision.copyOf(n)
         // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
         // failed.
         state = state.copyOf(n * STRIDE)
@@ -216,11 +225,10 @@ public class StepRows {
 
     private fun reserve(n: Int) {
         if (state.size >= n * STRIDE) return
-        mass = DoubleArray(n)
+        for (side in SIDES) sides[side] = DoubleArray(n)
         id = IntArray(n)
         origin = IntArray(n)
         marks = IntArray(n * MARKS)
-        lastCollision = DoubleArray(n)
         // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
         // failed.
         state = DoubleArray(n * STRIDE)
@@ -228,6 +236,32 @@ public class StepRows {
 
     public companion object {
         private const val INITIAL = 64
+
+        private val PACKED = listOf(SphereQuantity.POSITION, SphereQuantity.VELOCITY, SphereQuantity.RADIUS)
+
+        /** Places of the columns that are not in a row. */
+        private val SIDES = SphereQuantity.places { it !in PACKED }
+
+        /** The same without what collisions note. */
+        private val UNNOTED = SphereQuantity.places { it !in PACKED && it.change != NOTED }
+        private val CHANGING = SphereQuantity.places { it !in PACKED && it.change != NEVER }
+        private val CHANGING_UNNOTED = SphereQuantity.places {
+            it !in PACKED && it.change != NEVER && it.change != NOTED
+        }
+
+        /** Places of the columns that are not in a row and that no step changes. */
+        @JvmField
+        internal val FIXED: IntArray = SphereQuantity.places { it !in PACKED && it.change == NEVER }
+
+        /** Places of the columns that are not in a row and that collisions change; [tracks] their times too. */
+        internal fun changing(tracks: Boolean): IntArray = if (tracks) CHANGING else CHANGING_UNNOTED
+
+        /** What a step of [duration] takes off the column at [place]: notes are times before the end of the step. */
+        internal fun passed(place: Int, duration: Double): Double =
+            if (SphereQuantity.at(place).change == NOTED) duration else 0.0
+
+        private val MASS = SphereQuantity.MASS.place
+        private val LAST_COLLISION = SphereQuantity.LAST_COLLISION.place
 
         /** Numbers per sphere in [marks]. */
         internal const val MARKS: Int = 2

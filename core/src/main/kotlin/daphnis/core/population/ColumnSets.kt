@@ -22,23 +22,23 @@ internal class ColumnSets(now: PopulationColumns) {
 
     /** See [Population.columnsToWrite]. */
     fun toWrite(count: Int, keepsOrder: Boolean, tracksLastCollision: Boolean): PopulationColumns {
-        val columns = spare?.takeIf { it.size == count } ?: PopulationColumns(count, now.lastCollision)
+        val columns = spare?.takeIf { it.size == count } ?: PopulationColumns(count, now)
         spare = null
         if (keepsOrder) {
             // Those of before may still be in a set that was written earlier in the step.
             if (columns.bodies !== now.bodies && columns.bodies !== before?.bodies) spareBodies = columns.bodies
             columns.bodies = now.bodies
         } else if (columns.bodies === now.bodies || columns.bodies === before?.bodies) {
-            columns.bodies = spareBodies?.takeIf { it.size == count } ?: BodyColumns(count)
+            columns.bodies = spareBodies?.takeIf { it.size == count } ?: now.bodies.empty(count)
             spareBodies = null
         }
         if (count != now.size) {
-            columns.ownLastCollision()
+            columns.ownNotes()
         } else if (tracksLastCollision) {
-            columns.separateLastCollision(now)
-            before?.let { columns.separateLastCollision(it) }
+            columns.separateNotes(now)
+            before?.let { columns.separateNotes(it) }
         } else {
-            columns.shareLastCollision(now)
+            columns.shareNotes(now)
         }
         return columns
     }

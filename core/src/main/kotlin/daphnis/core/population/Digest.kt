@@ -20,8 +20,7 @@ public fun stateDigest(population: Population): String {
     for (place in 0 until population.places) {
         val k = population.indexAt(place)
         if (k < 0) continue
-        block.putDouble(population.x[k]).putDouble(population.y[k]).putDouble(population.z[k])
-        block.putDouble(population.vx[k]).putDouble(population.vy[k]).putDouble(population.vz[k])
+        for (place in DIGESTED) block.putDouble(population.column(place)[k])
         if (!block.hasRemaining()) {
             sha.update(block.array())
             block.clear()
@@ -31,5 +30,6 @@ public fun stateDigest(population: Population): String {
     return HexFormat.of().formatHex(sha.digest())
 }
 
-private const val BYTES_PER_SPHERE = 48
+private val DIGESTED = SphereQuantity.places { it.isDigested }
+private val BYTES_PER_SPHERE = DIGESTED.size * Double.SIZE_BYTES
 private const val SPHERES_PER_BLOCK = 512

@@ -1,5 +1,7 @@
 package daphnis.core.population
 
+import daphnis.core.population.SphereQuantity.LAST_COLLISION
+
 /**
  * Spheres as a structure of arrays: entry `k` of every array belongs to the sphere with the stable id `id[k]`.
  *
@@ -10,56 +12,21 @@ package daphnis.core.population
  * previous set is kept, so that the step can be taken back if it fails. Radii, masses and ids, which no step changes,
  * may stay in the same arrays: change them, or the order, between steps only. Not thread-safe; during `advance()` the
  * population belongs to the engine.
- *
- * @param x positions, in the scenario's unit of length; likewise [y], [z]
- * @param vx velocities, unit of length per unit of time; likewise [vy], [vz]
- * @param radius radii, > 0
- * @param mass masses, > 0
- * @param id distinct, in 0..[Int.MAX_VALUE], possibly with gaps; 0, 1, 2, … when not given
- * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not positive,
- *   or an id occurs twice
  */
-public class Population @JvmOverloads constructor(
-    x: DoubleArray,
-    y: DoubleArray,
-    z: DoubleArray,
-    vx: DoubleArray,
-    vy: DoubleArray,
-    vz: DoubleArray,
-    radius: DoubleArray,
-    mass: DoubleArray,
-    id: IntArray = IntArray(x.size) { it },
-) : SphereColumns {
-    private val sets = ColumnSets(
-        PopulationColumns(
-            x,
-            y,
-            z,
-            vx,
-            vy,
-            vz,
-            BodyColumns(radius, mass, id),
-            DoubleArray(x.size) { Double.NEGATIVE_INFINITY },
-        ),
-    )
+public class Population internal constructor(columns: PopulationColumns) : SphereColumns {
+    private val sets = ColumnSets(columns)
     private val now: PopulationColumns get() = sets.now
 
-    override val x: DoubleArray get() = now.x
-    override val y: DoubleArray get() = now.y
-    override val z: DoubleArray get() = now.z
-    override val vx: DoubleArray get() = now.vx
-    override val vy: DoubleArray get() = now.vy
-    override val vz: DoubleArray get() = now.vz
-    override val radius: DoubleArray get() = now.radius
-    override val mass: DoubleArray get() = now.mass
     override val id: IntArray get() = now.id
+
+    override fun column(place: Int): DoubleArray = now.column(place)
 
     /**
      * Time since each sphere's last collision, as a negative number counted from the end of the last step, or −∞ when
      * it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the
      * digest.
      */
-    override val lastCollision: DoubleArray get() = now.lastCollision
+    override val lastCollision: DoubleArray get() = now.column(LAST_COLLISION.place)
 
     /** Number of spheres. */
     override val size: Int get() = x.size
@@ -72,27 +39,55 @@ public class Population @JvmOverloads constructor(
     private var indexByPlace = IntArray(0)
     private var indexIsCurrent = false
 
+    /**
+     * @param x positions, in the scenario's unit of length; likewise [y], [z]
+     * @param vx velocities, unit of length per unit of time; likewise [vy], [vz]
+     * @param radius radii, > 0
+     * @param mass masses, > 0
+     * @param id distinct, in 0..[Int.MAX_VALUE], possibly with gaps; 0, 1, 2, … when not given
+     * @throws IllegalArgumentException when the lengths differ, a number is not finite, a radius or mass is not
+     *   positive, or an id occurs twice
+     */
+    @JvmOverloads
+    public constructor(
+        x: DoubleArray,
+        y: DoubleArray,
+        z: DoubleArray,
+        vx: DoubleArray,
+        vy: DoubleArray,
+        vz: DoubleArray,
+        radius: DoubleArray,
+        mass: DoubleArray,
+        id: IntArray = IntArray(x.size) { it },
+    ) : this(PopulationColumns.of(arrayOf(x, y, z, vx, vy, vz, radius, mass), id))
+
     init {
         val n = x.size
-        val columns = listOf("y" to y, "z" to z, "vx" to vx, "vy" to vy, "vz" to vz, "radius" to radius, "mass" to mass)
-        for ((name, column) in columns) require(column.size == n) { "$name has ${column.size} entries, x has $n" }
+        for (place in 1 until SphereQuantity.WIDTH) {
+            require(column(place).size == n) { "${nameOf(place)} has ${column(place).size} entries, x has $n" }
+        }
         require(id.size == n) { "id has ${id.size} entries, x has $n" }
-        for ((name, column) in columns + ("x" to x)) {
-            for (k in 0 until n) {
-                require(column[k].isFinite()) { "$name of particle ${id[k]} is ${column[k]}; it must be finite" }
-            }
-        }
-        for (k in 0 until n) {
-            require(radius[k] > 0) { "radius of particle ${id[k]} is ${radius[k]}; it must be > 0" }
-            require(mass[k] > 0) { "mass of particle ${id[k]} is ${mass[k]}; it must be > 0" }
-            require(id[k] >= 0) { "id ${id[k]} is negative; ids must be at least 0" }
-        }
+        for (quantity in SphereQuantity.EXPORTED) for (place in quantity.places) check(quantity, place)
+        for (k in 0 until n) require(id[k] >= 0) { "id ${id[k]} is negative; ids must be at least 0" }
         val sorted = id.copyOf().apply { sort() }
         for (k in 1 until n) require(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
         idPlaces = IdPlaces(sorted)
         crossings = Crossings(idPlaces)
         crossingsBefore = crossings
     }
+
+    /** Numbers are finite; those that must be given are sizes and > 0. */
+    private fun check(quantity: SphereQuantity, place: Int) {
+        val column = column(place)
+        for (k in 0 until size) {
+            require(column[k].isFinite()) { "${nameOf(place)} of particle ${id[k]} is ${column[k]}; it must be finite" }
+            require(!quantity.initial.isNaN() || column[k] > 0) {
+                "${nameOf(place)} of particle ${id[k]} is ${column[k]}; it must be > 0"
+            }
+        }
+    }
+
+    private fun nameOf(place: Int) = SphereQuantity.at(place).let { it.columns[place - it.place] }
 
     /**
      * The present index of the sphere with the stable id [id], or −1 when there is none. Allocates nothing once warm.
@@ -156,7 +151,7 @@ public class Population @JvmOverloads constructor(
         var n = 0
         for (k in 0 until size) if (keep.accepts(k)) kept[n++] = k
         if (n == size) return
-        sets.replace(now.pick(kept.copyOf(n)))
+        sets.replace(PopulationColumns.picked(now, kept.copyOf(n)))
         indexIsCurrent = false
     }
 
@@ -170,7 +165,7 @@ public class Population @JvmOverloads constructor(
     public fun add(others: Population) {
         if (others.size == 0) return
         for (id in others.id) require(indexOf(id) < 0) { "id $id is taken; a sphere that is added needs a new one" }
-        val all = now.plus(others.now)
+        val all = PopulationColumns.joined(listOf(now, others.now))
         val places = IdPlaces(all.id.copyOf().apply { sort() })
         val counts = Crossings(places)
         for (population in listOf(this, others)) population.crossings.copyInto(counts, population.id)
@@ -209,11 +204,7 @@ public class Population @JvmOverloads constructor(
     }
 
     /** A deep copy. */
-    public fun copy(): Population = Population(
-        x.copyOf(), y.copyOf(), z.copyOf(), vx.copyOf(), vy.copyOf(), vz.copyOf(),
-        radius.copyOf(), mass.copyOf(), id.copyOf(),
-    ).also { copy ->
-        lastCollision.copyInto(copy.lastCollision)
+    public fun copy(): Population = Population(PopulationColumns.joined(listOf(this))).also { copy ->
         crossings.copyInto(copy.crossings, id)
     }
 

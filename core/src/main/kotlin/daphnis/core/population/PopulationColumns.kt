@@ -1,97 +1,109 @@
 package daphnis.core.population
 
+import daphnis.core.population.SphereQuantity.Change.NEVER
+import daphnis.core.population.SphereQuantity.Change.NOTED
+
 /**
- * The arrays of a [Population], all of one length. A population has two sets of them, which take turns: a step is
- * written to one and leaves the other as it was, so that the step can be taken back by changing a reference.
+ * Columns of one length. A [Population] has two sets of them, which take turns: a step is written to one and leaves the
+ * other as it was, so that the step can be taken back by changing a reference.
+ *
+ * @param numbers an array for each place, see [SphereQuantity]
  */
-internal class PopulationColumns(
-    override val x: DoubleArray,
-    override val y: DoubleArray,
-    override val z: DoubleArray,
-    override val vx: DoubleArray,
-    override val vy: DoubleArray,
-    override val vz: DoubleArray,
-    bodies: BodyColumns,
-    lastCollision: DoubleArray,
-) : SphereColumns {
-    /** An empty set for [size] spheres, with the [lastCollision] of another set. */
-    constructor(size: Int, lastCollision: DoubleArray) : this(
-        DoubleArray(size),
-        DoubleArray(size),
-        DoubleArray(size),
-        DoubleArray(size),
-        DoubleArray(size),
-        DoubleArray(size),
-        BodyColumns(size),
-        lastCollision,
+internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: IntArray) : SphereColumns {
+    /** An empty set for [size] spheres. */
+    constructor(size: Int) : this(Array(SphereQuantity.WIDTH) { DoubleArray(size) }, IntArray(size))
+
+    /** An empty set for [size] spheres, with the notes of collisions of [other]. */
+    constructor(size: Int, other: PopulationColumns) : this(
+        Array(SphereQuantity.WIDTH) { if (it in NOTES) other.numbers[it] else DoubleArray(size) },
+        IntArray(size),
     )
 
-    /** What a step does not change: the same for both sets as long as spheres keep their order. */
-    var bodies: BodyColumns = bodies
-    override val radius: DoubleArray get() = bodies.radius
-    override val mass: DoubleArray get() = bodies.mass
+    override val size: Int get() = numbers[0].size
+
+    override fun column(place: Int): DoubleArray = numbers[place]
+
     override val id: IntArray get() = bodies.id
 
-    /** One array for both sets as long as no step writes it. */
-    override var lastCollision: DoubleArray = lastCollision
-        private set
+    /** What a step does not change: the same for both sets as long as spheres keep their order. */
+    var bodies: BodyColumns = BodyColumns(Array(BODIES.size) { numbers[BODIES[it]] }, id)
+        set(value) {
+            for (k in BODIES.indices) numbers[BODIES[k]] = value.numbers[k]
+            field = value
+        }
 
-    override val size: Int get() = x.size
-
-    /** Takes over the array of [other], for a step that does not write it. */
-    fun shareLastCollision(other: PopulationColumns) {
-        lastCollision = other.lastCollision
+    /** Takes over the notes of [other], for a step that does not write any. */
+    fun shareNotes(other: PopulationColumns) {
+        for (place in NOTES) numbers[place] = other.numbers[place]
     }
 
-    /** Ensures an array that is not that of [other], for a step that writes it. */
-    fun separateLastCollision(other: PopulationColumns) {
-        if (lastCollision === other.lastCollision) lastCollision = DoubleArray(size)
+    /** Ensures notes that are not those of [other], for a step that writes them. */
+    fun separateNotes(other: PopulationColumns) {
+        for (place in NOTES) if (numbers[place] === other.numbers[place]) numbers[place] = DoubleArray(size)
     }
 
-    /** Ensures an array of the right length that is that of no other set, with no collision in it. */
-    fun ownLastCollision() {
-        lastCollision = DoubleArray(size) { Double.NEGATIVE_INFINITY }
+    /** Ensures notes of the right length that are those of no other set, with no collision in them. */
+    fun ownNotes() {
+        for (place in NOTES) numbers[place] = initial(place, size)
     }
 
     /** Copies all but positions to [to], which shares our [bodies]. */
     fun copyAllButPositionsInto(to: PopulationColumns) {
-        vx.copyInto(to.vx)
-        vy.copyInto(to.vy)
-        vz.copyInto(to.vz)
-        to.shareLastCollision(this)
+        for (place in KEPT) numbers[place].copyInto(to.numbers[place])
+        to.shareNotes(this)
     }
 
-    /** New columns of the spheres at the indices [kept]. */
-    fun pick(kept: IntArray): PopulationColumns {
-        fun pick(a: DoubleArray) = DoubleArray(kept.size) { a[kept[it]] }
-        return PopulationColumns(
-            pick(x),
-            pick(y),
-            pick(z),
-            pick(vx),
-            pick(vy),
-            pick(vz),
-            BodyColumns(pick(radius), pick(mass), IntArray(kept.size) { id[kept[it]] }),
-            pick(lastCollision),
+    /** Copies all spheres to entries [at] and following of [to]. */
+    fun copyInto(to: PopulationColumns, at: Int) {
+        for (place in numbers.indices) numbers[place].copyInto(to.numbers[place], at)
+        id.copyInto(to.id, at)
+    }
+
+    companion object {
+        private val BODIES = SphereQuantity.places { it.change == NEVER }
+        private val NOTES = SphereQuantity.places { it.change == NOTED }
+
+        /** Columns of the set that a step without collisions copies. */
+        private val KEPT = SphereQuantity.places {
+            it != SphereQuantity.POSITION && it.change != NEVER && it.change != NOTED
+        }
+
+        /** The columns [given], which are the first, and others of which nothing is said. */
+        fun of(given: Array<DoubleArray>, id: IntArray): PopulationColumns = PopulationColumns(
+            Array(SphereQuantity.WIDTH) { given.getOrNull(it) ?: initial(it, given[0].size) },
+            id,
         )
-    }
 
-    /** New columns of these spheres and then those of [others]. */
-    fun plus(others: PopulationColumns): PopulationColumns = PopulationColumns(
-        x + others.x,
-        y + others.y,
-        z + others.z,
-        vx + others.vx,
-        vy + others.vy,
-        vz + others.vz,
-        BodyColumns(radius + others.radius, mass + others.mass, id + others.id),
-        lastCollision + others.lastCollision,
-    )
+        private fun initial(place: Int, size: Int): DoubleArray =
+            SphereQuantity.at(place).initial.let { value -> DoubleArray(size) { value } }
+
+        /** New columns of the [spheres] at the indices [kept]. */
+        fun picked(spheres: SphereColumns, kept: IntArray): PopulationColumns = PopulationColumns(
+            Array(SphereQuantity.WIDTH) { place ->
+                val all = spheres.column(place)
+                DoubleArray(kept.size) { all[kept[it]] }
+            },
+            IntArray(kept.size) { spheres.id[kept[it]] },
+        )
+
+        /** New columns of the spheres of all [parts], one after the other. */
+        fun joined(parts: List<SphereColumns>): PopulationColumns {
+            val all = PopulationColumns(parts.sumOf { it.size })
+            var at = 0
+            for (part in parts) {
+                for (place in all.numbers.indices) part.column(place).copyInto(all.numbers[place], at, 0, part.size)
+                part.id.copyInto(all.id, at, 0, part.size)
+                at += part.size
+            }
+            return all
+        }
+    }
 }
 
-/** Radii, masses and ids of spheres. */
-internal class BodyColumns(val radius: DoubleArray, val mass: DoubleArray, val id: IntArray) {
-    constructor(size: Int) : this(DoubleArray(size), DoubleArray(size), IntArray(size))
-
+/** The columns of spheres that no step changes, in the order of their places, and the ids. */
+internal class BodyColumns(val numbers: Array<DoubleArray>, val id: IntArray) {
     val size: Int get() = id.size
+
+    /** Columns of the same kind for [size] spheres. */
+    fun empty(size: Int): BodyColumns = BodyColumns(Array(numbers.size) { DoubleArray(size) }, IntArray(size))
 }

@@ -9,39 +9,36 @@ public interface SphereColumns {
     /** Number of spheres. */
     public val size: Int
 
-    /** Positions, in the scenario's unit of length; likewise [y], [z]. */
-    public val x: DoubleArray
-    public val y: DoubleArray
-    public val z: DoubleArray
-
-    /** Velocities, unit of length per unit of time; likewise [vy], [vz]. */
-    public val vx: DoubleArray
-    public val vy: DoubleArray
-    public val vz: DoubleArray
-
-    /** Radii, > 0. */
-    public val radius: DoubleArray
-
-    /** Masses, > 0. */
-    public val mass: DoubleArray
-
     /** Stable ids, distinct. */
     public val id: IntArray
 
+    /**
+     * The column at [place]: 0, 1, 2 positions, 3, 4, 5 velocities, 6 radii, 7 masses, 8 times of the last collision.
+     */
+    public fun column(place: Int): DoubleArray
+
+    /** Positions, in the scenario's unit of length; likewise [y], [z]. */
+    public val x: DoubleArray get() = column(0)
+    public val y: DoubleArray get() = column(1)
+    public val z: DoubleArray get() = column(2)
+
+    /** Velocities, unit of length per unit of time; likewise [vy], [vz]. */
+    public val vx: DoubleArray get() = column(3)
+    public val vy: DoubleArray get() = column(4)
+    public val vz: DoubleArray get() = column(5)
+
+    /** Radii, > 0. */
+    public val radius: DoubleArray get() = column(6)
+
+    /** Masses, > 0. */
+    public val mass: DoubleArray get() = column(7)
+
     /** See [Population.lastCollision]. */
-    public val lastCollision: DoubleArray
+    public val lastCollision: DoubleArray get() = column(8)
 
     /** Positions along [axis]: 0 = x, 1 = y, 2 = z. */
-    public fun position(axis: Int): DoubleArray = when (axis) {
-        0 -> x
-        1 -> y
-        else -> z
-    }
+    public fun position(axis: Int): DoubleArray = column(axis)
 
     /** Velocities along [axis]. */
-    public fun velocity(axis: Int): DoubleArray = when (axis) {
-        0 -> vx
-        1 -> vy
-        else -> vz
-    }
+    public fun velocity(axis: Int): DoubleArray = column(3 + axis)
 }

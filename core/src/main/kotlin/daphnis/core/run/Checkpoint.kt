@@ -2,6 +2,8 @@ package daphnis.core.run
 
 import daphnis.core.OutputState
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereQuantity
 import kotlinx.serialization.json.Json
 import java.io.DataOutputStream
 import java.nio.file.Files
@@ -36,7 +38,7 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         private const val SCENARIO = "SCEN"
         private const val IDS = "IDS "
         private const val OUTPUTS = "OUTS"
-        private val COLUMNS = listOf("POSX", "POSY", "POSZ", "VELX", "VELY", "VELZ", "RADI", "MASS", "LAST")
+        private val COLUMNS = SphereQuantity.entries.flatMap { it.records }
         private val IMAGES = listOf("IMGX", "IMGY", "IMGZ")
         private val NAMES = setOf(META, SCENARIO, IDS, OUTPUTS, Records.END) + COLUMNS + IMAGES
         private val json = Json { encodeDefaults = true }
@@ -101,9 +103,8 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         }
 
         private fun population(records: Records): Population {
-            val c = COLUMNS.map { records.doubles(it) }
-            val population = Population(c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], records.integers(IDS))
-            c[8].copyInto(population.lastCollision)
+            val columns = Array(COLUMNS.size) { records.doubles(COLUMNS[it]) }
+            val population = Population(PopulationColumns(columns, records.integers(IDS)))
             for ((axis, name) in IMAGES.withIndex()) {
                 records.integers(name).forEachIndexed { k, boxes ->
                     if (boxes != 0) {

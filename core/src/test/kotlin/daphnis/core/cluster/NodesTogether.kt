@@ -6,6 +6,7 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.bricks.HaloMargins
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
 import daphnis.core.step.CollisionStep
 import java.util.concurrent.Callable
 import java.util.concurrent.Executors
@@ -53,7 +54,7 @@ internal class NodesTogether(
         var at = 0
         for (part in parts) {
             val p = part.population
-            SphereBlock.joined(listOf(p)).copyInto(columns, at)
+            PopulationColumns.joined(listOf(p)).copyInto(columns, at)
             at += p.size
         }
         whole.take(columns)

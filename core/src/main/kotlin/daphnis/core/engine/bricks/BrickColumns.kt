@@ -1,6 +1,7 @@
 package daphnis.core.engine.bricks
 
 import daphnis.core.population.SphereColumns
+import daphnis.core.population.SphereQuantity
 
 /**
  * The spheres with which a brick computes, copied: its own first, those of its halo behind them, as they were at the
@@ -9,41 +10,18 @@ import daphnis.core.population.SphereColumns
 internal class BrickColumns : SphereColumns {
     override var size = 0
         private set
-    override var x = DoubleArray(0)
-        private set
-    override var y = DoubleArray(0)
-        private set
-    override var z = DoubleArray(0)
-        private set
-    override var vx = DoubleArray(0)
-        private set
-    override var vy = DoubleArray(0)
-        private set
-    override var vz = DoubleArray(0)
-        private set
-    override var radius = DoubleArray(0)
-        private set
-    override var mass = DoubleArray(0)
-        private set
-    override var lastCollision = DoubleArray(0)
-        private set
+    private val numbers = Array(SphereQuantity.WIDTH) { DoubleArray(0) }
     override var id = IntArray(0)
         private set
+
+    override fun column(place: Int): DoubleArray = numbers[place]
 
     /** Removes all spheres and makes room for [count]. */
     fun clear(count: Int) {
         size = 0
         if (id.size >= count) return
         val n = count + count / SPARE
-        x = DoubleArray(n)
-        y = DoubleArray(n)
-        z = DoubleArray(n)
-        vx = DoubleArray(n)
-        vy = DoubleArray(n)
-        vz = DoubleArray(n)
-        radius = DoubleArray(n)
-        mass = DoubleArray(n)
-        lastCollision = DoubleArray(n)
+        for (place in numbers.indices) numbers[place] = DoubleArray(n)
         // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
         // failed.
         id = IntArray(n)
@@ -55,15 +33,7 @@ internal class BrickColumns : SphereColumns {
     }
 
     private fun add(spheres: SphereColumns, from: Int, to: Int) {
-        spheres.x.copyInto(x, size, from, to)
-        spheres.y.copyInto(y, size, from, to)
-        spheres.z.copyInto(z, size, from, to)
-        spheres.vx.copyInto(vx, size, from, to)
-        spheres.vy.copyInto(vy, size, from, to)
-        spheres.vz.copyInto(vz, size, from, to)
-        spheres.radius.copyInto(radius, size, from, to)
-        spheres.mass.copyInto(mass, size, from, to)
-        spheres.lastCollision.copyInto(lastCollision, size, from, to)
+        for (place in numbers.indices) spheres.column(place).copyInto(numbers[place], size, from, to)
         spheres.id.copyInto(id, size, from, to)
         size += to - from
     }

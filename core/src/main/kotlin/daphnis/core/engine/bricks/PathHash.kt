@@ -1,6 +1,7 @@
 package daphnis.core.engine.bricks
 
 import daphnis.core.population.SphereColumns
+import daphnis.core.population.SphereQuantity
 
 /**
  * A hash of 64 bits of the path of a sphere within a step: of the state with which it starts, and of every impact, also
@@ -11,6 +12,7 @@ internal object PathHash {
     /** Of a path without impacts. */
     const val STRAIGHT: Long = 0x2545F4914F6CDD1DL
 
+    private val NOTES = SphereQuantity.LAST_COLLISION.places
     private const val FACTOR = -0x61c8864680b583ebL
 
     /** [hash] with [word] taken in. */
@@ -25,14 +27,9 @@ internal object PathHash {
     /** The hash of the [path], of impacts, of entry [k] of [spheres], and of the state there with which it starts. */
     fun whole(path: Long, spheres: SphereColumns, k: Int, tracksLastCollision: Boolean): Long {
         var h = mix(path, spheres.id[k].toLong())
-        h = mix(h, spheres.x[k])
-        h = mix(h, spheres.y[k])
-        h = mix(h, spheres.z[k])
-        h = mix(h, spheres.vx[k])
-        h = mix(h, spheres.vy[k])
-        h = mix(h, spheres.vz[k])
-        h = mix(h, spheres.radius[k])
-        h = mix(h, spheres.mass[k])
-        return if (tracksLastCollision) mix(h, spheres.lastCollision[k]) else h
+        for (place in 0 until SphereQuantity.WIDTH) {
+            if (tracksLastCollision || place !in NOTES) h = mix(h, spheres.column(place)[k])
+        }
+        return h
     }
 }

@@ -142,7 +142,7 @@ internal class Epoch(
             begin(population, columns)
         }
         val order = if (goesOn) null else cells.order
-        if (tracks) passage.age(population, columns, order)
+        passage.keep(population, columns, order, tracks)
         val isDone = if (frame.windows > 1) {
             takeWindows(step, columns, tracks)
         } else {

@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.collision.StepRows
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
@@ -68,11 +69,15 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             columns.vy[slot] = v
             columns.vz[slot] = w
             columns.radius[slot] = p.radius[k]
-            columns.mass[slot] = p.mass[k]
             columns.id[slot] = p.id[k]
             lines.putRadius(slot, p.radius[k])
             lines.put(slot, p.x[k], p.y[k], p.z[k], u, v, w, 0.0)
             lines.moveBack(slot, cells.imageAtStart(slot))
+        }
+        for (place in StepRows.FIXED) {
+            val column = p.column(place)
+            val its = columns.column(place)
+            for (slot in from until to) its[slot] = column[order[slot]]
         }
     }
 
@@ -94,15 +99,19 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /**
-     * Writes the times since the last collisions of spheres that do not collide in this step. [order] is their index in
+     * Writes what is not in the lines of spheres that do not collide in this step. [order] is their index in
      * [population]; null when it is the same.
+     *
+     * @param tracks whether collisions note their times
      */
-    fun age(population: Population, columns: PopulationColumns, order: IntArray?) {
-        val from = population.lastCollision
-        val to = columns.lastCollision
-        val duration = frame.duration
-        loop.runLight(population.size) { _, first, end ->
-            for (k in first until end) to[k] = from[if (order == null) k else order[k]] - duration
+    fun keep(population: Population, columns: PopulationColumns, order: IntArray?, tracks: Boolean) {
+        for (place in StepRows.changing(tracks)) {
+            val from = population.column(place)
+            val to = columns.column(place)
+            val passed = StepRows.passed(place, frame.duration)
+            loop.runLight(population.size) { _, first, end ->
+                for (k in first until end) to[k] = from[if (order == null) k else order[k]] - passed
+            }
         }
     }
 
