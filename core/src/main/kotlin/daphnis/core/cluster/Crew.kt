@@ -1,6 +1,5 @@
 package daphnis.core.cluster
 
-import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.population.Population
 import daphnis.core.step.CollapseException
@@ -134,15 +133,6 @@ internal class Crew(private val mail: Mail, val nodes: List<FleetNode>, var step
     }
 
     override fun close() = mail.close()
-}
-
-/** Adds up what nodes have counted in a step. */
-internal fun CollisionCounters.addAll(done: List<StepDone>) {
-    collisions += done.sumOf { it.counted.collisions }
-    wallCollisions += done.sumOf { it.counted.wallCollisions }
-    guardActivations += done.sumOf { it.counted.guardActivations }
-    redoneSteps += done.maxOf { it.counted.redoneSteps }
-    causalityReplays += done.maxOf { it.counted.causalityReplays }
 }
 
 /** Makes this the record of a step that nodes have [done]. */

@@ -2,6 +2,7 @@ package daphnis.core.cluster
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.Counter
 import java.nio.ByteBuffer
 
 /** What the leader of a crew asks of each node. */
@@ -87,8 +88,7 @@ internal class NodeCost(val redone: Long, val haloSpheres: Int, val bytesSent: L
 internal fun MessageWriter.stepDone(done: StepDone): MessageWriter = apply {
     double(done.time).double(done.duration).int(done.total).int(done.held).double(done.seconds)
     long(done.cost.redone).int(done.cost.haloSpheres).long(done.cost.bytesSent)
-    val c = done.counted
-    long(c.collisions).long(c.wallCollisions).long(c.guardActivations).long(c.redoneSteps).long(c.causalityReplays)
+    for (counter in Counter.entries) long(done.counted[counter])
     record(done.record)
 }
 
@@ -99,13 +99,7 @@ internal fun ByteBuffer.stepDone(): StepDone = StepDone(
     int,
     double,
     NodeCost(long, int, long),
-    CollisionCounters().also {
-        it.collisions = long
-        it.wallCollisions = long
-        it.guardActivations = long
-        it.redoneSteps = long
-        it.causalityReplays = long
-    },
+    CollisionCounters().also { for (counter in Counter.entries) it[counter] = long },
     record(),
 )
 

@@ -80,7 +80,7 @@ internal class NodeSteps(
         step++
         val end = settle(done[0].duration)
         check(end == done[0].time) { "the nodes are at time ${done[0].time} after ${at()}" }
-        forcing.counters.addAll(done)
+        forcing.counters.addParts(done.map { it.counted })
         forcing.record?.takeAll(done)
         report.add(done)
         time = end

@@ -5,17 +5,35 @@ package daphnis.core.collision
  * same for every engine. The rest tell how the engine worked.
  */
 public class CollisionCounters {
+    private val counts = LongArray(Counter.entries.size)
+
     /** Collisions between two spheres. */
-    public var collisions: Long = 0
+    public var collisions: Long
+        get() = counts[0]
+        set(value) {
+            counts[0] = value
+        }
 
     /** Reflections at walls. */
-    public var wallCollisions: Long = 0
+    public var wallCollisions: Long
+        get() = counts[1]
+        set(value) {
+            counts[1] = value
+        }
 
     /** Collisions that the collapse guard made elastic. */
-    public var guardActivations: Long = 0
+    public var guardActivations: Long
+        get() = counts[2]
+        set(value) {
+            counts[2] = value
+        }
 
     /** Steps restored and redone because a sphere went farther than the bound on its reach. */
-    public var redoneSteps: Long = 0
+    public var redoneSteps: Long
+        get() = counts[3]
+        set(value) {
+            counts[3] = value
+        }
 
     /**
      * Steps decided by the serial engine, because a parallel one could not finish its own attempt. Either it noticed a
@@ -23,40 +41,54 @@ public class CollisionCounters {
      * memory, or to an exception from the laws of the collision. A step that the serial engine cannot finish either
      * throws, and is not counted.
      */
-    public var causalityReplays: Long = 0
+    public var causalityReplays: Long
+        get() = counts[4]
+        set(value) {
+            counts[4] = value
+        }
+
+    internal operator fun get(counter: Counter): Long = counts[counter.ordinal]
+
+    internal operator fun set(counter: Counter, count: Long) {
+        counts[counter.ordinal] = count
+    }
 
     /** Adds what [other] counts. */
     internal fun add(other: CollisionCounters) {
-        collisions += other.collisions
-        wallCollisions += other.wallCollisions
-        guardActivations += other.guardActivations
-        redoneSteps += other.redoneSteps
-        causalityReplays += other.causalityReplays
+        for (k in counts.indices) counts[k] += other.counts[k]
+    }
+
+    /** Adds what [parts] of a population, each computed by itself, have counted in a step. */
+    internal fun addParts(parts: List<CollisionCounters>) {
+        for (counter in Counter.entries) {
+            this[counter] += if (counter.isOfTrajectory) parts.sumOf { it[counter] } else parts.maxOf { it[counter] }
+        }
     }
 
     /** What was counted since these were [before]. */
     internal fun since(before: CollisionCounters): CollisionCounters = CollisionCounters().also {
-        it.collisions = collisions - before.collisions
-        it.wallCollisions = wallCollisions - before.wallCollisions
-        it.guardActivations = guardActivations - before.guardActivations
-        it.redoneSteps = redoneSteps - before.redoneSteps
-        it.causalityReplays = causalityReplays - before.causalityReplays
+        for (k in counts.indices) it.counts[k] = counts[k] - before.counts[k]
     }
 
-    internal fun clear() {
-        collisions = 0
-        wallCollisions = 0
-        guardActivations = 0
-        redoneSteps = 0
-        causalityReplays = 0
-    }
+    internal fun clear(): Unit = counts.fill(0)
 
     /** Takes over all that [other] counts. */
     internal fun set(other: CollisionCounters) {
-        collisions = other.collisions
-        wallCollisions = other.wallCollisions
-        guardActivations = other.guardActivations
-        redoneSteps = other.redoneSteps
-        causalityReplays = other.causalityReplays
+        other.counts.copyInto(counts)
     }
+}
+
+/**
+ * The numbers of [CollisionCounters] in their order.
+ *
+ * @property key in checkpoints
+ * @property isOfTrajectory whether every engine counts the same; of parts of a population, the counts add up. What all
+ *   parts do together is counted by each
+ */
+internal enum class Counter(val key: String, val isOfTrajectory: Boolean) {
+    COLLISIONS("collisions", true),
+    WALL_COLLISIONS("wallCollisions", true),
+    GUARD_ACTIVATIONS("guardActivations", true),
+    REDONE_STEPS("redoneSteps", false),
+    CAUSALITY_REPLAYS("causalityReplays", false),
 }

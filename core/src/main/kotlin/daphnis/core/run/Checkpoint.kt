@@ -53,7 +53,7 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         ) {
             DataOutputStream(Files.newOutputStream(path).buffered(1 shl 16)).use { out ->
                 val records = RecordWriter(out)
-                records.text(META, json.encodeToString(CheckpointMeta.serializer(), meta))
+                records.text(META, json.encodeToString(CheckpointMeta.FILED, meta))
                 records.text(SCENARIO, scenario)
                 records.integers(IDS, spheres.ids)
                 for ((name, column) in COLUMNS.zip(spheres.columns)) records.doubles(name, column)
@@ -88,9 +88,9 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         private fun head(records: Records): Head {
             val text = records.text(META)
             if (records.version == Records.VERSION) {
-                return Head(json.decodeFromString(CheckpointMeta.serializer(), text), records.text(SCENARIO))
+                return Head(json.decodeFromString(CheckpointMeta.FILED, text), records.text(SCENARIO))
             }
-            val older = json.decodeFromString(OlderMeta.serializer(), text)
+            val older = json.decodeFromString(OlderMeta.FILED, text)
             if (records.version > Records.OLDEST) return Head(older.current(), records.text(SCENARIO), older.saved())
             require(SCENARIO !in records) { "it says format ${records.version} and has a record of another" }
             return Head(older.current(), null, older.saved())

@@ -1,10 +1,13 @@
 package daphnis.core.run
 
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.Counter
 import kotlinx.serialization.Serializable
 
 /**
  * What a checkpoint holds besides the spheres.
+ *
+ * @property counted what was counted since the start of the run, by the key of each [Counter]
  *
  * @property appended each file that is only appended to, by name in the run directory, up to the checkpoint: what lies
  *   beyond was written later and is cut off on resume
@@ -18,28 +21,39 @@ import kotlinx.serialization.Serializable
 internal class CheckpointMeta(
     val step: Long,
     val time: Double,
-    val collisions: Long,
-    val wallCollisions: Long,
-    val guardActivations: Long,
-    val redoneSteps: Long,
-    val causalityReplays: Long,
+    val counted: Map<String, Long>,
     val wallSeconds: Double,
     val appended: Map<String, FileMark> = emptyMap(),
     val whole: Map<String, FileMark> = emptyMap(),
     val losses: List<String> = emptyList(),
 ) {
+    init {
+        val lacks = Counter.entries.find { it.isOfTrajectory && it.key !in counted }
+        require(lacks == null) { "it does not say ${lacks?.key}" }
+    }
+
     /** The same with the marks of the run's files. */
     fun with(appended: Map<String, FileMark>, whole: Map<String, FileMark>): CheckpointMeta = CheckpointMeta(
-        step, time, collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays, wallSeconds,
-        appended, whole, losses,
+        step,
+        time,
+        counted,
+        wallSeconds,
+        appended,
+        whole,
+        losses,
     )
 
     /** Sets [counters] to the stored counts. */
     fun countInto(counters: CollisionCounters) {
-        counters.collisions = collisions
-        counters.wallCollisions = wallCollisions
-        counters.guardActivations = guardActivations
-        counters.redoneSteps = redoneSteps
-        counters.causalityReplays = causalityReplays
+        for (counter in Counter.entries) counters[counter] = counted[counter.key] ?: 0
+    }
+
+    companion object {
+        /** In the file, where counts stand among the other numbers. */
+        val FILED = CountersAtTop(serializer())
+
+        /** The counts of [counters], as `counted` has them. */
+        fun counted(counters: CollisionCounters): Map<String, Long> =
+            Counter.entries.associate { it.key to counters[it] }
     }
 }

@@ -111,11 +111,12 @@ internal class Execution(
         val saved = outputs.save()
         files.flush()
         val last = listOfNotNull(summary?.let { RunDirectory.SUMMARY to FileMark.of(it.bytes()) })
-        val c = simulation.collisions?.counters ?: CollisionCounters()
         val meta = CheckpointMeta(
-            simulation.step, simulation.time,
-            c.collisions, c.wallCollisions, c.guardActivations, c.redoneSteps, c.causalityReplays,
-            wallSeconds, losses = from?.losses.orEmpty(),
+            simulation.step,
+            simulation.time,
+            CheckpointMeta.counted(simulation.collisions?.counters ?: CollisionCounters()),
+            wallSeconds,
+            losses = from?.losses.orEmpty(),
         )
         val population = simulation.population
         files.writer.state(population.size * SpheresById.BYTES, { SpheresById(population) }) { spheres ->

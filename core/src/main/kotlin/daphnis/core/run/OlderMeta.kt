@@ -11,11 +11,7 @@ import kotlinx.serialization.Serializable
 internal class OlderMeta(
     val step: Long,
     val time: Double,
-    val collisions: Long,
-    val wallCollisions: Long,
-    val guardActivations: Long,
-    val redoneSteps: Long,
-    val causalityReplays: Long,
+    val counted: Map<String, Long>,
     val wallSeconds: Double,
     val appended: Map<String, FileMark> = emptyMap(),
     val whole: Map<String, FileMark> = emptyMap(),
@@ -25,8 +21,13 @@ internal class OlderMeta(
     val fileLengths: Map<String, Long> = emptyMap(),
 ) {
     fun current() = CheckpointMeta(
-        step, time, collisions, wallCollisions, guardActivations, redoneSteps, causalityReplays, wallSeconds,
-        appended + fileLengths.mapValues { FileMark(it.value) }, whole, losses,
+        step,
+        time,
+        counted,
+        wallSeconds,
+        appended + fileLengths.mapValues { FileMark(it.value) },
+        whole,
+        losses,
     )
 
     /** What the output has saved, under its name; empty when it was not there. */
@@ -36,5 +37,10 @@ internal class OlderMeta(
         state.put(CollisionStatistics.SUMS_SAVED, collisionSums.toDoubleArray())
         state.put(CollisionStatistics.SPEEDS_SAVED, impactSpeeds.toLongArray())
         return mapOf(TransportOutput.name to state)
+    }
+
+    companion object {
+        /** In the file, where counts stand among the other numbers. */
+        val FILED = CountersAtTop(serializer())
     }
 }

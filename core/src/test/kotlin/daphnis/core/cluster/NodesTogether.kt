@@ -58,14 +58,7 @@ internal class NodesTogether(
             at += p.size
         }
         whole.take(columns)
-        for (part in parts) {
-            with(step.counters) {
-                collisions += part.counters.collisions
-                wallCollisions += part.counters.wallCollisions
-                guardActivations += part.counters.guardActivations
-            }
-        }
-        step.counters.causalityReplays += parts.maxOf { it.counters.causalityReplays }
+        step.counters.addParts(parts.map { it.counters })
         step.record?.let { record ->
             record.clear()
             for (part in parts) record.addAll(part.record!!, 0, part.record!!.size)

@@ -25,4 +25,13 @@ class CollisionCountersTest {
         counters.clear()
         assertEquals(List(5) { 0L }, counters.all())
     }
+
+    @Test
+    fun `each number has its key, and parts add up only what belongs to the trajectory`() {
+        val counters = counters(10)
+        assertEquals(counters.all(), Counter.entries.map { counters[it] })
+        counters.addParts(listOf(counters(100), counters(200)))
+        assertEquals(listOf(310L, 313L, 316L, 216L, 218L), counters.all())
+        assertEquals(List(5) { 7L }, counters(10).since(counters(3)).all())
+    }
 }

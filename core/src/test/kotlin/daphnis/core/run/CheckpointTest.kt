@@ -183,14 +183,16 @@ class CheckpointTest {
         val m = checkpoint.meta
         val transport = checkpoint.outputs.getValue("transport")
         val old = OlderMeta(
-            m.step, m.time, m.collisions, m.wallCollisions, m.guardActivations, m.redoneSteps, m.causalityReplays,
+            m.step,
+            m.time,
+            m.counted,
             m.wallSeconds,
             collisionSums = transport.doubles("collisionSums").asList(),
             impactSpeeds = transport.longs("impactSpeeds").asList(),
             fileLengths = m.appended.mapValues { it.value.length },
         )
         val bytes = ByteArrayOutputStream()
-        RecordWriter(DataOutputStream(bytes)).text("META", Json.encodeToString(OlderMeta.serializer(), old))
+        RecordWriter(DataOutputStream(bytes)).text("META", Json.encodeToString(OlderMeta.FILED, old))
         val head = bytes.toByteArray().also { it[11] = 2 }
         val text = String(Files.readAllBytes(file), Charsets.ISO_8859_1)
         val spheres = text.substring(text.indexOf("IDS "), text.indexOf("OUTS"))

@@ -23,7 +23,7 @@ class FailedStepTest {
     private fun checkpoint(name: String): List<Any> = Checkpoint.read(RunDirectory(home.resolve(name)).checkpoint).run {
         val m = meta
         val crossed = List(population.size) { id -> List(3) { population.boxesCrossed(id, it) } }
-        val counts = listOf(m.collisions, m.wallCollisions, m.guardActivations)
+        val counts = listOf("collisions", "wallCollisions", "guardActivations").map { m.counted.getValue(it) }
         listOf(
             stateDigest(population),
             crossed,
