@@ -116,12 +116,14 @@ class State:
         """All spheres as a table with a row for each, indexed by id; units in ``attrs["units"]``."""
         import pandas as pd
 
-        names = ("x", "y", "z", "vx", "vy", "vz", "radius", "mass")
-        table = pd.DataFrame({name: getattr(self, name) for name in names}, index=pd.Index(self.id, name="id"))
+        names = [str(name) for name in self._java.getColumnNames()]
+        table = pd.DataFrame(
+            {name: _arrays.of_doubles(self._java.column(place)) for place, name in enumerate(names)},
+            index=pd.Index(self.id, name="id"),
+        )
         if self.units is not None:
-            dimensions = ["length"] * 3 + ["length/time"] * 3 + ["length", "mass"]
             table.attrs["units"] = {
-                name: self.units.of(dimension) for name, dimension in zip(names, dimensions, strict=True)
+                name: self.units.of(str(self._java.dimension(place))) for place, name in enumerate(names)
             }
         return table
 

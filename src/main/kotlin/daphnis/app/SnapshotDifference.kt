@@ -3,8 +3,8 @@ package daphnis.app
 import daphnis.core.format.Snapshot
 
 /** The first thing in which two states are not the same to the last bit, in words; null when there is none. */
-internal fun firstDifference(a: Snapshot, b: Snapshot): String? =
-    ofWhole(a, b) ?: (0 until a.size).firstNotNullOfOrNull { ofParticle(a, b, it) }
+internal fun firstDifference(a: Snapshot, b: Snapshot): String? = ofWhole(a, b)
+    ?: a.columnNames.let { names -> (0 until a.size).firstNotNullOfOrNull { ofParticle(a, b, names, it) } }
 
 private fun ofWhole(a: Snapshot, b: Snapshot): String? {
     if (!a.id.contentEquals(b.id)) return "the particles are not the same (${a.size} and ${b.size})"
@@ -21,16 +21,17 @@ private fun ofWhole(a: Snapshot, b: Snapshot): String? {
     return number("the offset of images", a.shearOffset, b.shearOffset)
 }
 
-private fun ofParticle(a: Snapshot, b: Snapshot, k: Int): String? {
+private fun ofParticle(a: Snapshot, b: Snapshot, names: List<String>, k: Int): String? {
     val particle = "particle ${a.id[k]},"
+    for ((place, name) in names.withIndex()) {
+        number("$particle $name", a.column(place)[k], b.column(place)[k])?.let { return it }
+    }
     for (axis in 0..2) {
-        number("$particle ${"xyz"[axis]}", a.position[axis][k], b.position[axis][k])?.let { return it }
-        number("$particle v${"xyz"[axis]}", a.velocity[axis][k], b.velocity[axis][k])?.let { return it }
         val here = a.image?.get(axis)?.get(k)
         val there = b.image?.get(axis)?.get(k)
         if (here != there) return "$particle boxes crossed along ${"xyz"[axis]} = $here against $there"
     }
-    return number("$particle radius", a.radius[k], b.radius[k]) ?: number("$particle mass", a.mass[k], b.mass[k])
+    return null
 }
 
 private fun number(what: String, a: Double, b: Double): String? = if (a.toRawBits() == b.toRawBits()) {

@@ -56,7 +56,7 @@ private inline fun StepRows.storeSide(
 ) {
     val own = side(side)
     val out = columns.column(side)
-    val passed = StepRows.passed(side, duration)
+    val passed = RowColumns.passed(side, duration)
     for (slot in from until to) {
         val k = place(slot)
         if (k != NOWHERE) out[k] = own[slot] - passed

@@ -6,8 +6,6 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
-import daphnis.core.population.SphereQuantity.Change.NEVER
-import daphnis.core.population.SphereQuantity.Change.NOTED
 
 /**
  * The population during one step: a packed copy in cell order with eight doubles per sphere. A sphere in a collision is
@@ -31,11 +29,11 @@ public class StepRows {
     private val sides = Array(SphereQuantity.WIDTH) { DoubleArray(0) }
 
     /** Places of the columns besides [state] that this step carries. */
-    internal var carried: IntArray = UNNOTED
+    internal var carried: IntArray = RowColumns.UNNOTED
         private set
 
     /** Places of those that collisions change. */
-    internal val changing: IntArray get() = changing(tracksLastCollision)
+    internal val changing: IntArray get() = RowColumns.changing(tracksLastCollision)
 
     /** The column at [place], which is not in [state], by slot. */
     internal fun side(place: Int): DoubleArray = sides[place]
@@ -65,7 +63,7 @@ public class StepRows {
     public var size: Int = 0
         private set
 
-    internal val tracksLastCollision: Boolean get() = carried !== UNNOTED
+    internal val tracksLastCollision: Boolean get() = carried !== RowColumns.UNNOTED
 
     /** Consecutive collisions of one sphere which are no farther apart in time than this belong to one [streak]. */
     private var resolution = 0.0
@@ -99,7 +97,7 @@ public class StepRows {
         reserve(population.size)
         size = population.size
         resolution = duration * RESOLUTION
-        carried = if (tracksLastCollision) SIDES else UNNOTED
+        carried = if (tracksLastCollision) RowColumns.SIDES else RowColumns.UNNOTED
         loop.run(size) { _, from, to -> loadRange(population, order, from, to) }
     }
 
@@ -155,7 +153,7 @@ public class StepRows {
     internal fun begin(duration: Double, tracksLastCollision: Boolean) {
         size = 0
         resolution = duration * RESOLUTION
-        carried = if (tracksLastCollision) SIDES else UNNOTED
+        carried = if (tracksLastCollision) RowColumns.SIDES else RowColumns.UNNOTED
     }
 
     /** Appends the sphere at [index] of [population], at the start of the step, and returns its slot. */
@@ -214,7 +212,7 @@ public class StepRows {
 
     private fun grow() {
         val n = maxOf(INITIAL, size * 2)
-        for (side in SIDES) sides[side] = sides[side].copyOf(n)
+        for (side in RowColumns.SIDES) sides[side] = sides[side].copyOf(n)
         id = id.copyOf(n)
         origin = origin.copyOf(n)
         marks = marks.copyOf(n * MARKS)
@@ -225,7 +223,7 @@ public class StepRows {
 
     private fun reserve(n: Int) {
         if (state.size >= n * STRIDE) return
-        for (side in SIDES) sides[side] = DoubleArray(n)
+        for (side in RowColumns.SIDES) sides[side] = DoubleArray(n)
         id = IntArray(n)
         origin = IntArray(n)
         marks = IntArray(n * MARKS)
@@ -236,29 +234,6 @@ public class StepRows {
 
     public companion object {
         private const val INITIAL = 64
-
-        private val PACKED = listOf(SphereQuantity.POSITION, SphereQuantity.VELOCITY, SphereQuantity.RADIUS)
-
-        /** Places of the columns that are not in a row. */
-        private val SIDES = SphereQuantity.places { it !in PACKED }
-
-        /** The same without what collisions note. */
-        private val UNNOTED = SphereQuantity.places { it !in PACKED && it.change != NOTED }
-        private val CHANGING = SphereQuantity.places { it !in PACKED && it.change != NEVER }
-        private val CHANGING_UNNOTED = SphereQuantity.places {
-            it !in PACKED && it.change != NEVER && it.change != NOTED
-        }
-
-        /** Places of the columns that are not in a row and that no step changes. */
-        @JvmField
-        internal val FIXED: IntArray = SphereQuantity.places { it !in PACKED && it.change == NEVER }
-
-        /** Places of the columns that are not in a row and that collisions change; [tracks] their times too. */
-        internal fun changing(tracks: Boolean): IntArray = if (tracks) CHANGING else CHANGING_UNNOTED
-
-        /** What a step of [duration] takes off the column at [place]: notes are times before the end of the step. */
-        internal fun passed(place: Int, duration: Double): Double =
-            if (SphereQuantity.at(place).change == NOTED) duration else 0.0
 
         private val MASS = SphereQuantity.MASS.place
         private val LAST_COLLISION = SphereQuantity.LAST_COLLISION.place

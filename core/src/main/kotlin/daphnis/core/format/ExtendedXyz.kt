@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
+import daphnis.core.population.SphereQuantity
 import java.io.IOException
 import java.io.Writer
 import java.nio.file.Files
@@ -44,15 +45,16 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
             out.append("Lattice=\"$edges\" ")
             out.append("Origin=\"${-l[0] / 2} ${-l[1] / 2} ${-l[2] / 2}\" ")
         }
-        out.append("Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1 ")
+        val properties = SphereQuantity.EXPORTED.joinToString(":") { "${it.xyz[0]}:R:${it.columns.size}" }
+        out.append("Properties=species:S:1:$properties:id:I:1 ")
         out.append("Time=${snapshot.time} Step=${snapshot.step} Scale=$scale ")
         out.append("pbc=\"${snapshot.periodic.joinToString(" ") { if (it) "T" else "F" }}\"\n")
+        val columns = SphereQuantity.EXPORTED.flatMap { quantity ->
+            snapshot.columns(quantity).map { it to quantity.dimension.of(scale, 1.0, 1.0) }
+        }
         for (k in 0 until snapshot.size) {
             out.append('X')
-            for (axis in 0..2) out.append(' ').append((snapshot.position[axis][k] * scale).toString())
-            for (axis in 0..2) out.append(' ').append((snapshot.velocity[axis][k] * scale).toString())
-            out.append(' ').append((snapshot.radius[k] * scale).toString())
-            out.append(' ').append(snapshot.mass[k].toString())
+            for ((column, factor) in columns) out.append(' ').append((column[k] * factor).toString())
             out.append(' ').append(snapshot.id[k].toString()).append('\n')
         }
     }

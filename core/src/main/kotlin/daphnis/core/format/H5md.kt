@@ -1,6 +1,8 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
+import daphnis.core.population.SphereQuantity
+import daphnis.core.population.SphereQuantity.Change.NEVER
 import io.jhdf.HdfFile
 import io.jhdf.WritableHdfFile
 import io.jhdf.api.DatasetCreationOptions
@@ -59,7 +61,7 @@ public object H5md : ReadableFormat, WritableFormat {
 
     private fun write(snapshots: List<Snapshot>, file: WritableHdfFile, version: String, si: Boolean) {
         val first = snapshots.first()
-        val names = if (si) UnitNames("m", "s", "m s-1", "kg") else null
+        val names = if (si) UnitNames("m", "s", "kg") else null
         val h5md = file.putGroup("h5md")
         h5md.putAttribute("version", intArrayOf(1, 1))
         h5md.putGroup("author").putAttribute("name", System.getProperty("user.name") ?: "unknown")
@@ -91,12 +93,10 @@ public object H5md : ReadableFormat, WritableFormat {
 
     private fun particles(all: WritableGroup, snapshots: List<Snapshot>, names: UnitNames?) {
         val first = snapshots.first()
-        element(all, "position", snapshots, names?.length, names?.time) { it.position }
-        element(all, "velocity", snapshots, names?.speed, names?.time) { it.velocity }
+        for (quantity in CHANGING) element(all, quantity, snapshots, names)
         if (snapshots.all { it.image != null }) images(all, snapshots, names?.time)
         all.putDataset("id", first.id)
-        all.putDataset("mass", first.mass).unit(names?.mass)
-        all.putDataset("radius", first.radius).unit(names?.length)
+        for (quantity in FIXED) all.putDataset(quantity.title, first.columns(quantity)[0]).unit(names?.of(quantity))
     }
 
     /** Lengths, or rows of edge vectors when images slide; by time in both cases, as MDAnalysis requires. */
@@ -114,28 +114,23 @@ public object H5md : ReadableFormat, WritableFormat {
         if (name != null) putAttribute("unit", name)
     }
 
-    private class UnitNames(val length: String, val time: String, val speed: String, val mass: String)
+    private class UnitNames(val length: String, val time: String, val mass: String) {
+        fun of(quantity: SphereQuantity): String = quantity.dimension.symbols(length, time, mass)
+    }
 
     private fun steps(element: WritableGroup, snapshots: List<Snapshot>, time: String?) {
         element.putDataset("step", LongArray(snapshots.size) { snapshots[it].step })
         element.putDataset("time", DoubleArray(snapshots.size) { snapshots[it].time }).unit(time)
     }
 
-    private fun element(
-        group: WritableGroup,
-        name: String,
-        snapshots: List<Snapshot>,
-        unit: String?,
-        time: String?,
-        of: (Snapshot) -> Array<DoubleArray>,
-    ) {
-        val element = group.putGroup(name)
-        steps(element, snapshots, time)
+    private fun element(group: WritableGroup, quantity: SphereQuantity, snapshots: List<Snapshot>, names: UnitNames?) {
+        val element = group.putGroup(quantity.title)
+        steps(element, snapshots, names?.time)
         val value = Array(snapshots.size) { t ->
-            val v = of(snapshots[t])
-            Array(snapshots[t].size) { k -> doubleArrayOf(v[0][k], v[1][k], v[2][k]) }
+            val columns = snapshots[t].columns(quantity)
+            Array(snapshots[t].size) { k -> DoubleArray(columns.size) { columns[it][k] } }
         }
-        element.putDataset("value", value, options(snapshots)).unit(unit)
+        element.putDataset("value", value, options(snapshots)).unit(names?.of(quantity))
     }
 
     /** 32-bit integers: how often each sphere crossed the box along x, y, z. */
@@ -161,6 +156,11 @@ public object H5md : ReadableFormat, WritableFormat {
      */
     override fun read(path: Path, notices: MutableList<String>): List<Snapshot> = H5mdReader.read(path, notices)
 
+    /** Vectors with a value for each time. */
+    internal val CHANGING = SphereQuantity.EXPORTED.filter { it.change != NEVER }
+
+    /** Numbers that are written once. */
+    internal val FIXED = SphereQuantity.EXPORTED.filter { it.change == NEVER }
     private const val CHUNK = 32_768
     private const val DEFLATE = 4
 }

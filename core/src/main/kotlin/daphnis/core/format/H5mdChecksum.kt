@@ -24,15 +24,13 @@ internal object H5mdChecksum {
         sum.integers(IntArray(3) { if (first.periodic[it]) 1 else 0 })
         sum.integers(intArrayOf(if (hasEdges) 1 else 0, if (hasImages) 1 else 0))
         sum.integers(first.id)
-        sum.numbers(first.radius)
-        sum.numbers(first.mass)
+        for (quantity in H5md.FIXED) for (column in first.columns(quantity)) sum.numbers(column)
         for (snapshot in snapshots) {
             sum.long(snapshot.step)
             sum.numbers(doubleArrayOf(snapshot.time, snapshot.shearOffset))
             if (hasEdges) sum.numbers(snapshot.lengths)
             for (axis in 0..2) {
-                sum.numbers(snapshot.position[axis])
-                sum.numbers(snapshot.velocity[axis])
+                for (quantity in H5md.CHANGING) sum.numbers(snapshot.columns(quantity)[axis])
                 if (hasImages) sum.integers(snapshot.image!![axis])
             }
         }

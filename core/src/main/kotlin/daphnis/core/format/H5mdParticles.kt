@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
 /** The particles of an H5MD file in [frames] frames. */
@@ -15,23 +16,21 @@ internal class H5mdParticles(
         }
     }
 
-    private val hasId = source.has("$all/id")
-    private val hasMass = source.has("$all/mass")
-    private val hasRadius = source.has("$all/radius")
-
     // What is declared is compared with the size of the file before the number of particles is used.
-    private val id = if (hasId) valued("id") { name, its -> source.ints(name, its, 0..Int.MAX_VALUE) } else null
-    private val mass = if (hasMass) valued("mass", source::doubles) else null
-    private val radius = if (hasRadius) valued("radius", source::doubles) else null
-    private val position = source.doubles("$all/position/value", shape)
+    private val id = valued("id") { name, its -> source.ints(name, its, 0..Int.MAX_VALUE) }
+    private val numbers = H5md.FIXED.associateWith { valued(it.title, source::doubles) }
     private val count = Math.toIntExact(shape[1])
-    private val velocity = if (source.has("$all/velocity")) source.doubles("$all/velocity/value", shape) else null
+    private val vectors = H5md.CHANGING.filter { source.has("$all/${it.title}") }.associateWith {
+        source.doubles("$all/${it.title}/value", shape)
+    }
+    private val position = vectors.getValue(SphereQuantity.POSITION)
     private val image = if (source.has("$all/image")) source.ints("$all/image/value", shape, ANY) else null
 
     /** What a file holds once, or for each frame. */
     private class Valued<A>(val data: A, val isByFrame: Boolean)
 
-    private fun <A> valued(part: String, read: (String, List<Long>) -> A): Valued<A> {
+    private fun <A> valued(part: String, read: (String, List<Long>) -> A): Valued<A>? {
+        if (!source.has("$all/$part")) return null
         val isByFrame = source.has("$all/$part/value")
         if (!isByFrame) return Valued(read("$all/$part", listOf(shape[1])), false)
         return Valued(read("$all/$part/value", shape.take(2)), true)
@@ -77,9 +76,8 @@ internal class H5mdParticles(
     ) {
         /** The state without a particle. */
         fun empty(): Snapshot = Snapshot(
-            step, time, lengths, periodic, lean.offset, IntArray(0), Array(3) { DoubleArray(0) },
-            Array(3) { DoubleArray(0) }, DoubleArray(0), DoubleArray(0), lean.normalAxis, lean.slideAxis,
-            hasTime = hasTime,
+            step, time, lengths, periodic, lean.offset, IntArray(0), Array(SphereQuantity.EXPORTED_WIDTH) { NONE },
+            lean.normalAxis, lean.slideAxis, SphereQuantity.EXPORTED.toSet(), hasTime = hasTime,
         )
     }
 
@@ -88,15 +86,21 @@ internal class H5mdParticles(
         val ids = IntArray(count) { k -> id?.let { it.data[at(it.isByFrame, t, k)] } ?: k }
         val isSorted = (1 until count).none { ids[it] < ids[it - 1] }
         val order = if (isSorted) IntArray(count) { it } else (0 until count).sortedBy { ids[it] }.toIntArray()
-        fun column(data: DoubleArray?, axis: Int) = DoubleArray(count) { data?.get(cube(t, order[it], axis)) ?: 0.0 }
-        fun single(of: Valued<DoubleArray>?, otherwise: Double) =
-            DoubleArray(count) { k -> of?.let { it.data[at(it.isByFrame, t, order[k])] } ?: otherwise }
+        fun column(quantity: SphereQuantity, c: Int): DoubleArray {
+            val vector = vectors[quantity]
+            val number = numbers[quantity]
+            return when {
+                vector != null -> DoubleArray(count) { vector[cube(t, order[it], c)] }
+                number != null -> DoubleArray(count) { number.data[at(number.isByFrame, t, order[it])] }
+                else -> DoubleArray(count) { quantity.absent }
+            }
+        }
         return Snapshot(
             head.step, head.time, head.lengths, head.periodic, head.lean.offset, IntArray(count) { ids[order[it]] },
-            Array(3) { column(position, it) }, Array(3) { column(velocity, it) },
-            single(radius, RADIUS), single(mass, 1.0), head.lean.normalAxis, head.lean.slideAxis, hasMass, hasRadius,
+            SphereQuantity.EXPORTED.flatMap { it.columns.indices.map { c -> column(it, c) } }.toTypedArray(),
+            head.lean.normalAxis, head.lean.slideAxis, vectors.keys + numbers.filterValues { it != null }.keys,
             image?.let { data -> Array(3) { axis -> IntArray(count) { data[cube(t, order[it], axis)] } } },
-            head.hasTime, head.shift, velocity != null,
+            head.hasTime, head.shift,
         )
     }
 
@@ -109,8 +113,6 @@ internal class H5mdParticles(
 
         /** The part of the particles that may be outside a box in its first frame. */
         const val MOST_OUTSIDE = 0.05
-
-        /** In place of radii that a file does not have. */
-        const val RADIUS = 0.5
+        val NONE = DoubleArray(0)
     }
 }

@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
 /**
@@ -78,7 +79,7 @@ internal class H5mdReader(
 
     companion object {
         private const val OFFSET = "parameters/shear_offset"
-        private val USED = setOf("box", "position", "velocity", "image", "id", "mass", "radius", "species")
+        private val USED = SphereQuantity.EXPORTED.map { it.title }.toSet() + setOf("box", "image", "id", "species")
         private val PARTS = listOf("id", "velocity", "position/value")
 
         /**

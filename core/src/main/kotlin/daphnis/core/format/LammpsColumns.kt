@@ -1,5 +1,7 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
+
 /**
  * The places of the columns that a LAMMPS dump [names], −1 for those that are not there.
  *
@@ -15,10 +17,18 @@ internal class LammpsColumns(private val names: List<String>, fail: (String) -> 
 
     /** That of daphnis, where the file also has one from 1 on for LAMMPS. */
     val id = maxOf(names.indexOf(OWN_ID), if (OWN_ID in names) -1 else names.indexOf("id"))
-    val radius = names.indexOf("radius")
     val diameter = names.indexOf("diameter")
-    val mass = names.indexOf("mass")
-    val velocity = IntArray(3) { names.indexOf("v" + "xyz"[it]) }
+    private val places = SphereQuantity.EXPORTED.associateWith { quantity ->
+        IntArray(quantity.columns.size) { names.indexOf(quantity.columns[it]) }
+    }
+
+    /** The columns of [quantity], other than the position. */
+    operator fun get(quantity: SphereQuantity): IntArray = places.getValue(quantity)
+
+    /** Quantities all of whose columns are there. */
+    val known = places.keys.filterTo(HashSet()) { quantity ->
+        places.getValue(quantity).all { it >= 0 } || quantity == SphereQuantity.RADIUS && diameter >= 0
+    }
 
     private val kind = Array(3) { axis ->
         KINDS.find { "${"xyz"[axis]}$it" in names } ?: fail(
@@ -42,7 +52,7 @@ internal class LammpsColumns(private val names: List<String>, fail: (String) -> 
 
     /** The names of columns that are not read and mean something to LAMMPS' dynamics. */
     fun unused(): List<String> {
-        val read = (position + velocity + image).toSet() + setOf(id, radius, diameter, mass)
+        val read = (position + image).toSet() + places.values.flatMap { it.asList() } + setOf(id, diameter)
         val others = (0..2).flatMap { axis -> (KINDS + "i").map { "${"xyz"[axis]}$it" } + "i${"xyz"[axis]}" }
         return names.filterIndexed { k, name -> k !in read && name !in SILENT && name !in others }
     }

@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
 /** Reads a LAMMPS data file. */
@@ -96,8 +97,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
                 for (axis in 0..2) image[axis][k] = words.image(cells[at + 3 + axis])
             }
         }
-        rows.hasRadius = !isAtomic
-        rows.hasMass = !isAtomic
+        if (!isAtomic) rows.known += listOf(SphereQuantity.RADIUS, SphereQuantity.MASS)
         return section()
     }
 
@@ -120,7 +120,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
             seen[at] = true
             for (axis in 0..2) rows.velocity[axis][at] = words.number(cells[1 + axis])
         }
-        rows.hasVelocity = true
+        rows.known += SphereQuantity.VELOCITY
         return section()
     }
 
@@ -141,7 +141,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
             rows.mass[k] = massOfType[types[k]]
                 ?: throw FormatException("$path: type ${TextLines.shown(types[k])} of an atom has no mass")
         }
-        rows.hasMass = true
+        rows.known += SphereQuantity.MASS
     }
 
     /** A line of a section with [n] lines, of which [k] have been read. */

@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
+import daphnis.core.population.SphereQuantity
 import java.io.IOException
 import java.io.Writer
 import java.nio.file.Files
@@ -49,12 +50,12 @@ public object LammpsDump : ReadableFormat, WritableFormat {
         out.append("ITEM: NUMBER OF ATOMS\n${snapshot.size}\n")
         bounds(snapshot, out)
         val own = if (isFromZero) " ${LammpsColumns.OWN_ID}" else ""
-        out.append("ITEM: ATOMS id type x y z vx vy vz radius mass$own\n")
+        val names = SphereQuantity.EXPORTED.flatMap { it.columns }.joinToString(" ")
+        val columns = SphereQuantity.EXPORTED.flatMap { snapshot.columns(it) }
+        out.append("ITEM: ATOMS id type $names$own\n")
         for (k in 0 until snapshot.size) {
             out.append("${snapshot.id[k] + if (isFromZero) 1L else 0L} 1")
-            for (axis in 0..2) out.append(' ').append(snapshot.position[axis][k].toString())
-            for (axis in 0..2) out.append(' ').append(snapshot.velocity[axis][k].toString())
-            out.append(" ${snapshot.radius[k]} ${snapshot.mass[k]}")
+            for (column in columns) out.append(' ').append(column[k].toString())
             out.append(if (isFromZero) " ${snapshot.id[k]}\n" else "\n")
         }
     }

@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
 /**
@@ -99,9 +100,7 @@ internal class LammpsDumpReader(
             lines.fail("$ATOMS has scaled coordinates along some axes only, which says nothing in a box that leans")
         }
         val rows = ParticleRows(n)
-        rows.hasMass = columns.mass >= 0
-        rows.hasRadius = columns.radius >= 0 || columns.diameter >= 0
-        rows.hasVelocity = columns.velocity.all { it >= 0 }
+        rows.known += columns.known
         val images = if (columns.knowsImages(cell.periodic)) Array(3) { IntArray(n) } else null
         rows.image = images
         val place = DoubleArray(3)
@@ -114,12 +113,9 @@ internal class LammpsDumpReader(
                 rows.position[axis][k] = if (columns.isScaled(axis)) cell.place(place, axis) else place[axis]
                 val flag = columns.image[axis]
                 if (images != null && flag >= 0) images[axis][k] = words.image(cells[flag])
-                val column = columns.velocity[axis]
-                if (column >= 0) rows.velocity[axis][k] = words.number(cells[column])
             }
             if (columns.diameter >= 0) rows.radius[k] = words.positive("diameter", cells[columns.diameter]) / 2
-            if (columns.radius >= 0) rows.radius[k] = words.positive("radius", cells[columns.radius])
-            if (columns.mass >= 0) rows.mass[k] = words.positive("mass", cells[columns.mass])
+            for (quantity in OTHERS) words.take(quantity, columns[quantity], cells, rows, k)
             if (columns.id >= 0) rows.id[k] = words.id(cells[columns.id])
         }
         return rows
@@ -130,6 +126,7 @@ internal class LammpsDumpReader(
         const val ATOMS_WORDS = 2
         const val BOX = "ITEM: BOX BOUNDS"
         const val BOX_WORDS = 3
+        val OTHERS = SphereQuantity.EXPORTED - SphereQuantity.POSITION
 
         /**
          * What the two faces of an axis do: both periodic, or each fixed, shrink-wrapped, or shrink-wrapped with a

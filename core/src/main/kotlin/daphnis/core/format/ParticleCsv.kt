@@ -2,6 +2,7 @@ package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
 import daphnis.core.population.Population
+import daphnis.core.population.SphereQuantity
 import java.io.IOException
 import java.nio.file.Path
 
@@ -15,8 +16,9 @@ public object ParticleCsv : ReadableFormat {
     override val isText: Boolean = true
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = false)
 
-    private val VELOCITIES = listOf("vx", "vy", "vz")
-    private val KNOWN = listOf("x", "y", "z") + VELOCITIES + listOf("radius", "mass", "id")
+    private val KNOWN = SphereQuantity.EXPORTED.flatMap { it.columns } + "id"
+    private val NEEDED = listOf(SphereQuantity.POSITION, SphereQuantity.RADIUS).flatMap { it.columns }
+    private val POSITIVE = SphereQuantity.EXPORTED.filter { it.isPositive }.flatMap { it.columns }
 
     /** What other programs put between cells. */
     private val SEPARATORS = listOf(';' to "semicolons", '\t' to "tabs", '|' to "bars", ' ' to "spaces")
@@ -64,7 +66,7 @@ public object ParticleCsv : ReadableFormat {
                 )
             }
         }
-        for (name in listOf("x", "y", "z", "radius")) {
+        for (name in NEEDED) {
             if (name !in names) {
                 throw FormatException("$path: column '$name' is missing")
             }
@@ -90,7 +92,7 @@ public object ParticleCsv : ReadableFormat {
             val right = when {
                 value == null || !value.isFinite() -> "a finite number"
                 names[k] == "id" && !isId(value) -> "a whole number in 0..${Int.MAX_VALUE}"
-                (names[k] == "radius" || names[k] == "mass") && !(value > 0) -> "> 0"
+                names[k] in POSITIVE && !(value > 0) -> "> 0"
                 else -> null
             }
             if (right != null) lines.fail("${names[k]} is '${TextLines.shown(cells[k])}'; it must be $right")
@@ -107,26 +109,28 @@ public object ParticleCsv : ReadableFormat {
         fun snapshot(density: Double): Snapshot {
             val at = names.indexOf("id")
             if (at >= 0) rows.sortBy { it[at] }
-            val radius = column("radius")
-            val hasMass = "mass" in names
-            val mass = if (hasMass) {
-                column("mass")
-            } else {
-                DoubleArray(rows.size) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
+            val known = SphereQuantity.EXPORTED.filterTo(HashSet()) { it.columns.all { name -> name in names } }
+            val numbers = SphereQuantity.EXPORTED.flatMap { quantity ->
+                quantity.columns.map { column(it, quantity.absent) }
+            }.toTypedArray()
+            if (SphereQuantity.MASS !in known) {
+                val radius = numbers[SphereQuantity.RADIUS.place]
+                numbers[SphereQuantity.MASS.place] =
+                    DoubleArray(rows.size) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
             }
             return Snapshot(
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
-                arrayOf(column("x"), column("y"), column("z")), arrayOf(column("vx"), column("vy"), column("vz")),
-                radius, mass, hasMass = hasMass, hasTime = false,
-                hasVelocity = VELOCITIES.all { it in names },
+                numbers, NORMAL_AXIS, SLIDE_AXIS, known, hasTime = false,
             )
         }
 
-        /** Zeros when there is none of this [name]. */
-        private fun column(name: String): DoubleArray {
+        private fun column(name: String, absent: Double): DoubleArray {
             val c = names.indexOf(name)
-            return DoubleArray(rows.size) { if (c < 0) 0.0 else rows[it][c] }
+            return DoubleArray(rows.size) { if (c < 0) absent else rows[it][c] }
         }
     }
+
+    private const val NORMAL_AXIS = 1
+    private const val SLIDE_AXIS = 0
 }

@@ -1,18 +1,29 @@
 package daphnis.core.format
 
+import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereQuantity
+import java.util.EnumSet
+
 /** The particles of a state in a text file, with substitutes for what the file does not have. */
 internal class ParticleRows(private val size: Int) {
     val id = IntArray(size) { it }
-    val position = Array(3) { DoubleArray(size) }
-    val velocity = Array(3) { DoubleArray(size) }
-    val radius = DoubleArray(size) { 0.5 }
-    val mass = DoubleArray(size) { 1.0 }
+    private val numbers = Array(SphereQuantity.EXPORTED_WIDTH) { PopulationColumns.absent(it, size) }
+
+    /** Quantities that the file tells. */
+    val known: MutableSet<SphereQuantity> = EnumSet.of(SphereQuantity.POSITION)
+
+    /** The columns of [quantity], to be filled. */
+    operator fun get(quantity: SphereQuantity): List<DoubleArray> = quantity.places.map { numbers[it] }
+
+    operator fun get(quantity: SphereQuantity, column: Int): DoubleArray = numbers[quantity.place + column]
+
+    val position = this[SphereQuantity.POSITION]
+    val velocity = this[SphereQuantity.VELOCITY]
+    val radius = this[SphereQuantity.RADIUS][0]
+    val mass = this[SphereQuantity.MASS][0]
 
     /** Boxes crossed, `[axis][k]`; null where the file does not tell. */
     var image: Array<IntArray>? = null
-    var hasMass = false
-    var hasRadius = false
-    var hasVelocity = false
 
     /**
      * The state in the order of ids, in a box that is centred on the origin.
@@ -36,10 +47,8 @@ internal class ParticleRows(private val size: Int) {
         fun sorted(a: DoubleArray) = DoubleArray(size) { a[order[it]] }
         val snapshot = Snapshot(
             step, time ?: step.toDouble(), cell.lengths, cell.periodic, lean.offset, IntArray(size) { id[order[it]] },
-            Array(3) { sorted(position[it]) }, Array(3) { sorted(velocity[it]) }, sorted(radius), sorted(mass),
-            lean.normalAxis, lean.slideAxis, hasMass, hasRadius,
+            Array(numbers.size) { sorted(numbers[it]) }, lean.normalAxis, lean.slideAxis, known,
             image?.let { all -> Array(3) { axis -> IntArray(size) { all[axis][order[it]] } } }, time != null, shift,
-            hasVelocity,
         )
         SnapshotCheck.check(snapshot) { k -> where(if (k < 0) k else order[k]) }
         return snapshot
@@ -53,6 +62,15 @@ internal class LineWords(private val lines: TextLines) {
 
     fun positive(name: String, text: String): Double =
         number(text).also { if (it <= 0) lines.fail("$name is $it; it must be > 0") }
+
+    /** Sets [quantity] of particle [k] of [rows] from the [cells] at [columns]; −1 for those that are not there. */
+    fun take(quantity: SphereQuantity, columns: IntArray, cells: List<String>, rows: ParticleRows, k: Int) {
+        for ((c, at) in columns.withIndex()) {
+            if (at < 0) continue
+            val name = quantity.columns[c]
+            rows[quantity, c][k] = if (quantity.isPositive) positive(name, cells[at]) else number(cells[at])
+        }
+    }
 
     fun id(text: String): Int = text.toIntOrNull()?.takeIf { it >= 0 }
         ?: lines.fail("id is '${TextLines.shown(text)}'; it must be a whole number in 0..${Int.MAX_VALUE}")

@@ -1,5 +1,7 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
+
 /**
  * The units of a scenario in SI units.
  *
@@ -11,14 +13,14 @@ public class SiUnits(public val metres: Double, public val seconds: Double, publ
     /** [snapshot] with every number in SI units. */
     public fun convert(snapshot: Snapshot): Snapshot {
         fun times(factor: Double, a: DoubleArray) = DoubleArray(a.size) { a[it] * factor }
-        val speed = metres / seconds
-        return Snapshot(
-            snapshot.step, snapshot.time * seconds,
-            times(metres, snapshot.lengths), snapshot.periodic, snapshot.shearOffset * metres, snapshot.id,
-            Array(3) { times(metres, snapshot.position[it]) }, Array(3) { times(speed, snapshot.velocity[it]) },
-            times(metres, snapshot.radius), times(kilograms, snapshot.mass),
-            snapshot.normalAxis, snapshot.slideAxis, snapshot.hasMass, snapshot.hasRadius, snapshot.image,
-            snapshot.hasTime, times(metres, snapshot.shift), snapshot.hasVelocity,
+        return snapshot.with(
+            time = snapshot.time * seconds,
+            lengths = times(metres, snapshot.lengths),
+            shearOffset = snapshot.shearOffset * metres,
+            shift = times(metres, snapshot.shift),
+            numbers = SphereQuantity.EXPORTED.flatMap { quantity ->
+                snapshot.columns(quantity).map { times(quantity.dimension.of(metres, seconds, kilograms), it) }
+            }.toTypedArray(),
         )
     }
 }

@@ -2,6 +2,9 @@ package daphnis.core.format
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereColumns
+import daphnis.core.population.SphereQuantity
 
 /**
  * The state at one time as files hold it: spheres in the order of their ids, one entry each in every array.
@@ -10,35 +13,95 @@ import daphnis.core.population.Population
  * @property periodic whether the box repeats along x, y, z
  * @property image boxes crossed since the start of the run, `image[axis][k]`, or null when it is not known; without
  *   images a sphere would be at position + Σ image · [edges]
- * @property hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
- *   @property hasRadius the same for [radius]
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  * @property hasTime whether [time] is from the file; false when the file had none, and it is the number of the step
- * @property hasVelocity whether [velocity] is from the file; false when the file had none along some axis, and it is 0
+ * @property known quantities that are from the file; of others its readers substitute numbers
  * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
-public class Snapshot @JvmOverloads constructor(
+public class Snapshot internal constructor(
     public val step: Long,
     public val time: Double,
     public val lengths: DoubleArray,
     public val periodic: BooleanArray,
     public val shearOffset: Double,
-    public val id: IntArray,
-    public val position: Array<DoubleArray>,
-    public val velocity: Array<DoubleArray>,
-    public val radius: DoubleArray,
-    public val mass: DoubleArray,
-    public val normalAxis: Int = 1,
-    public val slideAxis: Int = 0,
-    public val hasMass: Boolean = true,
-    public val hasRadius: Boolean = true,
+    override val id: IntArray,
+    private val numbers: Array<DoubleArray>,
+    public val normalAxis: Int,
+    public val slideAxis: Int,
+    internal val known: Set<SphereQuantity>,
     public val image: Array<IntArray>? = null,
     public val hasTime: Boolean = true,
     public val shift: DoubleArray = DoubleArray(3),
-    public val hasVelocity: Boolean = true,
-) {
+) : SphereColumns {
+    /**
+     * @param hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
+     * @param hasRadius the same for [radius]
+     * @param hasVelocity the same for [velocity]; false when the file had none along some axis
+     */
+    @JvmOverloads
+    public constructor(
+        step: Long,
+        time: Double,
+        lengths: DoubleArray,
+        periodic: BooleanArray,
+        shearOffset: Double,
+        id: IntArray,
+        position: Array<DoubleArray>,
+        velocity: Array<DoubleArray>,
+        radius: DoubleArray,
+        mass: DoubleArray,
+        normalAxis: Int = 1,
+        slideAxis: Int = 0,
+        hasMass: Boolean = true,
+        hasRadius: Boolean = true,
+        image: Array<IntArray>? = null,
+        hasTime: Boolean = true,
+        shift: DoubleArray = DoubleArray(3),
+        hasVelocity: Boolean = true,
+    ) : this(
+        step, time, lengths, periodic, shearOffset, id,
+        arrayOf(position[0], position[1], position[2], velocity[0], velocity[1], velocity[2], radius, mass),
+        normalAxis, slideAxis,
+        SphereQuantity.EXPORTED.filterTo(HashSet()) {
+            when (it) {
+                SphereQuantity.VELOCITY -> hasVelocity
+                SphereQuantity.RADIUS -> hasRadius
+                SphereQuantity.MASS -> hasMass
+                else -> true
+            }
+        },
+        image, hasTime, shift,
+    )
+
     /** Number of spheres. */
-    public val size: Int get() = id.size
+    override val size: Int get() = id.size
+
+    override fun column(place: Int): DoubleArray =
+        if (place < numbers.size) numbers[place] else PopulationColumns.absent(place, size)
+
+    /** Positions, `position[axis][k]`. */
+    public val position: Array<DoubleArray> = Array(3) { numbers[it] }
+
+    /** Velocities, `velocity[axis][k]`. */
+    public val velocity: Array<DoubleArray> = Array(3) { numbers[SphereQuantity.VELOCITY.place + it] }
+
+    /** Whether [mass] is from the file; false when the file had none and the reader substituted one. */
+    public val hasMass: Boolean get() = SphereQuantity.MASS in known
+
+    /** The same for [radius]. */
+    public val hasRadius: Boolean get() = SphereQuantity.RADIUS in known
+
+    /** The same for [velocity]; false when the file had none along some axis. */
+    public val hasVelocity: Boolean get() = SphereQuantity.VELOCITY in known
+
+    /** Names of the columns of numbers, as tables have them; column `k` is at place k. */
+    public val columnNames: List<String> get() = SphereQuantity.EXPORTED.flatMap { it.columns }
+
+    /** Dimension of the column at [place], in the words of [daphnis.core.table.Dimension]. */
+    public fun dimension(place: Int): String = SphereQuantity.at(place).dimension.words()
+
+    /** The columns of [quantity]. */
+    internal fun columns(quantity: SphereQuantity): List<DoubleArray> = quantity.places.map { column(it) }
 
     /** The same state, arrays shared, at a [time] which is then known. */
     public fun at(time: Double): Snapshot = with(time = time, hasTime = true)
@@ -52,10 +115,10 @@ public class Snapshot @JvmOverloads constructor(
      */
     @JvmOverloads
     public fun folded(boundary: BoundaryConditions? = null): Snapshot {
-        val places = Array(3) { position[it].copyOf() }
+        val places = Array(3) { position(it).copyOf() }
         val boxes = (boundary?.let { FoldedCell.of(it, time) } ?: FoldedCell.of(this)).fold(places) ?: return this
         val sum = image?.let { known -> Array(3) { axis -> IntArray(size) { known[axis][it] + boxes[axis][it] } } }
-        return with(position = places, image = sum)
+        return with(numbers = Array(numbers.size) { places.getOrElse(it) { _ -> numbers[it] } }, image = sum)
     }
 
     /** The same state, where positions are known to be those without a box: no box was crossed. */
@@ -64,13 +127,14 @@ public class Snapshot @JvmOverloads constructor(
     internal fun with(
         time: Double = this.time,
         hasTime: Boolean = this.hasTime,
-        position: Array<DoubleArray> = this.position,
-        radius: DoubleArray = this.radius,
+        numbers: Array<DoubleArray> = this.numbers,
         image: Array<IntArray>? = this.image,
-        hasVelocity: Boolean = this.hasVelocity,
+        known: Set<SphereQuantity> = this.known,
+        lengths: DoubleArray = this.lengths,
+        shearOffset: Double = this.shearOffset,
+        shift: DoubleArray = this.shift,
     ): Snapshot = Snapshot(
-        step, time, lengths, periodic, shearOffset, id, position, velocity, radius, mass, normalAxis, slideAxis,
-        hasMass, hasRadius, image, hasTime, shift, hasVelocity,
+        step, time, lengths, periodic, shearOffset, id, numbers, normalAxis, slideAxis, known, image, hasTime, shift,
     )
 
     /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */
@@ -87,11 +151,7 @@ public class Snapshot @JvmOverloads constructor(
     }
 
     /** The snapshot as a population, with the same ids. */
-    public fun population(): Population = Population(
-        position[0].copyOf(), position[1].copyOf(), position[2].copyOf(),
-        velocity[0].copyOf(), velocity[1].copyOf(), velocity[2].copyOf(),
-        radius.copyOf(), mass.copyOf(), id.copyOf(),
-    )
+    public fun population(): Population = Population(PopulationColumns.joined(listOf(this)))
 
     public companion object {
         /** Copies the state of [population] at [step] and [time]. */
@@ -105,23 +165,21 @@ public class Snapshot @JvmOverloads constructor(
             hasMass: Boolean = true,
         ): Snapshot {
             val order = population.indicesById()
-            val n = order.size
-            fun pick(a: DoubleArray) = DoubleArray(n) { a[order[it]] }
             return Snapshot(
                 step,
                 time,
                 DoubleArray(3) { axis -> boundary.box.length(axis).let { if (it.isFinite()) it else Double.NaN } },
                 BooleanArray(3) { boundary.repeats(it) },
                 boundary.shear?.offset(time) ?: 0.0,
-                IntArray(n) { population.id[order[it]] },
-                arrayOf(pick(population.x), pick(population.y), pick(population.z)),
-                arrayOf(pick(population.vx), pick(population.vy), pick(population.vz)),
-                pick(population.radius),
-                pick(population.mass),
+                IntArray(order.size) { population.id[order[it]] },
+                Array(SphereQuantity.EXPORTED_WIDTH) { place ->
+                    val column = population.column(place)
+                    DoubleArray(order.size) { column[order[it]] }
+                },
                 boundary.shear?.normalAxis ?: 1,
                 boundary.shear?.slideAxis ?: 0,
-                hasMass = hasMass,
-                image = image(population, boundary, time, order),
+                if (hasMass) SphereQuantity.EXPORTED.toSet() else SphereQuantity.EXPORTED.toSet() - SphereQuantity.MASS,
+                image(population, boundary, time, order),
             )
         }
 

@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
 import kotlin.math.abs
 
 /**
@@ -17,6 +18,7 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         sizes()
         box()
         for (axis in 0..2) places(axis)
+        rates()
         resolution()
     }
 
@@ -63,7 +65,6 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         val farthest = if (snapshot.periodic[axis] && !length.isNaN()) length * MOST_BOXES else Double.POSITIVE_INFINITY
         for (k in 0 until snapshot.size) {
             val p = snapshot.position[axis][k]
-            val v = snapshot.velocity[axis][k]
             must(abs(p) <= FARTHEST, k) {
                 "$name of particle ${snapshot.id[k]} is $p; it must be a number within ±$FARTHEST"
             }
@@ -71,8 +72,19 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
                 "$name of particle ${snapshot.id[k]} is $p, more than $MOST_BOXES boxes of $length away; " +
                     "places must be wrapped into the box"
             }
-            must(abs(v) <= FARTHEST, k) {
-                "v$name of particle ${snapshot.id[k]} is $v; it must be a number within ±$FARTHEST"
+        }
+    }
+
+    /** Speeds, and whatever else can have either sign. */
+    private fun rates() {
+        for (quantity in SphereQuantity.EXPORTED) {
+            if (quantity.isPositive || quantity == SphereQuantity.POSITION) continue
+            for ((column, name) in snapshot.columns(quantity).zip(quantity.columns)) {
+                for (k in column.indices) {
+                    must(abs(column[k]) <= FARTHEST, k) {
+                        "$name of particle ${snapshot.id[k]} is ${column[k]}; it must be a number within ±$FARTHEST"
+                    }
+                }
             }
         }
     }

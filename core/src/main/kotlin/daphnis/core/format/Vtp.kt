@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.ALWAYS
+import daphnis.core.population.SphereQuantity
 import java.io.DataOutputStream
 import java.io.IOException
 import java.io.OutputStream
@@ -50,12 +51,15 @@ public object Vtp : WritableFormat {
             return at
         }
         val time = block(8) { it.putDouble(snapshot.time) }
-        fun vectors(of: Array<DoubleArray>) =
-            block(24 * n) { b -> for (k in 0 until n) for (axis in 0..2) b.putDouble(of[axis][k]) }
-        val points = vectors(snapshot.position)
-        val velocity = vectors(snapshot.velocity)
-        val radius = block(8 * n) { b -> for (r in snapshot.radius) b.putDouble(r) }
-        val mass = block(8 * n) { b -> for (m in snapshot.mass) b.putDouble(m) }
+        fun numbers(of: List<DoubleArray>) = block(8 * of.size * n) { b ->
+            for (k in 0 until n) for (column in of) b.putDouble(column[k])
+        }
+        val points = numbers(snapshot.columns(SphereQuantity.POSITION))
+        val data = POINT_DATA.joinToString("\n") { quantity ->
+            val count = if (quantity.columns.size > 1) " NumberOfComponents=\"${quantity.columns.size}\"" else ""
+            val at = numbers(snapshot.columns(quantity))
+            """<DataArray type="Float64" Name="${quantity.title}"$count format="appended" offset="$at"/>"""
+        }
         val id = block(4 * n) { b -> for (i in snapshot.id) b.putInt(i) }
         val connectivity = block(4 * n) { b -> for (k in 0 until n) b.putInt(k) }
         val offsets = block(4 * n) { b -> for (k in 0 until n) b.putInt(k + 1) }
@@ -73,9 +77,7 @@ public object Vtp : WritableFormat {
                 <FieldData>$timeArray</FieldData>
                 <Piece NumberOfPoints="$n" NumberOfVerts="$n" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
                 <PointData Scalars="radius" Vectors="velocity">
-                <DataArray type="Float64" Name="velocity" NumberOfComponents="3" format="appended" offset="$velocity"/>
-                <DataArray type="Float64" Name="radius" format="appended" offset="$radius"/>
-                <DataArray type="Float64" Name="mass" format="appended" offset="$mass"/>
+                $data
                 <DataArray type="Int32" Name="id" format="appended" offset="$id"/>
                 </PointData>
                 <Points>$pointArray</Points>
@@ -86,11 +88,13 @@ public object Vtp : WritableFormat {
                 </Piece>
                 </PolyData>
                 <AppendedData encoding="raw">
-                """.trimIndent() + "\n_",
+                """.lines().joinToString("\n") {
+                    it.trim()
+                }.trim() + "\n_",
             )
-            val data = DataOutputStream(out)
-            for (block in blocks) data.write(block.array())
-            data.flush()
+            val raw = DataOutputStream(out)
+            for (block in blocks) raw.write(block.array())
+            raw.flush()
             text(out, "\n</AppendedData>\n</VTKFile>\n")
         }
     }
@@ -114,5 +118,6 @@ public object Vtp : WritableFormat {
         out.write(text.toByteArray(Charsets.UTF_8))
     }
 
+    private val POINT_DATA = SphereQuantity.EXPORTED - SphereQuantity.POSITION
     private const val HEADER = 8
 }

@@ -1,5 +1,7 @@
 package daphnis.core.format
 
+import daphnis.core.population.SphereQuantity
+
 /**
  * The places of the columns in a line of extended XYZ, from its [properties], a repeated `name:type:count`. Columns
  * that are not there are −1.
@@ -7,7 +9,7 @@ package daphnis.core.format
  * @param fail refuses the file
  */
 internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
-    private val places = HashMap<Quantity, Int>()
+    private val places = HashMap<List<String>, Int>()
 
     /** Names of columns that are not used, but for those that tell what a particle is made of. */
     val unused = ArrayList<String>()
@@ -23,43 +25,53 @@ internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
             val count = parts[k + 2].trim().toIntOrNull()?.takeIf { it in 1..MOST_WIDE }
                 ?: fail("Properties: '${TextLines.shown(parts[k + 2])}' must be a number of columns, 1 to $MOST_WIDE")
             val name = parts[k].trim().lowercase()
-            val quantity = Quantity.entries.find { name in it.names && count == it.count }
-            if (quantity == null) {
+            val names = COUNTS.keys.find { name in it && count == COUNTS[it] }
+            if (names == null) {
                 if (name !in SILENT) unused += TextLines.shown(parts[k].trim())
-            } else if (places.putIfAbsent(quantity, width) != null) {
-                fail("Properties has two columns of ${quantity.names.joinToString()}")
+            } else if (places.putIfAbsent(names, width) != null) {
+                fail("Properties has two columns of ${names.joinToString()}")
             }
             width += count
             if (width > MOST_WIDE) fail("Properties has more than $MOST_WIDE columns")
         }
-        if (Quantity.POSITION !in places) fail("Properties has no pos:R:3")
+        if (SphereQuantity.POSITION.xyz !in places) fail("Properties has no pos:R:3")
     }
 
-    /** The first column of [quantity], −1 when it is not there. */
-    operator fun get(quantity: Quantity): Int = places[quantity] ?: -1
+    /** The columns of [quantity], −1 when it is not there. */
+    operator fun get(quantity: SphereQuantity): IntArray {
+        val at = places[quantity.xyz]
+        return IntArray(quantity.columns.size) { if (at == null) -1 else at + it }
+    }
 
-    operator fun contains(quantity: Quantity): Boolean = quantity in places
+    /** The first column of what goes by [names], −1 when it is not there. */
+    operator fun get(names: List<String>): Int = places[names] ?: -1
 
-    /** Whether velocities are there, or what they follow from. */
-    val haveVelocity: Boolean
-        get() = Quantity.VELOCITY in this || Quantity.MOMENTUM in this && Quantity.MASS in this
+    operator fun contains(names: List<String>): Boolean = names in places
 
-    /** What is read of a particle: [names] by which programs call it, lower case, and the [count] of its columns. */
-    enum class Quantity(val count: Int, vararg val names: String) {
-        POSITION(3, "pos", "positions", "position"),
-        VELOCITY(3, "velo", "vel", "velocity", "velocities"),
+    /** Quantities that are there, or follow from what is. */
+    val known: Set<SphereQuantity> = SphereQuantity.EXPORTED.filterTo(HashSet()) { quantity ->
+        when (quantity) {
+            SphereQuantity.VELOCITY -> quantity.xyz in this || MOMENTUM in this && SphereQuantity.MASS.xyz in this
+            SphereQuantity.RADIUS -> quantity.xyz in this || DIAMETER in this
+            else -> quantity.xyz in this
+        }
+    }
 
+    /** Whether velocities are momenta by masses. */
+    val velocityFollows: Boolean = SphereQuantity.VELOCITY.xyz !in this && SphereQuantity.VELOCITY in known
+
+    companion object {
         /** As ASE writes it, in place of velocities. */
-        MOMENTUM(3, "momenta", "momentum"),
-        RADIUS(1, "radius", "radii"),
-        DIAMETER(1, "diameter", "diameters"),
-        MASS(1, "mass", "masses"),
-        ID(1, "id", "ids"),
-        IMAGE(3, "map_shift", "image", "images", "periodic_image"),
-    }
+        val MOMENTUM = listOf("momenta", "momentum")
+        val DIAMETER = listOf("diameter", "diameters")
+        val ID = listOf("id", "ids")
+        val IMAGE = listOf("map_shift", "image", "images", "periodic_image")
 
-    private companion object {
-        const val MOST_WIDE = 100_000
-        val SILENT = setOf("species", "element", "type", "z", "numbers")
+        /** How many columns belong to a quantity, by the names that programs have for it. */
+        private val COUNTS =
+            SphereQuantity.EXPORTED.associate { it.xyz to it.columns.size } +
+                mapOf(MOMENTUM to 3, DIAMETER to 1, ID to 1, IMAGE to 3)
+        private const val MOST_WIDE = 100_000
+        private val SILENT = setOf("species", "element", "type", "z", "numbers")
     }
 }

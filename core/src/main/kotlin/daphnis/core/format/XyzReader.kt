@@ -1,6 +1,6 @@
 package daphnis.core.format
 
-import daphnis.core.format.XyzColumns.Quantity
+import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
 /**
@@ -25,10 +25,8 @@ internal class XyzReader(
         val frame = Frame(XyzComment(lines.next() ?: lines.fail("the file is cut short"), lines::fail), number)
         val commentLine = lines.number
         val rows = ParticleRows(n)
-        rows.hasMass = Quantity.MASS in frame.columns
-        rows.hasRadius = Quantity.RADIUS in frame.columns || Quantity.DIAMETER in frame.columns
-        rows.hasVelocity = frame.columns.haveVelocity
-        if (Quantity.IMAGE in frame.columns) rows.image = Array(3) { IntArray(n) }
+        rows.known += frame.columns.known
+        if (XyzColumns.IMAGE in frame.columns) rows.image = Array(3) { IntArray(n) }
         for (k in 0 until n) {
             val line = lines.next() ?: lines.fail("the file is cut short: $n particles are declared, $k are there")
             val cells = words.split(line)
@@ -49,35 +47,27 @@ internal class XyzReader(
     }
 
     private fun set(rows: ParticleRows, k: Int, cells: List<String>, columns: XyzColumns) {
-        fun vector(quantity: Quantity, to: Array<DoubleArray>) {
-            val at = columns[quantity]
-            if (at >= 0) for (axis in 0..2) to[axis][k] = words.number(cells[at + axis])
+        val diameter = columns[XyzColumns.DIAMETER]
+        if (diameter >= 0) rows.radius[k] = words.positive("diameter", cells[diameter]) / 2
+        for (quantity in SphereQuantity.EXPORTED) words.take(quantity, columns[quantity], cells, rows, k)
+        if (columns.velocityFollows) {
+            val momentum = columns[XyzColumns.MOMENTUM]
+            for (axis in 0..2) rows.velocity[axis][k] = words.number(cells[momentum + axis]) / rows.mass[k]
         }
-        fun positive(quantity: Quantity, to: DoubleArray, factor: Double = 1.0) {
-            val at = columns[quantity]
-            if (at >= 0) to[k] = words.positive(quantity.names[0], cells[at]) * factor
-        }
-        vector(Quantity.POSITION, rows.position)
-        positive(Quantity.DIAMETER, rows.radius, 1 / 2.0)
-        positive(Quantity.RADIUS, rows.radius)
-        positive(Quantity.MASS, rows.mass)
-        if (Quantity.VELOCITY in columns) {
-            vector(Quantity.VELOCITY, rows.velocity)
-        } else if (Quantity.MASS in columns) {
-            vector(Quantity.MOMENTUM, rows.velocity)
-            for (column in rows.velocity) column[k] /= rows.mass[k]
-        }
-        if (Quantity.ID in columns) rows.id[k] = words.id(cells[columns[Quantity.ID]])
+        if (XyzColumns.ID in columns) rows.id[k] = words.id(cells[columns[XyzColumns.ID]])
         val image = rows.image ?: return
-        for (axis in 0..2) image[axis][k] = words.image(cells[columns[Quantity.IMAGE] + axis])
+        for (axis in 0..2) image[axis][k] = words.image(cells[columns[XyzColumns.IMAGE] + axis])
     }
 
     private fun divide(rows: ParticleRows, scale: Double) {
-        for (column in rows.position + rows.velocity + rows.radius) for (k in column.indices) column[k] /= scale
+        for (quantity in SphereQuantity.EXPORTED) {
+            val factor = quantity.dimension.of(scale, 1.0, 1.0)
+            for (column in rows[quantity]) for (k in column.indices) column[k] /= factor
+        }
     }
 
     private fun tell(columns: XyzColumns) {
-        val isIdle = Quantity.MOMENTUM in columns && Quantity.VELOCITY !in columns && Quantity.MASS !in columns
+        val isIdle = XyzColumns.MOMENTUM in columns && SphereQuantity.VELOCITY !in columns.known
         if (isIdle && told.add("momenta")) {
             notices += "$path has momenta and no masses, so velocities are not known: 0 is taken for each"
         }

@@ -35,26 +35,34 @@ internal fun SphereColumns.isFinite(from: Int, to: Int): Boolean {
         val velocity = vx[k] * 0.0 + vy[k] * 0.0 + vz[k] * 0.0
         sum += place + velocity + (radius[k] * 0.0 + mass[k] * 0.0)
     }
+    for (place in OTHERS) {
+        val column = column(place)
+        for (k in from until to) sum += column[k] * 0.0
+    }
     return sum == 0.0
 }
 
 /** What [firstNotFinite] says. */
 internal fun SphereColumns.nameNotFinite(): String? {
-    val columns = listOf(
-        "x" to x,
-        "y" to y,
-        "z" to z,
-        "vx" to vx,
-        "vy" to vy,
-        "vz" to vz,
-        "radius" to radius,
-        "mass" to mass,
-    )
-    for ((name, column) in columns) {
-        // The lowest id: the order of the arrays is up to the engine.
-        var first = -1
-        for (k in 0 until size) if (!column[k].isFinite() && (first < 0 || id[k] < id[first])) first = k
-        if (first >= 0) return "$name of particle ${id[first]} is ${column[first]}"
+    for (quantity in SphereQuantity.EXPORTED) {
+        for ((c, name) in quantity.columns.withIndex()) {
+            val column = column(quantity.place + c)
+            // The lowest id: the order of the arrays is up to the engine.
+            var first = -1
+            for (k in 0 until size) if (!column[k].isFinite() && (first < 0 || id[k] < id[first])) first = k
+            if (first >= 0) return "$name of particle ${id[first]} is ${column[first]}"
+        }
     }
     return null
+}
+
+/** Places of the columns that the one sum over all spheres does not have. */
+private val OTHERS = SphereQuantity.places {
+    it.isExported &&
+        it !in setOf(
+            SphereQuantity.POSITION,
+            SphereQuantity.VELOCITY,
+            SphereQuantity.RADIUS,
+            SphereQuantity.MASS,
+        )
 }

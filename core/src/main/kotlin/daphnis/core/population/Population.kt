@@ -76,12 +76,11 @@ public class Population internal constructor(columns: PopulationColumns) : Spher
         crossingsBefore = crossings
     }
 
-    /** Numbers are finite; those that must be given are sizes and > 0. */
     private fun check(quantity: SphereQuantity, place: Int) {
         val column = column(place)
         for (k in 0 until size) {
             require(column[k].isFinite()) { "${nameOf(place)} of particle ${id[k]} is ${column[k]}; it must be finite" }
-            require(!quantity.initial.isNaN() || column[k] > 0) {
+            require(!quantity.isPositive || column[k] > 0) {
                 "${nameOf(place)} of particle ${id[k]} is ${column[k]}; it must be > 0"
             }
         }

@@ -44,7 +44,7 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
 
     /** Ensures notes of the right length that are those of no other set, with no collision in them. */
     fun ownNotes() {
-        for (place in NOTES) numbers[place] = initial(place, size)
+        for (place in NOTES) numbers[place] = absent(place, size)
     }
 
     /** Copies all but positions to [to], which shares our [bodies]. */
@@ -70,12 +70,13 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
 
         /** The columns [given], which are the first, and others of which nothing is said. */
         fun of(given: Array<DoubleArray>, id: IntArray): PopulationColumns = PopulationColumns(
-            Array(SphereQuantity.WIDTH) { given.getOrNull(it) ?: initial(it, given[0].size) },
+            Array(SphereQuantity.WIDTH) { given.getOrNull(it) ?: absent(it, given[0].size) },
             id,
         )
 
-        private fun initial(place: Int, size: Int): DoubleArray =
-            SphereQuantity.at(place).initial.let { value -> DoubleArray(size) { value } }
+        /** A column of spheres of which nothing is said. */
+        fun absent(place: Int, size: Int): DoubleArray =
+            SphereQuantity.at(place).absent.let { value -> DoubleArray(size) { value } }
 
         /** New columns of the [spheres] at the indices [kept]. */
         fun picked(spheres: SphereColumns, kept: IntArray): PopulationColumns = PopulationColumns(

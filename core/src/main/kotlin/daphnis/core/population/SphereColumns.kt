@@ -12,9 +12,7 @@ public interface SphereColumns {
     /** Stable ids, distinct. */
     public val id: IntArray
 
-    /**
-     * The column at [place]: 0, 1, 2 positions, 3, 4, 5 velocities, 6 radii, 7 masses, 8 times of the last collision.
-     */
+    /** The column at [place]: 0, 1, 2 positions, 3, 4, 5 velocities, 6 radii, 7 masses, then what else is known. */
     public fun column(place: Int): DoubleArray
 
     /** Positions, in the scenario's unit of length; likewise [y], [z]. */
@@ -34,7 +32,7 @@ public interface SphereColumns {
     public val mass: DoubleArray get() = column(7)
 
     /** See [Population.lastCollision]. */
-    public val lastCollision: DoubleArray get() = column(8)
+    public val lastCollision: DoubleArray get() = column(SphereQuantity.LAST_COLLISION.place)
 
     /** Positions along [axis]: 0 = x, 1 = y, 2 = z. */
     public fun position(axis: Int): DoubleArray = column(axis)

@@ -8,48 +8,75 @@ package daphnis.core.population
  *
  * @property title as H5MD, VTK and Python call it
  * @property columns names of its columns, as tables, LAMMPS and Python's frames call them
- * @property xyz how extended XYZ calls it
+ * @property xyz how extended XYZ calls it, lower case; daphnis writes the first
  * @property records names of its columns in a checkpoint, four letters each
- * @property dimension of its numbers: powers of length, time and mass
+ * @property dimension of its numbers
  * @property change what a step does to it
- * @property initial number of a sphere for which nothing was said; NaN where it must be said
+ * @property absent number of a sphere for which nothing was said
+ * @property isPositive whether its numbers are sizes, > 0
  * @property isDigested whether the digest takes it in; all that a trajectory is compared by
  * @property isExported whether files other than checkpoints have it
  */
 internal enum class SphereQuantity(
     val title: String,
     val columns: List<String>,
-    val xyz: String,
+    val xyz: List<String>,
     val records: List<String>,
     val dimension: Powers,
     val change: Change,
-    val initial: Double = Double.NaN,
+    val absent: Double = 0.0,
+    val isPositive: Boolean = false,
     val isDigested: Boolean = false,
     val isExported: Boolean = true,
 ) {
-    POSITION("position", words("x y z"), "pos", words("POSX POSY POSZ"), Powers(1, 0, 0), Change.MOVED, 0.0, true),
+    POSITION(
+        "position",
+        words("x y z"),
+        words("pos positions position"),
+        words("POSX POSY POSZ"),
+        Powers(length = 1),
+        Change.MOVED,
+        isDigested = true,
+    ),
     VELOCITY(
         "velocity",
         words("vx vy vz"),
-        "velo",
+        words("velo vel velocity velocities"),
         words("VELX VELY VELZ"),
-        Powers(1, -1, 0),
+        Powers(length = 1, time = -1),
         Change.KICKED,
-        0.0,
-        true,
+        isDigested = true,
     ),
-    RADIUS("radius", words("radius"), "radius", words("RADI"), Powers(1, 0, 0), Change.NEVER),
-    MASS("mass", words("mass"), "mass", words("MASS"), Powers(0, 0, 1), Change.NEVER),
+    RADIUS(
+        "radius",
+        words("radius"),
+        words("radius radii"),
+        words("RADI"),
+        Powers(length = 1),
+        Change.NEVER,
+        absent = 0.5,
+        isPositive = true,
+    ),
+    MASS(
+        "mass",
+        words("mass"),
+        words("mass masses"),
+        words("MASS"),
+        Powers(mass = 1),
+        Change.NEVER,
+        absent = 1.0,
+        isPositive = true,
+    ),
 
     /** See [Population.lastCollision]. */
     LAST_COLLISION(
         "last_collision",
         words("last_collision"),
-        "last_collision",
+        words("last_collision"),
         words("LAST"),
-        Powers(0, 1, 0),
+        Powers(time = 1),
         Change.NOTED,
-        Double.NEGATIVE_INFINITY,
+        absent = Double.NEGATIVE_INFINITY,
         isExported = false,
     ),
     ;
@@ -75,17 +102,30 @@ internal enum class SphereQuantity(
         NOTED,
     }
 
-    /** Powers of the units of length, time and mass. */
-    class Powers(val length: Int, val time: Int, val mass: Int) {
-        /** The factor by which numbers grow when the units are so much smaller. */
-        fun factor(length: Double, time: Double, mass: Double): Double =
-            power(length, this.length) * power(time, this.time) * power(mass, this.mass)
+    /** A product of powers of the units of length, time and mass. */
+    class Powers(private val length: Int = 0, private val time: Int = 0, private val mass: Int = 0) {
+        /** The product of three numbers in place of the units; one division at most. */
+        fun of(length: Double, time: Double, mass: Double): Double {
+            var above = 1.0
+            var below = 1.0
+            for ((number, power) in listOf(length to this.length, time to this.time, mass to this.mass)) {
+                repeat(power) { above *= number }
+                repeat(-power) { below *= number }
+            }
+            return above / below
+        }
 
-        private fun power(factor: Double, exponent: Int): Double = when (exponent) {
-            0 -> 1.0
-            1 -> factor
-            -1 -> 1 / factor
-            else -> Math.pow(factor, exponent.toDouble())
+        /** The product in symbols, powers behind them as H5MD writes them: `m s-1`. */
+        fun symbols(length: String, time: String, mass: String): String =
+            listOf(mass to this.mass, length to this.length, time to this.time).filter { it.second != 0 }
+                .joinToString(" ") { (symbol, power) -> if (power == 1) symbol else "$symbol$power" }
+
+        /** The product in words, a power below behind a slash: `length/time`. */
+        fun words(): String {
+            fun side(sign: Int) = listOf("mass" to mass, "length" to length, "time" to time)
+                .filter { it.second * sign > 0 }
+                .joinToString(" ") { (word, power) -> if (power * sign == 1) word else "$word^${power * sign}" }
+            return listOf(side(1).ifEmpty { "1" }, side(-1)).filter { it.isNotEmpty() }.joinToString("/")
         }
     }
 
@@ -98,7 +138,11 @@ internal enum class SphereQuantity(
 
         /** Quantities that are in files other than checkpoints. */
         @JvmField
-        val EXPORTED: List<SphereQuantity> = entries.filter { it.isExported }
+        val EXPORTED: List<SphereQuantity> = entries.takeWhile { it.isExported }
+
+        /** Number of their columns, which are the first. */
+        @JvmField
+        val EXPORTED_WIDTH: Int = EXPORTED.sumOf { it.columns.size }
 
         private val OF_PLACE = entries.flatMap { quantity -> quantity.columns.map { quantity } }
 

@@ -1,6 +1,6 @@
 package daphnis.core.engine.horizon
 
-import daphnis.core.collision.StepRows
+import daphnis.core.collision.RowColumns
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
@@ -74,7 +74,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             lines.put(slot, p.x[k], p.y[k], p.z[k], u, v, w, 0.0)
             lines.moveBack(slot, cells.imageAtStart(slot))
         }
-        for (place in StepRows.FIXED) {
+        for (place in RowColumns.FIXED) {
             val column = p.column(place)
             val its = columns.column(place)
             for (slot in from until to) its[slot] = column[order[slot]]
@@ -105,10 +105,10 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
      * @param tracks whether collisions note their times
      */
     fun keep(population: Population, columns: PopulationColumns, order: IntArray?, tracks: Boolean) {
-        for (place in StepRows.changing(tracks)) {
+        for (place in RowColumns.changing(tracks)) {
             val from = population.column(place)
             val to = columns.column(place)
-            val passed = StepRows.passed(place, frame.duration)
+            val passed = RowColumns.passed(place, frame.duration)
             loop.runLight(population.size) { _, first, end ->
                 for (k in first until end) to[k] = from[if (order == null) k else order[k]] - passed
             }
