@@ -12,6 +12,9 @@ public interface SphereColumns {
     /** Stable ids, distinct. */
     public val id: IntArray
 
+    /** Number of columns of numbers. */
+    public val columnCount: Int get() = SphereQuantity.WIDTH
+
     /** The column at [place]: 0, 1, 2 positions, 3, 4, 5 velocities, 6 radii, 7 masses, then what else is known. */
     public fun column(place: Int): DoubleArray
 

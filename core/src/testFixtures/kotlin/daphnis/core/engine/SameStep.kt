@@ -1,9 +1,11 @@
 package daphnis.core.engine
 
 import daphnis.core.Simulation
+import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assertions.fail
 
 /** Advances [simulation]; what was thrown, or null. */
 fun failure(simulation: Simulation): String? = try {
@@ -13,9 +15,10 @@ fun failure(simulation: Simulation): String? = try {
     "${e.javaClass.name}: ${e.message}"
 }
 
-/** Asserts that both have the same digest, counts and record of collisions. */
+/** Asserts that both have the same digest, numbers of every sphere, counts and record of collisions. */
 fun assertSameStep(serial: Simulation, other: Simulation, story: String) {
     assertEquals(stateDigest(serial.population), stateDigest(other.population)) { story }
+    assertSameColumns(serial.population, other.population, story)
     val a = serial.collisions!!
     val b = other.collisions!!
     fun counts(f: CollisionForcing) = with(f.counters) { listOf(collisions, wallCollisions, guardActivations) }
@@ -31,5 +34,18 @@ fun assertSameStep(serial: Simulation, other: Simulation, story: String) {
             r.impulse(k) == s.impulse(k) &&
             (0..2).all { r.separation(k, it) == s.separation(k, it) }
         assertTrue(same) { "$story: collision $k differs" }
+    }
+}
+
+/** Asserts that every column has the same bits for the same sphere, those outside the digest included. */
+private fun assertSameColumns(one: Population, other: Population, story: String) {
+    val here = one.indicesById()
+    val there = other.indicesById()
+    assertEquals(here.size, there.size) { story }
+    for (place in 0 until one.columnCount) {
+        val a = one.column(place)
+        val b = other.column(place)
+        val k = here.indices.find { a[here[it]].toRawBits() != b[there[it]].toRawBits() } ?: continue
+        fail<Unit>("$story: column $place of sphere ${one.id[here[k]]} is ${b[there[k]]} for ${a[here[k]]}")
     }
 }
