@@ -126,11 +126,16 @@ public object H5md : ReadableFormat, WritableFormat {
     private fun element(group: WritableGroup, quantity: SphereQuantity, snapshots: List<Snapshot>, names: UnitNames?) {
         val element = group.putGroup(quantity.title)
         steps(element, snapshots, names?.time)
-        val value = Array(snapshots.size) { t ->
-            val columns = snapshots[t].columns(quantity)
-            Array(snapshots[t].size) { k -> DoubleArray(columns.size) { columns[it][k] } }
+        val width = quantity.columns.size
+        val value: Any = if (width == 1) {
+            Array(snapshots.size) { snapshots[it].columns(quantity)[0] }
+        } else {
+            Array(snapshots.size) { t ->
+                val columns = snapshots[t].columns(quantity)
+                Array(snapshots[t].size) { k -> DoubleArray(width) { columns[it][k] } }
+            }
         }
-        element.putDataset("value", value, options(snapshots)).unit(names?.of(quantity))
+        element.putDataset("value", value, options(snapshots, width)).unit(names?.of(quantity))
     }
 
     /** 32-bit integers: how often each sphere crossed the box along x, y, z. */
@@ -141,12 +146,14 @@ public object H5md : ReadableFormat, WritableFormat {
             val image = checkNotNull(snapshots[t].image)
             Array(snapshots[t].size) { k -> intArrayOf(image[0][k], image[1][k], image[2][k]) }
         }
-        element.putDataset("value", value, options(snapshots))
+        element.putDataset("value", value, options(snapshots, 3))
     }
 
-    private fun options(snapshots: List<Snapshot>): DatasetCreationOptions =
-        DatasetCreationOptions.builder().chunkDimensions(1, minOf(snapshots.first().size, CHUNK), 3)
-            .shuffle().deflate(DEFLATE).build()
+    private fun options(snapshots: List<Snapshot>, width: Int): DatasetCreationOptions {
+        val rows = minOf(snapshots.first().size, CHUNK)
+        val chunk = if (width == 1) intArrayOf(1, rows) else intArrayOf(1, rows, width)
+        return DatasetCreationOptions.builder().chunkDimensions(*chunk).shuffle().deflate(DEFLATE).build()
+    }
 
     /**
      * Reads every snapshot of a file that [write] wrote, or that has the same datasets with numbers of any width. A

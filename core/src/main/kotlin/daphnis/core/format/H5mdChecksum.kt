@@ -30,7 +30,7 @@ internal object H5mdChecksum {
             sum.numbers(doubleArrayOf(snapshot.time, snapshot.shearOffset))
             if (hasEdges) sum.numbers(snapshot.lengths)
             for (axis in 0..2) {
-                for (quantity in H5md.CHANGING) sum.numbers(snapshot.columns(quantity)[axis])
+                for (quantity in H5md.CHANGING) snapshot.columns(quantity).getOrNull(axis)?.let { sum.numbers(it) }
                 if (hasImages) sum.integers(snapshot.image!![axis])
             }
         }

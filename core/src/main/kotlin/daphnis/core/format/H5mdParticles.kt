@@ -21,7 +21,7 @@ internal class H5mdParticles(
     private val numbers = H5md.FIXED.associateWith { valued(it.title, source::doubles) }
     private val count = Math.toIntExact(shape[1])
     private val vectors = H5md.CHANGING.filter { source.has("$all/${it.title}") }.associateWith {
-        source.doubles("$all/${it.title}/value", shape)
+        source.doubles("$all/${it.title}/value", if (it.columns.size == 1) shape.take(2) else shape)
     }
     private val position = vectors.getValue(SphereQuantity.POSITION)
     private val image = if (source.has("$all/image")) source.ints("$all/image/value", shape, ANY) else null
@@ -90,7 +90,7 @@ internal class H5mdParticles(
             val vector = vectors[quantity]
             val number = numbers[quantity]
             return when {
-                vector != null -> DoubleArray(count) { vector[cube(t, order[it], c)] }
+                vector != null -> DoubleArray(count) { vector[quantity.columns.size * (t * count + order[it]) + c] }
                 number != null -> DoubleArray(count) { number.data[at(number.isByFrame, t, order[it])] }
                 else -> DoubleArray(count) { quantity.absent }
             }

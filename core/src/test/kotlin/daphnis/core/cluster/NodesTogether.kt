@@ -68,13 +68,8 @@ internal class NodesTogether(
 
     private fun part(step: CollisionStep, holder: IntArray, node: Int): CollisionStep {
         val whole = step.population
-        val mine = holder.indices.filter { holder[it] == node }
-        fun pick(a: DoubleArray) = DoubleArray(mine.size) { a[mine[it]] }
-        val part = Population(
-            pick(whole.x), pick(whole.y), pick(whole.z), pick(whole.vx), pick(whole.vy), pick(whole.vz),
-            pick(whole.radius), pick(whole.mass), IntArray(mine.size) { whole.id[mine[it]] },
-        )
-        pick(whole.lastCollision).copyInto(part.lastCollision)
+        val mine = holder.indices.filter { holder[it] == node }.toIntArray()
+        val part = Population(PopulationColumns.picked(whole, mine))
         return CollisionStep(part, step.boundary, step.law, CollisionCounters(), step.search).also {
             it.start = step.start
             it.duration = step.duration

@@ -21,7 +21,7 @@ class BrickPartsTest {
         assertNotEquals(PathHash.mix(1L, 0.0), PathHash.mix(1L, -0.0))
         val p = populationOf(Sphere(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0))
         val whole = PathHash.whole(once, p, 0, tracksLastCollision = true)
-        for (column in listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision)) {
+        for (column in List(p.columnCount) { p.column(it) }) {
             val before = column[0]
             column[0] = Math.nextUp(before)
             assertNotEquals(whole, PathHash.whole(once, p, 0, tracksLastCollision = true))
