@@ -175,6 +175,7 @@ class BenchCommandTest {
         assertTrue("ideal" in speeds("3,1"))
     }
 
+    @Tag("thorough")
     @Test
     fun `the paper's systems as they are stand beside its authors' program`() {
         fun words(vararg more: String) = arrayOf(

@@ -14,6 +14,7 @@ import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.parallel.Execution
 import org.junit.jupiter.api.parallel.ExecutionMode
@@ -27,6 +28,7 @@ import org.junit.jupiter.params.provider.MethodSource
  */
 @Execution(ExecutionMode.SAME_THREAD)
 class GoldenDigestTest {
+    @Tag("thorough")
     @ParameterizedTest
     @MethodSource("built")
     fun `every engine gives the pinned digests of a built-in scenario in its first steps`(name: String) {
@@ -45,6 +47,7 @@ class GoldenDigestTest {
         check(ScenarioJson.parse(text, name, emptyList()), name, null, byName + islands + blocks)
     }
 
+    @Tag("thorough")
     @ParameterizedTest
     @MethodSource("whole")
     fun `the default engine gives the pinned digest at the end of a built-in scenario`(name: String) {

@@ -21,6 +21,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
 /** Nodes in JVMs of their own, and signals. */
 @Tag("jdk-neutral")
 @Timeout(300)
+@Tag("thorough")
 class LocalNodesTest {
     @TempDir
     lateinit var folder: Path

@@ -8,6 +8,7 @@ import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
@@ -15,6 +16,7 @@ import kotlin.math.cos
 import kotlin.math.sin
 import kotlin.math.sqrt
 
+@Tag("thorough")
 class CentralRidgeTest {
     private val sheet = HillSheet(Box.centred(60.0, 72.0, 2.0), 1.0)
 

@@ -8,6 +8,7 @@ import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.cbrt
@@ -55,6 +56,7 @@ class FiniteCubeTest {
         (mean[59] - mean[29]) / (squares.lag[59] - squares.lag[29]) / 2
     }.average()
 
+    @Tag("thorough")
     @Test
     fun `a small cube and a large one have different D, and one D∞`() {
         val small = measured(108, 10)

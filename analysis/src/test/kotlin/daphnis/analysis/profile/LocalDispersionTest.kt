@@ -11,6 +11,7 @@ import daphnis.core.population.VelocityMoments
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
@@ -62,6 +63,7 @@ class LocalDispersionTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `errors cover the truth in 60 to 75 percent, with a wave and without, through sliding faces`() {
         for (boundary in listOf(HillSheet(box, 0.7), LeesEdwards(box, 0.8))) {

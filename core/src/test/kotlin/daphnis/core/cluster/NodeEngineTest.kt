@@ -4,6 +4,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.Case
 import daphnis.core.engine.Draw
+import daphnis.core.engine.Draws
 import daphnis.core.engine.OddDraw
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
@@ -23,7 +24,7 @@ import java.util.Random
 /** Nodes on threads of this process, with mail as bytes, against the serial engine. */
 @Timeout(600)
 class NodeEngineTest {
-    private val draws = java.lang.Long.getLong("daphnis.draws", if (LONG) 3000 else 150)
+    private val draws = Draws.of(usual = 150, long = 3000)
 
     private fun case(seed: Long): Case = if (seed % 3 == 0L) OddDraw(seed) else Draw(seed)
 
@@ -39,7 +40,7 @@ class NodeEngineTest {
         var redone = 0L
         var replays = 0L
         var failures = 0
-        for (seed in FIRST..<FIRST + draws) {
+        for (seed in Draws.first..<Draws.first + draws) {
             val case = case(seed)
             val serial = case.simulation(SerialEngine())
             val engine = nodes(case)
@@ -99,9 +100,6 @@ class NodeEngineTest {
     }
 
     private companion object {
-        val LONG = System.getProperty("daphnis.long") == "true"
-        val FIRST = java.lang.Long.getLong("daphnis.firstDraw", 1)
-
         /** In mean diameters. */
         val WIDTHS = doubleArrayOf(0.0, 0.0, 0.3, 1.0, 3.0)
     }

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode
  */
 @Execution(ExecutionMode.SAME_THREAD)
 abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Long? = null) {
-    private val draws: Long = draws ?: java.lang.Long.getLong("daphnis.draws", if (LONG) 5000 else 150)
+    private val draws: Long = draws ?: Draws.of(usual = 150, long = 5000)
 
     /** Asked for the same, before the others; null where another module has done that. */
     protected open val oracle: BruteForceEngine? get() = null
@@ -35,7 +35,7 @@ abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Lo
         var replays = 0L
         var failures = 0
         asked = 0
-        for (seed in FIRST..<FIRST + draws) {
+        for (seed in Draws.first..<Draws.first + draws) {
             val case = if (seed % 3 == 0L) OddDraw(seed) else Draw(seed)
             val serial = case.simulation(SerialEngine())
             val others = tested.others(case).map { case.simulation(it) }
@@ -125,8 +125,6 @@ abstract class EnginesAgreeContract(private val tested: TestedEngines, draws: Lo
     }
 
     private companion object {
-        val LONG = System.getProperty("daphnis.long") == "true"
-        val FIRST = java.lang.Long.getLong("daphnis.firstDraw", 1)
         const val STEPS = 3
     }
 }

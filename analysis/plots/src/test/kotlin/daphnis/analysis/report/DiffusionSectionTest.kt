@@ -27,6 +27,7 @@ class DiffusionSectionTest {
         return section
     }
 
+    @Tag("thorough")
     @Test
     fun `the elastic gas diffuses as it should, from the snapshots of a run`() {
         val path = home.resolve("gas")

@@ -3,12 +3,14 @@ package daphnis.analysis.report
 import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
 import kotlin.math.sqrt
 
 /** A short form of what `tools/error-bars` holds: docs/validation.md has the whole. */
+@Tag("thorough")
 class ErrorBarsTest {
     @Test
     fun `errors of a small ring are as large as its numbers scatter from seed to seed`(@TempDir home: Path) {

@@ -4,6 +4,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.Case
 import daphnis.core.engine.Draw
+import daphnis.core.engine.Draws
 import daphnis.core.engine.OddDraw
 import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.SerialEngine
@@ -22,7 +23,7 @@ import org.junit.jupiter.api.Timeout
 /** Bricks of every shape and with halos of every width against the serial engine. */
 @Timeout(600)
 class BricksAgreeTest {
-    private val draws = java.lang.Long.getLong("daphnis.draws", 120)
+    private val draws = Draws.of(usual = 120, long = 120)
 
     private fun case(seed: Long): Case = if (seed % 4 == 0L) OddDraw(seed) else Draw(seed)
 
@@ -38,7 +39,7 @@ class BricksAgreeTest {
     fun `bricks of any shape, with halos of any width, give the digest, counts and collisions of the serial engine`() {
         var redone = 0L
         var replays = 0L
-        for (seed in FIRST..<FIRST + draws) {
+        for (seed in Draws.first..<Draws.first + draws) {
             val case = case(seed)
             val serial = case.simulation(SerialEngine())
             val engine = engine(case)
@@ -136,7 +137,6 @@ class BricksAgreeTest {
     }
 
     private companion object {
-        val FIRST = java.lang.Long.getLong("daphnis.firstDraw", 1)
         const val STEPS = 3
 
         /** In mean diameters. */

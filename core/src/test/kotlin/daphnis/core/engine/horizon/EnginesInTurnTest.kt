@@ -2,6 +2,7 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.Simulation
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.Draws
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
@@ -87,6 +88,6 @@ class EnginesInTurnTest {
     private companion object {
         const val STEPS = 16
         const val THROWN = "thrown after the step"
-        val DRAWS = if (System.getProperty("daphnis.long") == "true") 2500L else 100L
+        val DRAWS = Draws.share(usual = 100, long = 2500)
     }
 }

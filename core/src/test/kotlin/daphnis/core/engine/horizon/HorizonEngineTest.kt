@@ -10,6 +10,7 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.CoreEngines
+import daphnis.core.engine.Draws
 import daphnis.core.engine.FixedThreads
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
@@ -24,6 +25,7 @@ import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -122,6 +124,7 @@ class HorizonEngineTest {
         assertTrue(giants > DRAWS && crossings > DRAWS) { "$giants giants, $crossings through sliding faces" }
     }
 
+    @Tag("thorough")
     @Test
     fun `a margin too small by a third of the way is noticed, where all that fly are as fast as members may be`() {
         for (seed in 1L..6L) {
@@ -502,8 +505,8 @@ class HorizonEngineTest {
     }
 
     private companion object {
-        val DRAWS = if (System.getProperty("daphnis.long") == "true") 2000L else 300L
-        val DENSE_DRAWS = if (System.getProperty("daphnis.long") == "true") 500L else 60L
+        val DRAWS = Draws.share(usual = 300, long = 2000)
+        val DENSE_DRAWS = Draws.share(usual = 60, long = 500)
         const val STEPS = 20
         val THREADS = intArrayOf(1, 2, 3, 2, 5, 9)
         val BOX = Box.centred(24.0, 24.0, 24.0)

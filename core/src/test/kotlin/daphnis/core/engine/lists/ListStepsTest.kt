@@ -13,6 +13,7 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CoreEngines
+import daphnis.core.engine.Draws
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
@@ -236,7 +237,7 @@ class ListStepsTest {
     }
 
     private companion object {
-        val DRAWS = if (System.getProperty("daphnis.long") == "true") 3000L else 300L
+        val DRAWS = Draws.share(usual = 300, long = 3000)
         const val STEPS = 20
 
         /** A draw in which a collision makes a sphere too fast for the step. */

@@ -1,0 +1,77 @@
+package daphnis.app
+
+import daphnis.core.Repository
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.name
+import kotlin.io.path.readLines
+import kotlin.io.path.readText
+
+/** That readers find their way in the documentation. */
+class PagesTest {
+    private val docs: Path = Repository.root.resolve("docs")
+    private val decisions: Path = docs.resolve("adr")
+
+    private fun pages(folder: Path) = Files.list(folder).use { all -> all.filter { it.extension == "md" }.toList() }
+
+    /** Headings of [level] outside code. */
+    private fun headings(page: Path, level: Int): List<String> {
+        var isCode = false
+        return page.readLines().filter { line ->
+            if (line.startsWith("```")) isCode = !isCode
+            !isCode && line.startsWith("#".repeat(level) + " ")
+        }.map { it.drop(level + 1) }
+    }
+
+    /** As those who show the pages make anchors of headings. */
+    private fun anchor(heading: String): String =
+        heading.lowercase().filter { it.isLetterOrDigit() || it in " -_" }.replace(' ', '-')
+
+    @Test
+    fun `long pages begin with links to all their sections`() {
+        val long = pages(docs).filter { it.readText().split(Regex("\\s+")).size > LONG }
+        assertTrue(long.size >= 8)
+        for (page in long) {
+            val head = page.readText().substringBefore("\n## ")
+            val missing = headings(page, 2).filter { "(#${anchor(it)})" !in head }
+            assertEquals(emptyList<String>(), missing) { page.name }
+        }
+    }
+
+    @Test
+    fun `every link to a section of a page finds it`() {
+        val link = Regex("""\]\(([\w./-]*)#([^)]+)\)""")
+        val all =
+            pages(docs) + pages(decisions) + listOf("README.md", "CHANGELOG.md").map { Repository.root.resolve(it) }
+        val broken = all.flatMap { page ->
+            link.findAll(page.readText()).filter { "://" !in it.value }.mapNotNull { found ->
+                val (file, section) = found.destructured
+                val target = if (file.isEmpty()) page else page.resolveSibling(file).normalize()
+                val anchors = (1..4).flatMap { headings(target, it) }.map { anchor(it) }
+                "${page.name}: $file#$section".takeIf { section !in anchors }
+            }
+        }
+        assertEquals(emptyList<String>(), broken)
+    }
+
+    @Test
+    fun `the index of decisions has each of them once, and says which were overtaken`() {
+        val index = decisions.resolve("README.md").readLines()
+        for (page in pages(decisions).filter { it.name != "README.md" }) {
+            val lines = index.filter { "](${page.name})" in it }
+            assertEquals(1, lines.size) { page.name }
+            val head = page.readLines().take(4).joinToString("\n")
+            val isOvertaken = "**Overtaken**" in head || "Replaced by" in head
+            assertEquals(isOvertaken, "(overtaken" in lines.single()) { page.name }
+        }
+    }
+
+    private companion object {
+        /** Words from which on a page is long. */
+        const val LONG = 1500
+    }
+}
