@@ -1,6 +1,7 @@
 package daphnis.core.collision
 
 import daphnis.core.api.EngineApi
+import daphnis.core.growth.GrowingTable
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
@@ -19,7 +20,7 @@ import daphnis.core.population.SphereColumns
  * of the population are not written, so a step can be redone from them. [store] writes to a second set.
  */
 @EngineApi
-public class StepRows {
+public class StepRows : GrowingTable() {
     /** See the table above. */
     public var state: DoubleArray = DoubleArray(0)
         private set
@@ -45,10 +46,6 @@ public class StepRows {
 
     /** Two numbers per slot, [rank] and [streak], which lie side by side since a collision changes both. */
     internal var marks: IntArray = IntArray(0)
-        private set
-
-    /** Number of spheres. */
-    public var size: Int = 0
         private set
 
     internal var tracksLastCollision = false
@@ -148,21 +145,14 @@ public class StepRows {
 
     /** Appends the sphere at [index] of [population], at the start of the step, and returns its slot. */
     internal fun include(population: SphereColumns, index: Int): Int {
-        val k = size
-        if (k * STRIDE == state.size) grow()
+        val k = append()
         copyState(population, index, state, k * STRIDE)
         mass[k] = population.mass[index]
         id[k] = population.id[index]
         origin[k] = index
         marks.fill(0, k * MARKS, (k + 1) * MARKS)
         if (tracksLastCollision) lastCollision[k] = population.lastCollision[index]
-        size = k + 1
         return k
-    }
-
-    /** Removes all rows, for a set that is filled by [take]. */
-    public fun clear() {
-        size = 0
     }
 
     /**
@@ -170,8 +160,7 @@ public class StepRows {
      * when full.
      */
     public fun take(rows: StepRows, slot: Int): Int {
-        val k = size++
-        if (k * STRIDE == state.size) grow()
+        val k = append()
         tracksLastCollision = rows.tracksLastCollision
         resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
@@ -202,33 +191,16 @@ public class StepRows {
         if (elapsed > resolution) marks[slot * MARKS + 1] = 1 else marks[slot * MARKS + 1]++
     }
 
-    private fun grow() {
-        val n = maxOf(INITIAL, size * 2)
-        mass = mass.copyOf(n)
-        id = id.copyOf(n)
-        origin = origin.copyOf(n)
-        marks = marks.copyOf(n * MARKS)
-        lastCollision = lastCollision.copyOf(n)
-        // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
-        // failed.
-        state = state.copyOf(n * STRIDE)
-    }
-
-    private fun reserve(n: Int) {
-        if (state.size >= n * STRIDE) return
-        mass = DoubleArray(n)
-        id = IntArray(n)
-        origin = IntArray(n)
-        marks = IntArray(n * MARKS)
-        lastCollision = DoubleArray(n)
-        // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
-        // failed.
-        state = DoubleArray(n * STRIDE)
+    override fun resize(room: Int) {
+        state = state.copyOf(room * STRIDE)
+        mass = mass.copyOf(room)
+        id = id.copyOf(room)
+        origin = origin.copyOf(room)
+        marks = marks.copyOf(room * MARKS)
+        lastCollision = lastCollision.copyOf(room)
     }
 
     public companion object {
-        private const val INITIAL = 64
-
         /** Numbers per sphere in [marks]. */
         internal const val MARKS: Int = 2
 

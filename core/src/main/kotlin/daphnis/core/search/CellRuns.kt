@@ -68,7 +68,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         wayZ: Double,
         radius: Double,
     ): Int {
-        count = 0
+        clear()
         time = 0.0
         starts = grid.cellStart
         val own = if (levels.count == 1) 0 else levels.of(radius)
@@ -79,7 +79,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
             cover(level, x, y, z, wayX, wayY, wayZ, radius)
             addAll()
         }
-        return count
+        return size
     }
 
     private fun addAhead(slot: Int) {
@@ -118,14 +118,14 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         val wayX = state[p + VX] * rest
         val wayY = state[p + VX + 1] * rest
         val wayZ = state[p + VX + 2] * rest
-        count = 0
+        clear()
         time = state[p + TIME]
         starts = grid.cellStart
         for (level in 0 until levels.count) {
             cover(level, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS])
             addAll()
         }
-        return count
+        return size
     }
 
     private fun addAll() {

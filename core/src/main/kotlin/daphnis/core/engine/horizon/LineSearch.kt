@@ -153,7 +153,7 @@ internal class LineSearch(
     }
 
     private fun cover(slot: Int, from: Double) {
-        count = 0
+        clear()
         spannedLayer = -1
         time = from
         radius = lines.radius(slot)
@@ -235,7 +235,7 @@ internal class LineSearch(
         query.begin(lines, slot, time)
         kept.clear()
         var code = 0
-        for (r in 0 until count) {
+        for (r in 0 until size) {
             if (image[r] != code) {
                 tell(slot, except, code)
                 code = image[r]

@@ -1,16 +1,21 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.growth.GrowingTable
 import kotlin.math.floor
 
 /** Looks among [roamers] for those that may come near a line. Each thread has its own. */
-internal class RoamerLook(private val frame: EpochFrame, private val roamers: Roamers) {
+internal class RoamerLook(private val frame: EpochFrame, private val roamers: Roamers) : GrowingTable() {
     // The cells that are looked through, which may lie beyond periodic faces, and the lists found there.
     private val least = IntArray(AXES)
     private val most = IntArray(AXES)
-    private var found = 0
     private var radius = 0.0
-    private var foundHeads = IntArray(INITIAL)
-    private var foundImages = IntArray(INITIAL)
+    private var foundHeads = IntArray(0)
+    private var foundImages = IntArray(0)
+
+    override fun resize(room: Int) {
+        foundHeads = foundHeads.copyOf(room)
+        foundImages = foundImages.copyOf(room)
+    }
 
     /**
      * Calls [use] for each entry, and its image, that may come near the line in [slot] of [lines] from time [from] on;
@@ -38,7 +43,7 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
 
     /** Notes the lists, not empty, of all cells that the line in [slot] can reach from time [from] on. */
     fun lists(lines: Lines, slot: Int, from: Double): Int {
-        found = 0
+        clear()
         radius = lines.radius(slot)
         val count = roamers.count
         for (k in 1 until AXES) {
@@ -59,7 +64,7 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
                 }
             }
         }
-        return found
+        return size
     }
 
     /** How many boxes away cell [c] along axis [k] is; nearly always none. */
@@ -67,13 +72,9 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
         if (c >= 0 && c < roamers.count[k]) 0 else Math.floorDiv(c, roamers.count[k])
 
     private fun note(e: Int, code: Int) {
-        if (found == foundHeads.size) {
-            foundImages = foundImages.copyOf(found * 2)
-            // Last, since its length says how many there is room for.
-            foundHeads = foundHeads.copyOf(found * 2)
-        }
-        foundHeads[found] = e
-        foundImages[found++] = code
+        val k = append()
+        foundHeads[k] = e
+        foundImages[k] = code
     }
 
     /** The cells of the rows of layer [c2], at its image [boxes] away. */
@@ -101,6 +102,5 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
 
     private companion object {
         const val AXES = 3
-        const val INITIAL = 256
     }
 }

@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.growth.GrowingTable
 import kotlin.math.abs
 
 /**
@@ -11,11 +12,8 @@ import kotlin.math.abs
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */
-internal class Roamers(private val frame: EpochFrame, private val lines: Lines) {
-    /** Entries, those of old lines included. */
-    var size = 0
-        private set
-
+internal class Roamers(private val frame: EpochFrame, private val lines: Lines) :
+    GrowingTable() {
     /**
      * Numbers of cells, and how far the surface of a roamer may be from where its centre is at the middle of the epoch.
      */
@@ -29,13 +27,19 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
     var flow = DoubleArray(0)
         private set
     private var heads = IntArray(0)
-    private var slots = IntArray(INITIAL)
-    private var versions = IntArray(INITIAL)
-    private var next = IntArray(INITIAL)
+    private var slots = IntArray(0)
+    private var versions = IntArray(0)
+    private var next = IntArray(0)
+
+    override fun resize(room: Int) {
+        slots = slots.copyOf(room)
+        versions = versions.copyOf(room)
+        next = next.copyOf(room)
+    }
 
     /** Forgets all, for an epoch of [spheres] spheres that are about as fast as [speeds] and as large as [radius]. */
     fun begin(spheres: Int, speeds: DoubleArray, radius: Double) {
-        size = 0
+        clear()
         largest = 0.0
         fastest.fill(0.0)
         for (k in 0 until AXES) {
@@ -87,11 +91,11 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
             versions[heads[cell]] = lines.version[slot]
             return
         }
-        if (size == slots.size) grow()
-        slots[size] = slot
-        versions[size] = lines.version[slot]
-        next[size] = heads[cell]
-        heads[cell] = size++
+        val e = append()
+        slots[e] = slot
+        versions[e] = lines.version[slot]
+        next[e] = heads[cell]
+        heads[cell] = e
     }
 
     private fun cellAt(position: Double, k: Int): Int =
@@ -112,17 +116,9 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
         for (e in 0 until size) if (isPresent(e, lines)) use(slotOf(e))
     }
 
-    private fun grow() {
-        versions = versions.copyOf(size * 2)
-        next = next.copyOf(size * 2)
-        // Last, since its length says how many there is room for.
-        slots = slots.copyOf(size * 2)
-    }
-
     companion object {
         const val NONE = -1
         private const val AXES = 3
-        private const val INITIAL = 256
         private const val MOST_CELLS_ALONG = 1e3
         private const val SPHERES_A_CELL = 4
         private const val ROOM = 1.05
