@@ -2,9 +2,9 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.Images
 import daphnis.core.collision.NEVER
+import daphnis.core.collision.waitUntilContact
 import daphnis.core.growth.GrowingTable
 import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * A straight line for each sphere, by slot: where the sphere would be at each moment of the epoch if it flew freely.
@@ -164,9 +164,7 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
         val c = dx * dx + dy * dy + dz * dz - s * s
         if (c <= 0) return t
         val b = dx * ux + dy * uy + dz * uz
-        if (b >= 0) return NEVER
-        val discriminant = b * b - (ux * ux + uy * uy + uz * uz) * c
-        return if (discriminant < 0) NEVER else t + c / (sqrt(discriminant) - b)
+        return if (b >= 0) NEVER else t + waitUntilContact(ux * ux + uy * uy + uz * uz, b, c)
     }
 
     /**
