@@ -1,7 +1,6 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.growth.GrowingTable
-import kotlin.math.floor
 
 /** Looks among [roamers] for those that may come near a line. Each thread has its own. */
 internal class RoamerLook(private val frame: EpochFrame, private val roamers: Roamers) : GrowingTable() {
@@ -45,20 +44,20 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
     fun lists(lines: Lines, slot: Int, from: Double): Int {
         clear()
         radius = lines.radius(slot)
-        val count = roamers.count
+        val count = roamers.cells.count
         for (k in 1 until AXES) {
             val axis = frame.axes[k]
             span(k, lines.at(slot, axis, from), lines.at(slot, axis, frame.end))
         }
         for (layer in least[2]..most[2]) {
-            val slow = boxes(layer, 2)
+            val slow = roamers.cells.boxes(layer, 2)
             val c2 = layer - slow * count[2]
             spanRow(lines, slot, from, c2, slow)
             for (row in least[1]..most[1]) {
-                val middle = boxes(row, 1)
+                val middle = roamers.cells.boxes(row, 1)
                 val rowStart = (c2 * count[1] + row - middle * count[1]) * count[0]
                 for (c in least[0]..most[0]) {
-                    val along = boxes(c, 0)
+                    val along = roamers.cells.boxes(c, 0)
                     val e = roamers.head(rowStart + c - along * count[0])
                     if (e != Roamers.NONE) note(e, frame.code(along, middle, slow))
                 }
@@ -66,10 +65,6 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
         }
         return size
     }
-
-    /** How many boxes away cell [c] along axis [k] is; nearly always none. */
-    private fun boxes(c: Int, k: Int): Int =
-        if (c >= 0 && c < roamers.count[k]) 0 else Math.floorDiv(c, roamers.count[k])
 
     private fun note(e: Int, code: Int) {
         val k = append()
@@ -91,13 +86,8 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
     }
 
     private fun span(k: Int, here: Double, there: Double) {
-        least[k] = cellToward(minOf(here, there) - roamers.reach[k] - radius, k)
-        most[k] = cellToward(maxOf(here, there) + roamers.reach[k] + radius, k)
-    }
-
-    private fun cellToward(position: Double, k: Int): Int {
-        val c = floor((position - frame.low[k]) * roamers.perLength[k])
-        return if (frame.isPeriodic[k]) c.toInt() else c.coerceIn(0.0, roamers.count[k] - 1.0).toInt()
+        least[k] = roamers.cells.cellToward(minOf(here, there) - roamers.reach[k] - radius, k)
+        most[k] = roamers.cells.cellToward(maxOf(here, there) + roamers.reach[k] + radius, k)
     }
 
     private companion object {
