@@ -16,7 +16,7 @@ public class Engines private constructor() {
             "islands" to { IslandsEngine(it) },
             "bricks" to { BricksEngine(it) },
             "thread-pool" to { ThreadPoolEngine(it) },
-            "serial" to { SerialEngine() },
+            SERIAL to { SerialEngine() },
         )
 
         @JvmStatic
@@ -26,8 +26,13 @@ public class Engines private constructor() {
         override fun create(name: String, threads: Int): CollisionEngine? =
             makers[name]?.invoke(EngineFactory.threadsOrAll(threads))
 
+        @JvmStatic
+        override fun isSpecification(name: String): Boolean = name == SERIAL
+
         /** The factory itself, for Java. */
         @JvmStatic
         public fun factory(): EngineFactory = this
+
+        private const val SERIAL = "serial"
     }
 }

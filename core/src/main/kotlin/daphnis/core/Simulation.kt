@@ -2,6 +2,7 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.Workforce
 import daphnis.core.force.Drift
 import daphnis.core.force.Force
 import daphnis.core.parallel.ClosableLoop
@@ -39,7 +40,7 @@ public class Simulation internal constructor(
     startTime: Double,
     startStep: Long,
     runStart: Double?,
-    elsewhere: Steps?,
+    elsewhere: RemoteSteps?,
     clock: Clock?,
 ) : AutoCloseable {
     @JvmOverloads
@@ -108,7 +109,10 @@ public class Simulation internal constructor(
      * first after it.
      */
     public val forces: List<Force> = forces.sortedBy { it is Drift }
-    private val loop = ClosableLoop(collisions?.engine?.loop ?: InlineLoop, CLOSED)
+
+    /** What computes the steps; null where spheres pass through one another. */
+    internal val workforce: Workforce? = elsewhere ?: collisions?.engine
+    private val loop = ClosableLoop(workforce?.loop ?: InlineLoop, CLOSED)
     private val steps: Steps =
         elsewhere ?: LocalSteps(StepPhases(population, boundary, collisions, this.forces, loop), timeStep)
     private var opened = false

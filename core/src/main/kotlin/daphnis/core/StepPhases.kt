@@ -4,7 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.keepsFinite
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.EndsFinite
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
@@ -63,7 +63,7 @@ public class StepPhases(
         if (collisions != null) {
             collisions.advance(population, boundary, start, duration)
             // Another engine around that one may have written more.
-            hasDriftedFinite = (collisions.engine as? HorizonEngine)?.endedFinite == true
+            hasDriftedFinite = (collisions.engine as? EndsFinite)?.endedFinite == true
         } else {
             population.drift(duration)
         }

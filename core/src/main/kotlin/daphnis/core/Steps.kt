@@ -1,5 +1,7 @@
 package daphnis.core
 
+import daphnis.core.engine.Workforce
+
 /**
  * Where the steps of a [Simulation] are computed: by this process ([LocalSteps]), or by nodes which hold its spheres.
  * Until [commit] a step can be taken back.
@@ -34,6 +36,14 @@ internal interface Steps {
 
     /** No step follows. */
     fun close()
+}
+
+/** Steps that others compute than this process. */
+internal interface RemoteSteps :
+    Steps,
+    Workforce {
+    /** No step follows. */
+    override fun close()
 }
 
 /** Steps that this process computes, by the phases of [StepPhases]. */

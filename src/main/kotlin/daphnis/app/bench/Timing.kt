@@ -1,5 +1,7 @@
 package daphnis.app.bench
 
+import daphnis.core.Engines
+
 /**
  * How long an engine took for the steps of a scenario.
  *
@@ -49,7 +51,7 @@ internal class Timing(
 internal class Ranking(val timings: List<Timing>) {
     /** The serial engine where it took part, else the first on one thread, else the first. */
     val yardstick: Timing =
-        timings.find { it.engine == "serial" } ?: timings.find { it.threads == 1 } ?: timings.first()
+        timings.find { Engines.isSpecification(it.engine) } ?: timings.find { it.threads == 1 } ?: timings.first()
 
     /** How many times as fast as the [yardstick]. */
     fun speed(timing: Timing): Double = yardstick.fastest / timing.fastest

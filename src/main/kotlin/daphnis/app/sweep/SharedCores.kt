@@ -9,4 +9,6 @@ internal class SharedCores(private val all: EngineFactory, private val threads: 
 
     override fun create(name: String, threads: Int): CollisionEngine? =
         all.create(name, if (threads == 0) this.threads else threads)
+
+    override fun isSpecification(name: String): Boolean = all.isSpecification(name)
 }

@@ -1,15 +1,10 @@
 package daphnis.core.cluster
 
-import daphnis.core.Steps
+import daphnis.core.RemoteSteps
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.force.SelfGravity
-import daphnis.core.parallel.ClosableLoop
-import daphnis.core.parallel.FixedPool
-import daphnis.core.parallel.LoopStrategy
-import daphnis.core.parallel.ParallelLoop
-import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
@@ -29,7 +24,7 @@ import java.util.function.Consumer
  * @param log is told, in a line each, what a user should know, such as the loss of a node
  */
 public class FleetEngines internal constructor(
-    private val fleet: Fleet,
+    internal val fleet: Fleet,
     private val patience: Duration,
     private val log: Consumer<String>,
     private val copies: CopyClock,
@@ -41,70 +36,28 @@ public class FleetEngines internal constructor(
         log: Consumer<String> = Consumer { },
     ) : this(fleet, patience, log, CopyClock())
 
-    override val names: List<String> get() = listOf(NAME)
+    override val names: List<String> get() = emptyList()
 
-    override fun create(name: String, threads: Int): CollisionEngine = create()
-
-    internal fun create(): CollisionEngine = FleetEngine(fleet, patience, log, copies)
-
-    internal companion object {
-        const val NAME = "cluster"
-    }
-}
-
-/**
- * Stands for the nodes in a simulation. It does not advance a population itself: that is what [steps] are for. Its
- * threads are those of this process, for sums.
- */
-internal class FleetEngine(
-    private val fleet: Fleet,
-    private val patience: Duration,
-    private val log: Consumer<String>,
-    private val copies: CopyClock,
-) : CollisionEngine {
-    private val handler = FixedPool(Runtime.getRuntime().availableProcessors())
-    private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
-    private var made: NodeSteps? = null
-    override val name: String get() = FleetEngines.NAME
-    override val loop: RangeLoop get() = gate
-
-    /** Threads of the nodes that compute; 0 before the first step. */
-    override val threads: Int
-        get() = made?.threads ?: 0
-
-    override fun advance(step: daphnis.core.step.CollisionStep): Unit =
-        throw UnsupportedOperationException("nodes advance runs of scenarios only")
+    /** None: nodes compute, in place of the engines of this process. */
+    override fun create(name: String, threads: Int): CollisionEngine? = null
 
     /**
      * The steps of the run of [setup], from [state] at [time] after [step].
      *
      * @throws InputException for a force that needs all spheres in one place
      */
-    fun steps(
+    internal fun steps(
         setup: ScenarioSetup,
         source: String,
         state: Population,
         forcing: CollisionForcing,
         time: Double,
         step: Long,
-    ): Steps {
-        requireShareable(setup, source)
-        val steps = NodeSteps(fleet, setup, state, forcing, time, step, patience, copies) { log.accept(it) }
-        return steps.also { made = it }
-    }
-
-    private fun requireShareable(setup: ScenarioSetup, source: String) {
-        if (setup.forces.none { it is SelfGravity }) return
-        throw InputException(
-            source,
-            "forces",
-            "has self-gravity, which nodes cannot compute yet; run it on one machine",
-        )
-    }
-
-    override fun close() {
-        gate.close()
-        handler.close()
-        fleet.close()
+    ): RemoteSteps {
+        if (setup.forces.any { it is SelfGravity }) {
+            val mend = "has self-gravity, which nodes cannot compute yet; run it on one machine"
+            throw InputException(source, "forces", mend)
+        }
+        return NodeSteps(fleet, setup, state, forcing, time, step, patience, copies) { log.accept(it) }
     }
 }

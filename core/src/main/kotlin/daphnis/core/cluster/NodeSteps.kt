@@ -1,9 +1,15 @@
 package daphnis.core.cluster
 
 import daphnis.core.RemoteParts
-import daphnis.core.Steps
+import daphnis.core.RemoteSteps
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.parallel.ClosableLoop
+import daphnis.core.parallel.FixedPool
+import daphnis.core.parallel.LoopStrategy
+import daphnis.core.parallel.ParallelLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
@@ -31,7 +37,7 @@ internal class NodeSteps(
     private val patience: Duration,
     private val copies: CopyClock,
     private val log: (String) -> Unit,
-) : Steps {
+) : RemoteSteps {
     private val scenario = ScenarioJson.write(setup.scenario)
     private val sums = CrewSums(setup)
 
@@ -58,8 +64,14 @@ internal class NodeSteps(
     private var loss: String? = null
     private var lossStep = 0L
 
+    /** For sums over spheres that are at home. */
+    private val handler = FixedPool(Runtime.getRuntime().availableProcessors())
+    private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
+    override val name: String get() = "cluster"
+    override val loop: RangeLoop get() = gate
+
     /** Threads of the nodes of the last crew; 0 before the first. */
-    var threads: Int = 0
+    override var threads: Int = 0
         private set
 
     override fun begin() {
@@ -210,6 +222,8 @@ internal class NodeSteps(
     override fun close() {
         if (isClosed) return
         isClosed = true
+        gate.close()
+        handler.close()
         report.line()?.let(log)
         dismiss()
         fleet.close()

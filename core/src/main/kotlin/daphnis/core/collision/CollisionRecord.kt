@@ -1,5 +1,7 @@
 package daphnis.core.collision
 
+import daphnis.core.growth.GrowingTable
+
 /**
  * The collisions of one step in the order (time, rank, lower id, higher id), as a structure of arrays of [size]
  * entries. Filled by the engine when it is asked for; valid until the next step. Among collisions at one time, each
@@ -9,7 +11,7 @@ package daphnis.core.collision
  * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher
  * id.
  */
-public class CollisionRecord() {
+public class CollisionRecord() : GrowingTable() {
     /** The collisions that came in a message: [data] has [WIDTH] numbers for each entry of the others. */
     internal constructor(
         time: DoubleArray,
@@ -18,6 +20,7 @@ public class CollisionRecord() {
         higher: IntArray,
         data: DoubleArray,
     ) : this() {
+        reserve(time.size)
         this.time = time
         this.rank = rank
         this.lower = lower
@@ -26,29 +29,33 @@ public class CollisionRecord() {
         size = time.size
     }
 
-    /** Number of collisions. */
-    public var size: Int = 0
-        private set
-
     /** Time from the start of the step. */
-    public var time: DoubleArray = DoubleArray(INITIAL)
+    public var time: DoubleArray = DoubleArray(0)
         private set
 
     /** Place among the collisions at the same time that led to one another, from 1; see [StepRows.rank]. */
-    public var rank: IntArray = IntArray(INITIAL)
+    public var rank: IntArray = IntArray(0)
         private set
 
     /** Lower id. */
-    public var lower: IntArray = IntArray(INITIAL)
+    public var lower: IntArray = IntArray(0)
         private set
 
     /** Higher id. */
-    public var higher: IntArray = IntArray(INITIAL)
+    public var higher: IntArray = IntArray(0)
         private set
 
     /** Impact speed, coefficient, impulse, separation x y z: six numbers per collision. */
-    public var data: DoubleArray = DoubleArray(INITIAL * WIDTH)
+    public var data: DoubleArray = DoubleArray(0)
         private set
+
+    override fun resize(room: Int) {
+        time = time.copyOf(room)
+        rank = rank.copyOf(room)
+        lower = lower.copyOf(room)
+        higher = higher.copyOf(room)
+        data = data.copyOf(room * WIDTH)
+    }
 
     public fun impactSpeed(k: Int): Double = data[k * WIDTH]
 
@@ -60,14 +67,9 @@ public class CollisionRecord() {
     /** Component [axis] of the vector between the centres. */
     public fun separation(k: Int, axis: Int): Double = data[k * WIDTH + 3 + axis]
 
-    public fun clear() {
-        size = 0
-    }
-
     /** Appends a collision between the spheres with ids [first] and [second], as described by [outcome]. */
     public fun add(time: Double, first: Int, second: Int, outcome: CollisionOutcome) {
-        if (size == this.time.size) grow()
-        val k = size++
+        val k = append()
         val swap = first > second
         this.time[k] = time
         rank[k] = outcome.rank
@@ -86,7 +88,7 @@ public class CollisionRecord() {
 
     /** Appends entries [from] until [to] of [other]. */
     public fun addAll(other: CollisionRecord, from: Int, to: Int) {
-        while (size + to - from > time.size) grow()
+        ensure(size + to - from)
         other.time.copyInto(time, size, from, to)
         other.rank.copyInto(rank, size, from, to)
         other.lower.copyInto(lower, size, from, to)
@@ -124,19 +126,7 @@ public class CollisionRecord() {
         return higher[a] < higher[b]
     }
 
-    private fun grow() {
-        val n = maxOf(time.size * 2, INITIAL)
-        rank = rank.copyOf(n)
-        lower = lower.copyOf(n)
-        higher = higher.copyOf(n)
-        data = data.copyOf(n * WIDTH)
-        // Last, since its length says how many there is room for: an allocation before it may have failed.
-        time = time.copyOf(n)
-    }
-
     internal companion object {
-        private const val INITIAL = 1024
-
         /** Numbers in [data] for each collision. */
         const val WIDTH = 6
     }

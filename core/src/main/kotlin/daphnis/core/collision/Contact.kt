@@ -7,17 +7,14 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
-import kotlin.math.sqrt
 
 /** Contact time of spheres that never touch. Larger than any time, so `contactTime(…) <= duration` is false. */
 public const val NEVER: Double = Double.POSITIVE_INFINITY
 
 /**
- * The time at which the surfaces of two approaching spheres touch, from the start of the step.
- *
- * With relative position **d**, relative velocity **u** and s = r₁ + r₂, the surfaces touch at the smaller root of
- * a t² + 2 b t + c = 0, a = u², b = **d**·**u**, c = d² − s², taken in the form c / (−b + √(b² − ac)), which does
- * not cancel.
+ * The time at which the surfaces of two approaching spheres touch, from the start of the step: the smaller root of
+ * a t² + 2 b t + c = 0 with a = u², b = **d**·**u**, c = d² − s², for the relative position **d**, the relative velocity
+ * **u** and s = r₁ + r₂.
  * - b ≥ 0: they recede. [NEVER], even when they overlap, since they separate by themselves.
  * - c ≤ 0 and b < 0: they touch or overlap by round-off, and approach. They collide at once
  *   (Bannerman, Strobl, Formella & Pöschel 2014, Comput. Part. Mech. 1, 191; arXiv 1211.6718).
@@ -87,42 +84,3 @@ public fun timeToContact(
     }
     return NEVER
 }
-
-/**
- * The kernel of every search: calls [found] with a = u², b = **d**·**u** and c = d² − s² of [contactTime] for a pair
- * that approaches and is near enough to touch in time. Nine of ten candidates end here, without a square root and with
- * one well predicted branch.
- *
- * For c > 0 the contact comes c / (√(b² − ac) − b) from now, which is not before c / (−2b), so a contact within a time
- * τ has c ≤ −2bτ. In floating-point numbers this holds when τ is larger by a few units of rounding; see
- * [closingWithin]. A pair with a number that is [StepRows.UNKNOWN] is never dismissed, since b and c are NaN then.
- *
- * @param closing −2τ, from [closingWithin]; −∞ for no limit of time
- */
-internal inline fun ifApproaching(
-    dx: Double,
-    dy: Double,
-    dz: Double,
-    ux: Double,
-    uy: Double,
-    uz: Double,
-    reach: Double,
-    closing: Double,
-    found: (a: Double, b: Double, c: Double) -> Unit,
-) {
-    val b = dx * ux + dy * uy + dz * uz
-    val c = dx * dx + dy * dy + dz * dz - reach * reach
-    if (!(c > b * closing || b >= 0.0)) found(ux * ux + uy * uy + uz * uz, b, c)
-}
-
-/** −2τ for contacts up to [rest] from now in a step of [duration], with ample room for rounding. */
-internal fun closingWithin(rest: Double, duration: Double): Double = -2.0 * (rest + duration * ROUNDING)
-
-/** Time until a t² + 2 b t + c = 0 with [b] < 0, the surfaces in contact; [NEVER] when they miss; NaN if unknown. */
-internal fun waitUntilContact(a: Double, b: Double, c: Double): Double {
-    if (c <= 0.0) return 0.0
-    val discriminant = b * b - a * c
-    return if (discriminant < 0.0) NEVER else c / (sqrt(discriminant) - b)
-}
-
-private const val ROUNDING = 1e-12

@@ -1,6 +1,7 @@
 package daphnis.core.collision
 
 import daphnis.core.api.EngineApi
+import daphnis.core.growth.GrowingTable
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
@@ -20,7 +21,7 @@ import daphnis.core.population.SphereQuantity
  * of the population are not written, so a step can be redone from them. [store] writes to a second set.
  */
 @EngineApi
-public class StepRows {
+public class StepRows : GrowingTable() {
     /** See the table above. */
     public var state: DoubleArray = DoubleArray(0)
         private set
@@ -57,10 +58,6 @@ public class StepRows {
 
     /** Two numbers per slot, [rank] and [streak], which lie side by side since a collision changes both. */
     internal var marks: IntArray = IntArray(0)
-        private set
-
-    /** Number of spheres. */
-    public var size: Int = 0
         private set
 
     internal val tracksLastCollision: Boolean get() = carried !== RowColumns.UNNOTED
@@ -158,20 +155,13 @@ public class StepRows {
 
     /** Appends the sphere at [index] of [population], at the start of the step, and returns its slot. */
     internal fun include(population: SphereColumns, index: Int): Int {
-        val k = size
-        if (k * STRIDE == state.size) grow()
+        val k = append()
         copyState(population, index, state, k * STRIDE)
         for (side in carried) sides[side][k] = population.column(side)[index]
         id[k] = population.id[index]
         origin[k] = index
         marks.fill(0, k * MARKS, (k + 1) * MARKS)
-        size = k + 1
         return k
-    }
-
-    /** Removes all rows, for a set that is filled by [take]. */
-    public fun clear() {
-        size = 0
     }
 
     /**
@@ -179,8 +169,7 @@ public class StepRows {
      * when full.
      */
     public fun take(rows: StepRows, slot: Int): Int {
-        val k = size++
-        if (k * STRIDE == state.size) grow()
+        val k = append()
         carried = rows.carried
         resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
@@ -210,31 +199,15 @@ public class StepRows {
         if (elapsed > resolution) marks[slot * MARKS + 1] = 1 else marks[slot * MARKS + 1]++
     }
 
-    private fun grow() {
-        val n = maxOf(INITIAL, size * 2)
-        for (side in RowColumns.SIDES) sides[side] = sides[side].copyOf(n)
-        id = id.copyOf(n)
-        origin = origin.copyOf(n)
-        marks = marks.copyOf(n * MARKS)
-        // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
-        // failed.
-        state = state.copyOf(n * STRIDE)
-    }
-
-    private fun reserve(n: Int) {
-        if (state.size >= n * STRIDE) return
-        for (side in RowColumns.SIDES) sides[side] = DoubleArray(n)
-        id = IntArray(n)
-        origin = IntArray(n)
-        marks = IntArray(n * MARKS)
-        // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
-        // failed.
-        state = DoubleArray(n * STRIDE)
+    override fun resize(room: Int) {
+        state = state.copyOf(room * STRIDE)
+        for (side in RowColumns.SIDES) sides[side] = sides[side].copyOf(room)
+        id = id.copyOf(room)
+        origin = origin.copyOf(room)
+        marks = marks.copyOf(room * MARKS)
     }
 
     public companion object {
-        private const val INITIAL = 64
-
         private val MASS = SphereQuantity.MASS.place
         private val LAST_COLLISION = SphereQuantity.LAST_COLLISION.place
 

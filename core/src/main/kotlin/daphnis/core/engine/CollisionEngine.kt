@@ -1,8 +1,6 @@
 package daphnis.core.engine
 
 import daphnis.core.api.EngineApi
-import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
 
 /**
@@ -11,19 +9,7 @@ import daphnis.core.step.CollisionStep
  * missed, where a sphere changes only at its own collisions and at the end of the step. [SerialEngine] is the
  * specification.
  */
-public interface CollisionEngine : AutoCloseable {
-    /** The name by which it is chosen. */
-    public val name: String
-
-    /** The number of threads that work. */
-    public val threads: Int
-
-    /**
-     * Runs loops over spheres on the engine's threads, for the rest of a step. Must not be used while [advance] runs.
-     * Throws after [close].
-     */
-    public val loop: RangeLoop get() = InlineLoop
-
+public interface CollisionEngine : Workforce {
     /**
      * Moves every sphere of the step's population from the start of the step to its end. Boundaries are not applied at
      * the end; that is the caller's task. When this throws, population and counters are as they were before. An engine

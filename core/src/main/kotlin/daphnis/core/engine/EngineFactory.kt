@@ -11,6 +11,12 @@ public interface EngineFactory {
      */
     public fun create(name: String, threads: Int): CollisionEngine?
 
+    /**
+     * Whether [name] is that of the engine which is the specification of all others. It works on one thread, whatever
+     * is asked of [create].
+     */
+    public fun isSpecification(name: String): Boolean = false
+
     public companion object {
         /** [threads], or as many as the machine has when that is 0. */
         @JvmStatic
@@ -29,4 +35,6 @@ public class CombinedEngines(private vararg val factories: EngineFactory) : Engi
     override fun create(name: String, threads: Int): CollisionEngine? = factories.firstNotNullOfOrNull {
         it.create(name, threads)
     }
+
+    override fun isSpecification(name: String): Boolean = factories.any { it.isSpecification(name) }
 }

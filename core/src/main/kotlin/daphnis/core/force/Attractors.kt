@@ -1,39 +1,30 @@
 package daphnis.core.force
 
+import daphnis.core.growth.GrowingTable
+
 /** Point masses that attract: positions and masses of the first [size] entries. */
-internal class Attractors {
-    var x = DoubleArray(INITIAL)
+internal class Attractors : GrowingTable() {
+    var x = DoubleArray(0)
         private set
-    var y = DoubleArray(INITIAL)
+    var y = DoubleArray(0)
         private set
-    var z = DoubleArray(INITIAL)
+    var z = DoubleArray(0)
         private set
-    var mass = DoubleArray(INITIAL)
-        private set
-    var size = 0
+    var mass = DoubleArray(0)
         private set
 
-    fun clear() {
-        size = 0
+    override fun resize(room: Int) {
+        x = x.copyOf(room)
+        y = y.copyOf(room)
+        z = z.copyOf(room)
+        mass = mass.copyOf(room)
     }
 
     fun add(x: Double, y: Double, z: Double, mass: Double) {
-        if (size == this.mass.size) grow()
-        this.x[size] = x
-        this.y[size] = y
-        this.z[size] = z
-        this.mass[size++] = mass
-    }
-
-    private fun grow() {
-        val n = size * 2
-        x = x.copyOf(n)
-        y = y.copyOf(n)
-        z = z.copyOf(n)
-        mass = mass.copyOf(n)
-    }
-
-    private companion object {
-        const val INITIAL = 1024
+        val k = append()
+        this.x[k] = x
+        this.y[k] = y
+        this.z[k] = z
+        this.mass[k] = mass
     }
 }

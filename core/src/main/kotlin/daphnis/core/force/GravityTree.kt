@@ -1,11 +1,14 @@
 package daphnis.core.force
 
+import daphnis.core.growth.GrowingTable
+import daphnis.core.growth.IntList
 import daphnis.core.population.Population
 
 /**
  * An octree over a population for sums of gravity (Barnes & Hut 1986, Nature 324, 446). Spheres are sorted along a
  * Morton curve, spheres with one key by id, so the tree and every sum in it are the same whatever order the arrays are
- * in. Nodes are in depth-first order: the first child of node n is n + 1, and the node after its subtree is [skip].
+ * in. Nodes are in depth-first order: the first child of node n is n + 1, and the node after its subtree is [skip]. The rows of this
+ * table are nodes.
  *
  * ```
  *   0 root        skip 9
@@ -15,7 +18,7 @@ import daphnis.core.population.Population
  *   └─ 4 …
  * ```
  */
-internal class GravityTree {
+internal class GravityTree : GrowingTable() {
     /** Index in the population by place on the curve. */
     var order = IntArray(0)
         private set
@@ -27,31 +30,24 @@ internal class GravityTree {
     val mass get() = columns[3]
     private var columns = Array(4) { DoubleArray(0) }
 
-    /** Number of nodes. */
-    var nodes = 0
-        private set
-
     /** Node after the subtree of a node. */
-    var skip = IntArray(INITIAL)
+    var skip = IntArray(0)
         private set
 
     /** Places of the spheres of a node: from until to. */
-    var from = IntArray(INITIAL)
+    var from = IntArray(0)
         private set
-    var to = IntArray(INITIAL)
+    var to = IntArray(0)
         private set
 
     /**
      * Centre of mass x y z, mass, and least x y z, greatest x y z of its spheres' centres: [WIDTH] numbers per node.
      */
-    var node = DoubleArray(INITIAL * WIDTH)
+    var node = DoubleArray(0)
         private set
 
     /** Nodes that are leaves. */
-    var leaves = IntArray(INITIAL)
-        private set
-    var leafCount = 0
-        private set
+    val leaves = IntList()
 
     private var keys = LongArray(0)
     private var spareKeys = LongArray(0)
@@ -60,7 +56,7 @@ internal class GravityTree {
 
     fun build(population: Population) {
         val n = population.size
-        reserve(n)
+        makeRoom(n)
         computeKeys(population)
         sort(n, population.id)
         for (place in 0 until n) {
@@ -70,12 +66,12 @@ internal class GravityTree {
             z[place] = population.z[k]
             mass[place] = population.mass[k]
         }
-        nodes = 0
-        leafCount = 0
+        clear()
+        leaves.clear()
         if (n > 0) divide(0, n, TOP_SHIFT)
     }
 
-    private fun reserve(n: Int) {
+    private fun makeRoom(n: Int) {
         if (mass.size >= n) return
         order = IntArray(n)
         spareOrder = IntArray(n)
@@ -153,8 +149,7 @@ internal class GravityTree {
         while (shift >= 0 && octant(keys[first], shift) == octant(keys[end - 1], shift)) shift -= 3
         val n = newNode(first, end)
         if (end - first <= LEAF || shift < 0) {
-            if (leafCount == leaves.size) leaves = leaves.copyOf(leafCount * 2)
-            leaves[leafCount++] = n
+            leaves.add(n)
             sumSpheres(n)
         } else {
             begin(n)
@@ -168,22 +163,24 @@ internal class GravityTree {
             }
             finish(n)
         }
-        skip[n] = nodes
+        skip[n] = size
         return n
     }
 
     private fun octant(key: Long, shift: Int): Int = (key ushr shift).toInt() and 7
 
     private fun newNode(first: Int, end: Int): Int {
-        if (nodes * WIDTH == node.size) {
-            skip = skip.copyOf(nodes * 2)
-            from = from.copyOf(nodes * 2)
-            to = to.copyOf(nodes * 2)
-            node = node.copyOf(nodes * 2 * WIDTH)
-        }
-        from[nodes] = first
-        to[nodes] = end
-        return nodes++
+        val n = append()
+        from[n] = first
+        to[n] = end
+        return n
+    }
+
+    override fun resize(room: Int) {
+        skip = skip.copyOf(room)
+        from = from.copyOf(room)
+        to = to.copyOf(room)
+        node = node.copyOf(room * WIDTH)
     }
 
     private fun begin(n: Int) {
@@ -235,7 +232,6 @@ internal class GravityTree {
 
         /** The most spheres in a leaf; those of one leaf share a walk. */
         const val LEAF = 16
-        private const val INITIAL = 256
         private const val DIGIT = 16
         private const val KEY_BITS = 63
         private const val TOP_SHIFT = 60

@@ -57,9 +57,9 @@ internal class GravityWalk(
         val node = tree.node
         val skip = tree.skip
         // Nodes before this one are so near that no part of them is cut.
-        var wholeUntil = if (cut.isPresent) 0 else tree.nodes
+        var wholeUntil = if (cut.isPresent) 0 else tree.size
         var n = 0
-        while (n < tree.nodes) {
+        while (n < tree.size) {
             if (n >= wholeUntil) {
                 if (nearest2(n, dx, dy, dz) >= range2) {
                     n = skip[n]

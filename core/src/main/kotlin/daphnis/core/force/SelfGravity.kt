@@ -117,7 +117,7 @@ public class SelfGravity @JvmOverloads constructor(
         periodicImages.prepare(boundary, time)
         cut.choose(periodicImages)
         if (walks.size < loop.workers) walks = Array(loop.workers) { GravityWalk(tree, openingAngle, softening, cut) }
-        loop.run(tree.leafCount, LEAVES_A_PIECE) { worker, from, to ->
+        loop.run(tree.leaves.size, LEAVES_A_PIECE) { worker, from, to ->
             val walk = walks[worker]
             for (leaf in from until to) {
                 walk.begin(tree.leaves[leaf])

@@ -63,7 +63,7 @@ public class BucketEventQueue : EventQueue {
     }
 
     override fun add(time: Double, first: Int, second: Int, image: Int) {
-        if (store.size == store.capacity) squeezeOrGrow()
+        if (store.size == store.room) squeezeOrGrow()
         store.add(time, first, second, image)
         file(store.size - 1, time)
     }
@@ -112,7 +112,7 @@ public class BucketEventQueue : EventQueue {
         val before = store.size
         heap.squeeze()
         squeezed += before - store.size
-        if (store.size > store.capacity / 4) store.grow()
+        if (store.size > store.room / 4) store.grow()
         // Numbers have changed: everything is filed anew.
         heads.fill(NONE, 0, buckets)
         for (e in 0 until store.size) file(e, store.time(e))

@@ -1,5 +1,7 @@
 package daphnis.core.queue
 
+import daphnis.core.growth.GrowingTable
+
 /**
  * The [EventQueue] for a few events at a time, such as those of an island: a binary heap of the numbers of the events
  * in its [store].
@@ -10,7 +12,9 @@ package daphnis.core.queue
  *
  * @param capacity events for which there is room at first, at least 1
  */
-internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
+internal class EventHeap(capacity: Int = INITIAL) :
+    GrowingTable(),
+    EventQueue {
     /** All events added since the last [reset] or [squeeze], including dead ones. */
     val store = EventStore(capacity)
 
@@ -27,15 +31,19 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
     private var validFrom = IntArray(capacity)
 
     // The heap, side by side since most comparisons need no more than the time: number of the event, and its time.
-    private var heap = IntArray(capacity)
-    private var times = DoubleArray(capacity)
-    private var size = 0
+    private var heap = IntArray(0)
+    private var times = DoubleArray(0)
+
+    override fun resize(room: Int) {
+        heap = heap.copyOf(room)
+        times = times.copyOf(room)
+    }
 
     override fun reset(duration: Double, ids: IntArray, count: Int) {
         this.ids = ids
         if (validFrom.size < count) validFrom = IntArray(count) else validFrom.fill(0, 0, count)
         store.clear()
-        size = 0
+        clear()
     }
 
     /**
@@ -86,15 +94,14 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
         for (e in 0 until store.size) if (!isDead(e)) store.copy(e, kept++)
         store.truncate(kept)
         validFrom.fill(0)
-        size = 0
+        clear()
     }
 
     /** Puts event [e] of the store, which is at [time], into the heap. */
     fun push(e: Int, time: Double) {
-        if (size == heap.size) grow()
+        var k = append()
         val heap = heap
         val times = times
-        var k = size++
         while (k > 0) {
             val parent = (k - 1) shr 1
             if (!precedes(time, e, times[parent], heap[parent])) break
@@ -134,12 +141,6 @@ internal class EventHeap(capacity: Int = INITIAL) : EventQueue {
     /** Whether event [a] at time [s] comes before event [b] at time [t]. */
     private fun precedes(s: Double, a: Int, t: Double, b: Int): Boolean =
         s < t || s == t && store.compareTied(a, b, ids) < 0
-
-    private fun grow() {
-        times = times.copyOf(size * 2)
-        // Last, since its length says how many there is room for: an allocation before it may have failed.
-        heap = heap.copyOf(size * 2)
-    }
 
     private companion object {
         const val INITIAL = 64

@@ -1,5 +1,7 @@
 package daphnis.core.queue
 
+import daphnis.core.growth.GrowingTable
+
 /**
  * Potential collisions by number, from 0 in the order in which they were added. Each has a time, its two spheres, an
  * image and one link to another event, with which its owner makes lists.
@@ -10,26 +12,22 @@ package daphnis.core.queue
  *
  * @param capacity events for which there is room at first, at least 1
  */
-internal class EventStore(capacity: Int = INITIAL) : EventSink {
-    private var data = LongArray(capacity * WIDTH)
+internal class EventStore(capacity: Int = INITIAL) :
+    GrowingTable(),
+    EventSink {
+    private var data = LongArray(0)
 
-    /** Number of events. */
-    var size = 0
-        private set
+    init {
+        reserve(capacity)
+    }
 
-    /** Events for which there is room. */
-    var capacity = capacity
-        private set
-
-    /** Forgets all events. */
-    fun clear() {
-        size = 0
+    override fun resize(room: Int) {
+        data = data.copyOf(room * WIDTH)
     }
 
     /** Appends an event, linked to none. */
     override fun add(time: Double, first: Int, second: Int, image: Int) {
-        if (size == capacity) grow()
-        put(size++, time, first, second, image)
+        put(append(), time, first, second, image)
     }
 
     /** Writes event [e], which may be any for which there is room; linked to none. Does not change [size]. */
@@ -76,16 +74,13 @@ internal class EventStore(capacity: Int = INITIAL) : EventSink {
 
     /** Doubles the room; the events stay. */
     fun grow() {
-        data = data.copyOf(data.size * 2)
-        capacity *= 2
+        reserve(room * 2)
     }
 
     /** Forgets all events and makes room for [count]. */
-    fun reserve(count: Int) {
-        size = 0
-        if (capacity >= count) return
-        data = LongArray((count + count / 2) * WIDTH)
-        capacity = count + count / 2
+    fun prepare(count: Int) {
+        clear()
+        if (room < count) reserve(count + count / 2)
     }
 
     /** The order of events [a] and [b], which are at one time, like a comparator; the slots have these [ids]. */

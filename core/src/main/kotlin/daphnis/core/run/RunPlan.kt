@@ -2,10 +2,10 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
-import daphnis.core.cluster.FleetEngine
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
+import daphnis.core.engine.SerialEngine
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ResolvedScenario
@@ -58,13 +58,14 @@ internal fun planOf(
     val scenario = setup.scenario
     val output = scenario.output
     val records = PeriodicOutputs.readingCollisions(output).isNotEmpty()
-    val engine = if (engines is FleetEngines) engines.create() else engineOf(scenario, source, engines)
-    val simulation = closingIfItThrows(engine) {
+    val nodes = engines as? FleetEngines
+    val engine = if (nodes == null) engineOf(scenario, source, engines) else SerialEngine()
+    val simulation = closingIfItThrows(nodes?.fleet ?: engine) {
         val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, scenario.search)
         meta?.countInto(forcing.counters)
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0
-        val elsewhere = (engine as? FleetEngine)?.steps(setup, source, setup.population, forcing, time, step)
+        val elsewhere = nodes?.steps(setup, source, setup.population, forcing, time, step)
         Simulation(
             setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
             scenario.startTime, elsewhere, scenario.clock,

@@ -48,5 +48,5 @@ internal class StepSums(private val sums: PopulationSums) {
     private fun energiesIn(simulation: Simulation): EnergySums =
         energies ?: EnergySums(simulation.forces, simulation.boundary).also { energies = it }
 
-    private fun loopOf(simulation: Simulation): RangeLoop = simulation.collisions?.engine?.loop ?: InlineLoop
+    private fun loopOf(simulation: Simulation): RangeLoop = simulation.workforce?.loop ?: InlineLoop
 }

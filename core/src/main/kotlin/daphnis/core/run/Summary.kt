@@ -82,7 +82,7 @@ public class Summary @JvmOverloads constructor(
             val population = simulation.population
             val sums = plan.sums.take(simulation)
             val c = simulation.collisions?.counters ?: CollisionCounters()
-            val engine = simulation.collisions?.engine
+            val engine = simulation.workforce
             return Summary(
                 stateDigest = stateDigest(population),
                 finished = finished,

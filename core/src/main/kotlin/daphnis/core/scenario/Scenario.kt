@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.Engines
 import daphnis.core.engine.EngineFactory
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
@@ -260,9 +261,9 @@ public sealed interface TimeStepSpec {
 @Serializable
 public class EngineSpec @JvmOverloads constructor(public val name: String = "horizon", public val threads: Int = 0) {
     /**
-     * Number of threads that make and check the initial state: that of the engine, which is one for the serial engine.
+     * Number of threads that make and check the initial state: that of the engine, which is one for the specification.
      */
-    internal val threadsAtStart: Int get() = if (name == "serial") {
+    internal val threadsAtStart: Int get() = if (Engines.isSpecification(name)) {
         1
     } else {
         minOf(EngineFactory.threadsOrAll(threads), ThreadHandler.MOST)

@@ -20,7 +20,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
     // The present class of sizes.
     private var layout = GridLayout()
     private var cells = layout.cells
-    private var periodic = layout.periodic
+    private var periodic = layout.isPeriodic
     private var starts = grid.cellStart
 
     // The present box of cells along row axis, middle and slow axis; may reach beyond the faces of periodic axes.
@@ -68,7 +68,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         wayZ: Double,
         radius: Double,
     ): Int {
-        count = 0
+        clear()
         time = 0.0
         starts = grid.cellStart
         val own = if (levels.count == 1) 0 else levels.of(radius)
@@ -79,7 +79,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
             cover(level, x, y, z, wayX, wayY, wayZ, radius)
             addAll()
         }
-        return count
+        return size
     }
 
     private fun addAhead(slot: Int) {
@@ -94,7 +94,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         if (bounds != null) {
             last = if (isWithin(bounds, row, c1, c2, 0, radius + layout.ownMargin[0])) closeTo else -1
         }
-        if (cells[0] == layout.period[0]) {
+        if (cells[0] == layout.count[0]) {
             if (last >= 0) addRun(slot + 1, starts[rowStart + minOf(last, cells[0] - 1) + 1], 0)
             if (periodic[0]) addCells(rowStart, cells[0], last, 0, 0)
         } else {
@@ -118,14 +118,14 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         val wayX = state[p + VX] * rest
         val wayY = state[p + VX + 1] * rest
         val wayZ = state[p + VX + 2] * rest
-        count = 0
+        clear()
         time = state[p + TIME]
         starts = grid.cellStart
         for (level in 0 until levels.count) {
             cover(level, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS])
             addAll()
         }
-        return count
+        return size
     }
 
     private fun addAll() {
@@ -147,9 +147,9 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
     ) {
         layout = levels[level]
         cells = layout.cells
-        periodic = layout.periodic
+        periodic = layout.isPeriodic
         this.radius = radius
-        isRound = radius > ROUND_FROM * Math.max(layout.widths[1], layout.widths[2])
+        isRound = radius > ROUND_FROM * Math.max(layout.width[1], layout.width[2])
         bounds = if (closer != null && closer.isInUse) closer else null
         for (k in 0..2) {
             val from = layout.pick(k, x, y, z)
@@ -164,14 +164,10 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
 
     /** Adds the present cells in the row ([r1], [r2]), which may lie beyond a face. */
     private fun addRow(r1: Int, r2: Int) {
-        var c1 = r1
-        var c2 = r2
-        var image1 = 0
-        var image2 = 0
-        if (c1 < 0 || c1 >= layout.period[1]) image1 = Math.floorDiv(c1, layout.period[1])
-        if (c2 < 0 || c2 >= layout.period[2]) image2 = Math.floorDiv(c2, layout.period[2])
-        c1 = layout.inMemory(c1, 1)
-        c2 = layout.inMemory(c2, 2)
+        val image1 = layout.boxes(r1, 1)
+        val image2 = layout.boxes(r2, 2)
+        val c1 = layout.inMemory(r1, 1)
+        val c2 = layout.inMemory(r2, 2)
         if (c1 >= cells[1] || c2 >= cells[2]) return
         val rowStart = layout.firstCell + (c2 * cells[1] + c1) * cells[0]
         var from = least[0]
@@ -221,8 +217,8 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
      */
     private fun gap(k: Int, r: Int): Double {
         val reach = layout.margin[k] - layout.ownMargin[k]
-        val bottom = layout.low[k] + r * layout.widths[k] - reach
-        val top = layout.low[k] + (r + 1) * layout.widths[k] + reach
+        val bottom = layout.low[k] + r * layout.width[k] - reach
+        val top = layout.low[k] + (r + 1) * layout.width[k] + reach
         val least = Math.min(here[k], there[k])
         val most = Math.max(here[k], there[k])
         return Math.max(0.0, Math.max(bottom - most, least - top))
@@ -263,7 +259,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
     private fun isAxisWithin(k: Int, r: Int, low: Double, high: Double, end: Double): Boolean {
         val now = here[k]
         val later = there[k]
-        val width = layout.widths[k]
+        val width = layout.width[k]
         val slack = radius + layout.ownMargin[k]
         val top = layout.low[k] + (r + 1) * width + slack
         if (now - high * time > top && later - high * end > top) return false
@@ -273,7 +269,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
 
     /** Adds those of the cells [from]..[to] of a periodic row that are in memory, split where an image begins. */
     private fun addCells(rowStart: Int, from: Int, to: Int, image1: Int, image2: Int) {
-        val period = layout.period[0]
+        val period = layout.count[0]
         var c = from
         while (c <= to) {
             val place = layout.inMemory(c, 0)

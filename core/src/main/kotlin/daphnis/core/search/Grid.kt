@@ -64,7 +64,7 @@ public class Grid @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) 
 
     /** Width of a cell along [axis]. */
     @JvmOverloads
-    public fun cellWidth(axis: Int, of: Int = 0): Double = levels[of].widths[levels[of].axes.indexOf(axis)]
+    public fun cellWidth(axis: Int, of: Int = 0): Double = levels[of].width[levels[of].axes.indexOf(axis)]
 
     /**
      * The largest distance along [axis], at the start of the step, of two spheres of which one searches the cell of the
@@ -88,7 +88,7 @@ public class Grid @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) 
         val k = levels[0].axes.indexOf(axis)
         // Out to the end of the path, the radii, and back from where the other sphere may have gone; plus one cell, of
         // which a part may be searched.
-        return levels[looking].margin[k] + levels[lookedAt].margin[k] + levels[lookedAt].widths[k]
+        return levels[looking].margin[k] + levels[lookedAt].margin[k] + levels[lookedAt].width[k]
     }
 
     /**

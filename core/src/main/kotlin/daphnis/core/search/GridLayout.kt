@@ -3,14 +3,13 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Images
 import daphnis.core.population.SphereColumns
-import kotlin.math.floor
 
 /**
  * How a [Grid] divides space for one class of sizes: for the axis of rows (0), the middle axis (1) and the slow axis
  * (2), the number of cells, their width, and how far beside its path a sphere has to search for one of this class.
  * Arrays are indexed by these three; [axes] gives which of x, y, z each is.
  */
-internal class GridLayout {
+internal class GridLayout : CellAxes() {
     /** Radii of this class are no larger. */
     var largest = 0.0
         private set
@@ -31,13 +30,11 @@ internal class GridLayout {
 
     /**
      * Numbers of cells in memory. Along a periodic axis of whose box only a part has cells in memory, these are the
-     * cells from [first] on, counted round the box, of the [period] that the whole box would have. Elsewhere [first] is
-     * 0 and [period] the same number.
+     * cells from [first] on, counted round the box, of the [count] that the whole box would have. Elsewhere [first] is
+     * 0 and [count] the same number.
      */
     val cells = IntArray(3)
-    val period = IntArray(3)
     val first = IntArray(3)
-    val periodic = BooleanArray(3)
 
     /**
      * Largest radius and reach of other spheres together, with room for rounding; has to be added to a sphere's path
@@ -60,20 +57,14 @@ internal class GridLayout {
     /** The part of [margin] that does not come from the reach of other spheres. */
     val ownMargin = DoubleArray(3)
 
-    val low = DoubleArray(3)
-    private val extent = DoubleArray(3)
     private val span = DoubleArray(3)
-    private val perLength = DoubleArray(3)
-
-    /** Widths of cells. */
-    val widths = DoubleArray(3)
     private var spheres = 0
 
     /**
-     * For [count] spheres with radii up to [largest], in the extent [space] of all spheres.
+     * For [number] spheres with radii up to [largest], in the extent [space] of all spheres.
      */
     fun prepare(
-        count: Int,
+        number: Int,
         largest: Double,
         boundary: BoundaryConditions,
         images: Images,
@@ -81,7 +72,7 @@ internal class GridLayout {
         reach: DoubleArray,
         space: GridExtent,
     ) {
-        spheres = count
+        spheres = number
         this.largest = largest
         val shear = boundary.shear
         axes[0] = shear?.slideAxis ?: 0
@@ -89,16 +80,13 @@ internal class GridLayout {
         axes[1] = 3 - axes[0] - axes[2]
         for (k in 0..2) {
             low[k] = space.from[axes[k]]
-            extent[k] = space.size[axes[k]]
+            length[k] = space.size[axes[k]]
             span[k] = space.span[axes[k]]
             layOutAxis(k, boundary, reach[axes[k]], duration)
         }
         limitCells()
-        for (k in 0..2) {
-            perLength[k] = if (extent[k] > 0) period[k] / extent[k] else 1.0
-            widths[k] = 1 / perLength[k]
-            keepPart(k, space.spanFrom[axes[k]])
-        }
+        settle()
+        for (k in 0..2) keepPart(k, space.spanFrom[axes[k]])
         slides = shear != null
         if (slides) {
             val offset = images.shearOffset
@@ -110,35 +98,35 @@ internal class GridLayout {
 
     private fun layOutAxis(k: Int, boundary: BoundaryConditions, reach: Double, duration: Double) {
         val axis = axes[k]
-        periodic[k] = boundary.hasImages(axis)
-        margin[k] = (largest + reach) * (1 + SLACK) + ImageRange.rounding(low[k], low[k] + extent[k])
+        isPeriodic[k] = boundary.hasImages(axis)
+        margin[k] = (largest + reach) * (1 + SLACK) + ImageRange.rounding(low[k], low[k] + length[k])
         ownMargin[k] = margin[k] - reach
         // The largest distance that a pair can bridge.
         val range = 2 * margin[k]
-        require(!periodic[k] || range < extent[k] * ImageRange.boxes(boundary, axis, duration)) {
+        require(!isPeriodic[k] || range < length[k] * ImageRange.boxes(boundary, axis, duration)) {
             ImageRange.refusal(axis)
         }
         val perRange = if (k == 0) ROW_CELLS_A_RANGE else CELLS_A_RANGE
-        period[k] = if (range > 0) (extent[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt() else 1
+        if (range > 0) divide(k, range, perRange, MOST_CELLS_ALONG) else count[k] = 1
     }
 
     /** Keeps only the cells from that of [from] to that of [from] + [span] in memory, and one at either end. */
     private fun keepPart(k: Int, from: Double) {
         first[k] = 0
-        cells[k] = period[k]
-        if (span[k] == extent[k]) return
+        cells[k] = count[k]
+        if (span[k] == length[k]) return
         val least = cellToward(from, k) - 1
         val most = cellToward(from + span[k], k) + 1
-        if (most - least >= period[k] - 1) return
-        first[k] = Math.floorMod(least, period[k])
+        if (most - least >= count[k] - 1) return
+        first[k] = Math.floorMod(least, count[k])
         cells[k] = most - least + 1
     }
 
     /** How many of the cells along axis [k] are kept in memory, at most. */
-    private fun kept(k: Int): Double = if (span[k] == extent[k]) {
-        period[k].toDouble()
+    private fun kept(k: Int): Double = if (span[k] == length[k]) {
+        count[k].toDouble()
     } else {
-        minOf(period[k].toDouble(), period[k] * (span[k] / extent[k]) + ENDS)
+        minOf(count[k].toDouble(), count[k] * (span[k] / length[k]) + ENDS)
     }
 
     /**
@@ -150,21 +138,21 @@ internal class GridLayout {
         while (true) {
             val total = kept(0) * kept(1) * kept(2)
             if (total <= most) return
-            val k = if (period[0] >= period[1] && period[0] >= period[2]) {
+            val k = if (count[0] >= count[1] && count[0] >= count[2]) {
                 0
-            } else if (period[1] >= period[2]) {
+            } else if (count[1] >= count[2]) {
                 1
             } else {
                 2
             }
-            period[k] = maxOf(1, (period[k] * maxOf(most / total, 0.5)).toInt())
+            count[k] = maxOf(1, (count[k] * maxOf(most / total, 0.5)).toInt())
         }
     }
 
     /** About how many spheres are in the cells that are searched for one of them, if they are spread evenly. */
     fun candidates(): Double {
         var share = 1.0
-        for (k in 0..2) if (span[k] > 0) share *= minOf(1.0, (2 * margin[k] + widths[k]) / span[k])
+        for (k in 0..2) if (span[k] > 0) share *= minOf(1.0, (2 * margin[k] + width[k]) / span[k])
         return spheres * share
     }
 
@@ -175,46 +163,18 @@ internal class GridLayout {
         else -> population.z
     }
 
-    /** Number of the cell along axis [k] of the three. */
-    fun cellAt(position: Double, k: Int): Int {
-        val c = ((position - low[k]) * perLength[k]).toInt()
-        return if (c >= period[k]) {
-            period[k] - 1
-        } else if (c < 0) {
-            0
-        } else {
-            c
-        }
-    }
-
     /**
      * Where cell [c] along axis [k], counted on beyond the faces of a periodic axis, is among those in memory; [cells]
      * or more when it is not.
      */
     fun inMemory(c: Int, k: Int): Int {
         val place = c - first[k]
-        val period = period[k]
+        val period = count[k]
         // Nearly always within a box of the first cell, and a division takes longer than all else here.
         return if (place >= 0) {
             if (place < period) place else place % period
         } else {
             if (place >= -period) place + period else Math.floorMod(place, period)
-        }
-    }
-
-    /**
-     * The cell toward which [position] lies: beyond the faces of a periodic axis the count continues, elsewhere it
-     * stops at the edge.
-     */
-    fun cellToward(position: Double, k: Int): Int {
-        val c = floor((position - low[k]) * perLength[k])
-        if (periodic[k]) return c.toInt()
-        return if (c >= period[k]) {
-            period[k] - 1
-        } else if (c < 0) {
-            0
-        } else {
-            c.toInt()
         }
     }
 

@@ -9,8 +9,11 @@ import daphnis.core.engine.islands.IslandLimits
 import daphnis.core.engine.islands.Members
 import daphnis.core.engine.islands.PathLog
 import daphnis.core.engine.islands.Suspects
+import daphnis.core.force.Attractors
+import daphnis.core.growth.IntList
 import daphnis.core.population.Population
 import daphnis.core.queue.EventHeap
+import daphnis.core.queue.EventStore
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
@@ -110,6 +113,23 @@ class FailedGrowthTest {
         "pairs" to {
             val list = PairList()
             Table(list, list::clear, { List(list.size) { list.first(it) to list.second(it) } }) { list.add(it, it, 0) }
+        },
+        "potential collisions" to {
+            val store = EventStore(1)
+            Table(store, store::clear, { List(store.size) { store.time(it) to store.first(it) } }) { k ->
+                store.add(k.toDouble(), k, k + 1, 0)
+            }
+        },
+        "attractors" to {
+            val masses = Attractors()
+            fun entry(k: Int) = listOf(masses.x[k], masses.y[k], masses.z[k], masses.mass[k])
+            Table(masses, masses::clear, { List(masses.size, ::entry) }) { k ->
+                masses.add(k.toDouble(), k + 0.25, k + 0.5, k + 0.75)
+            }
+        },
+        "numbers" to {
+            val list = IntList()
+            Table(list, list::clear, { list.toArray().toList() }) { list.add(it) }
         },
     )
 

@@ -58,7 +58,7 @@ class EventStoreTest {
             }
             9 -> store.grow()
             10 -> if (random.nextInt(10) == 0) {
-                if (random.nextInt(2) == 0) store.clear() else store.reserve(random.nextInt(50))
+                if (random.nextInt(2) == 0) store.clear() else store.prepare(random.nextInt(50))
                 list.clear()
             }
             else -> {
@@ -77,7 +77,7 @@ class EventStoreTest {
             repeat(400) {
                 act(random, store, list)
                 assertEquals(list, store.all()) { "seed $seed, operation $it" }
-                assertTrue(store.capacity >= store.size)
+                assertTrue(store.room >= store.size)
             }
         }
     }
@@ -85,7 +85,7 @@ class EventStoreTest {
     @Test
     fun `room that was made is room for writing anywhere`() {
         val store = EventStore(1)
-        store.reserve(100)
+        store.prepare(100)
         assertEquals(0, store.size)
         store.put(99, 0.5, 3, -2, 7)
         assertEquals(

@@ -64,7 +64,7 @@ class CandidatesTest {
         val rows get() = prepared.rows
 
         /** Whether the grid has cells over a part of the box only. */
-        val isPart get() = prepared.grid.levels[0].let { it.period.asList() != it.cells.asList() }
+        val isPart get() = prepared.grid.levels[0].let { it.count.asList() != it.cells.asList() }
         val story = "seed $seed, ${boundary.javaClass.simpleName}, ${population.size} spheres, ${step.search}"
 
         private fun height() = if (random.nextInt(3) == 0) 2.1 else random.nextDouble(4.0, 9.0)

@@ -39,7 +39,7 @@ open class TestedEngines(val registry: EngineFactory) {
 
     /** One of each but the serial one, which the others are compared with. */
     open fun others(settings: EngineSettings): List<CollisionEngine> =
-        registry.names.filter { it != "serial" }.map { make(it, settings) }
+        registry.names.filterNot(registry::isSpecification).map { make(it, settings) }
 
     private companion object {
         /** Into which an engine of bricks cuts space along an axis. */

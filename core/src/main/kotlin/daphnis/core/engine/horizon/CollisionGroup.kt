@@ -93,7 +93,7 @@ internal class CollisionGroup(
         crossings.clear()
         if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         if (!keepsPaths) return
-        trails.begin()
+        trails.clear()
         paths.begin()
     }
 

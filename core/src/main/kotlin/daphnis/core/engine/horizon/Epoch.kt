@@ -222,8 +222,8 @@ internal class Epoch(
     }
 
     private fun searchChanged(population: Population) {
-        strays += passage.changed
-        strayed += passage.changed
+        strays += passage.changed.size
+        strayed += passage.changed.size
         searches.changed(population, passage, whole)
     }
 

@@ -2,6 +2,7 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
+import daphnis.core.search.CellAxes
 import daphnis.core.search.CellCounting
 import daphnis.core.search.CellOrder
 import kotlin.math.abs
@@ -22,10 +23,8 @@ import kotlin.math.sqrt
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */
-internal class EpochCells(private val frame: EpochFrame, private val lines: Lines, private val loop: RangeLoop) {
-    /** Numbers of cells. */
-    val count = IntArray(AXES)
-
+internal class EpochCells(private val frame: EpochFrame, private val lines: Lines, private val loop: RangeLoop) :
+    CellAxes(frame.low, frame.length, frame.isPeriodic) {
     /** Bound on the velocities of members. */
     val bound = DoubleArray(AXES)
 
@@ -64,14 +63,10 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private val counting = CellCounting()
     private val sorted = CellOrder()
     private var imageOfIndex = IntArray(0)
-    private val perLength = DoubleArray(AXES)
-    private val width = DoubleArray(AXES)
 
     /** Of velocities, by part of the spheres and axis: sum of squares, and greatest. */
     private var sums = DoubleArray(0)
     private var maxima = DoubleArray(0)
-
-    private val cells: Int get() = count[0] * count[1] * count[2]
 
     /** Sorts [spheres], which are where they say at [time] and whose velocities have been measured, into cells. */
     fun sort(spheres: SphereColumns, tuning: HorizonTuning, time: Double) {
@@ -82,6 +77,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
             cellOf = IntArray(spheres.size)
         }
         // One cell more, for all that are no members.
+        val cells = total
         counting.sort(spheres.size, cells + 1, sorted, loop) { from, to ->
             place(spheres, frame.middle - time, from, to)
         }
@@ -140,17 +136,10 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         for (k in 0 until AXES) {
             val range = 2 * (2 * frame.memberRadius + frame.inflation + bound[k] * frame.halfLength)
             val perRange = if (k == 0) tuning.cellsAlong else tuning.cellsAcross
-            count[k] = (frame.length[k] / range * perRange).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
+            divide(k, range, perRange, MOST_CELLS_ALONG)
         }
-        val most = CELLS_A_SPHERE * spheres + LEAST_CELLS
-        while (count[0].toLong() * count[1] * count[2] > most) {
-            val k = (0 until AXES).maxBy { count[it] }
-            count[k] = maxOf(1, (count[k] * SHRINKING).toInt())
-        }
-        for (k in 0 until AXES) {
-            perLength[k] = if (frame.length[k] > 0) count[k] / frame.length[k] else 1.0
-            width[k] = 1 / perLength[k]
-        }
+        thin(CELLS_A_SPHERE * spheres + LEAST_CELLS) { (it * SHRINKING).toInt() }
+        settle()
         if (flow.size < count[2]) flow = DoubleArray(count[2])
         for (c in 0 until count[2]) flow[c] = frame.flowRate * middleOf(c, 2)
         // Within a layer the flow differs from that of its middle.
@@ -176,14 +165,14 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
             val along = v0[i] - slow * slide
             val m0 = p0[i] + v0[i] * wait - if (frame.slides) slow * offset else 0.0
             val row = boxes(m0, 0)
-            val c2 = cellAt(m2 - slow * frame.length[2], 2)
+            val c2 = cellAt(m2 - slow * length[2], 2)
             val isMember = abs(along - flow[c2]) <= bound[0] &&
                 abs(v1[i]) <= bound[1] &&
                 abs(v2[i]) <= bound[2] &&
                 spheres.radius[i] <= frame.memberRadius
-            val c1 = cellAt(m1 - middle * frame.length[1], 1)
-            val c0 = cellAt(m0 - row * frame.length[0], 0)
-            val c = if (isMember) (c2 * count[1] + c1) * count[0] + c0 else cells
+            val c1 = cellAt(m1 - middle * length[1], 1)
+            val c0 = cellAt(m0 - row * length[0], 0)
+            val c = if (isMember) (c2 * count[1] + c1) * count[0] + c0 else total
             sorted.cellOf[i] = c
             imageOfIndex[i] = frame.code(row, middle, slow)
         }
@@ -191,10 +180,10 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
 
     /** How many boxes away from the box [position] along axis [k] is. */
     private fun boxes(position: Double, k: Int): Int {
-        val offset = position - frame.low[k]
+        val offset = position - low[k]
         // Nearly always within the box: no division then.
-        if (offset >= 0 && offset < frame.length[k] || !frame.isPeriodic[k]) return 0
-        return floor(offset / frame.length[k]).toInt()
+        if (offset >= 0 && offset < length[k] || !isPeriodic[k]) return 0
+        return floor(offset / length[k]).toInt()
     }
 
     /** Makes [slots], the reverse of [order]. */
@@ -206,27 +195,8 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     /** The boxes by which the line in [slot] has to be moved back at the start of the epoch. */
     fun imageAtStart(slot: Int): Int = imageOfIndex[order[slot]]
 
-    /** The cell along axis [k] in which [position] is. */
-    fun cellAt(position: Double, k: Int): Int {
-        val c = ((position - frame.low[k]) * perLength[k]).toInt()
-        return if (c >= count[k]) {
-            count[k] - 1
-        } else if (c < 0) {
-            0
-        } else {
-            c
-        }
-    }
-
-    /** The same, counted on beyond the faces along a periodic axis. */
-    fun cellToward(position: Double, k: Int): Int =
-        if (frame.isPeriodic[k]) floor((position - frame.low[k]) * perLength[k]).toInt() else cellAt(position, k)
-
-    /** The middle of cell [c] along axis [k]. */
-    private fun middleOf(c: Int, k: Int): Double = frame.low[k] + (c + 0.5) * width[k]
-
     /** Whether [slot] has a cell, so that searches that look at the cell meet it. */
-    fun hasCell(slot: Int): Boolean = cellOf[slot] < cells
+    fun hasCell(slot: Int): Boolean = cellOf[slot] < total
 
     /** The boxes by which the line in [slot] is to be moved back to be near its cell at the middle of the epoch. */
     fun imageAtCell(slot: Int): Int = coordinates(cellOf[slot]) { c0, c1, c2 ->
@@ -237,7 +207,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
                 else -> c2
             }
             val offset = position - middleOf(c, k)
-            if (abs(offset) <= frame.length[k] / 2) 0 else Math.rint(offset / frame.length[k]).toInt()
+            if (abs(offset) <= length[k] / 2) 0 else Math.rint(offset / length[k]).toInt()
         }
     }
 
@@ -259,10 +229,10 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
 
     private inline fun imageOf(lines: Lines, slot: Int, boxes: (position: Double, k: Int) -> Int): Int {
         val t = frame.middle
-        val slow = if (frame.isPeriodic[2]) boxes(lines.at(slot, frame.axes[2], t), 2) else 0
-        val middle = if (frame.isPeriodic[1]) boxes(lines.at(slot, frame.axes[1], t), 1) else 0
+        val slow = if (isPeriodic[2]) boxes(lines.at(slot, frame.axes[2], t), 2) else 0
+        val middle = if (isPeriodic[1]) boxes(lines.at(slot, frame.axes[1], t), 1) else 0
         val shift = if (frame.slides) slow * frame.offset(t) else 0.0
-        val along = if (frame.isPeriodic[0]) boxes(lines.at(slot, frame.axes[0], t) - shift, 0) else 0
+        val along = if (isPeriodic[0]) boxes(lines.at(slot, frame.axes[0], t) - shift, 0) else 0
         return if ((along or middle or slow) == 0) 0 else frame.code(along, middle, slow)
     }
 
@@ -282,13 +252,11 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         val room = reach[k] + 0.5 * width[k]
         val offset = position - middleOf(c, k)
         // The cells at the ends of an axis without images have all that is beyond.
-        val isAbove = offset <= room || !frame.isPeriodic[k] && c == count[k] - 1
-        return isAbove && (offset >= -room || !frame.isPeriodic[k] && c == 0)
+        val isAbove = offset <= room || !isPeriodic[k] && c == count[k] - 1
+        return isAbove && (offset >= -room || !isPeriodic[k] && c == 0)
     }
 
     private companion object {
-        const val AXES = 3
-
         /** Along each axis the bound is at least this part of that of the fastest axis. */
         const val LEAST_SHARE = 0.05
         const val MOST_CELLS_ALONG = 1e5

@@ -42,12 +42,12 @@ internal class EpochSearches(
     /** Gives the spheres that [passage] found off their lines new ones, and searches along these. */
     fun changed(population: Population, passage: Passage, whole: CollisionGroup) {
         val t = frame.stepStart
-        val count = passage.changed
+        val count = passage.changed.size
         if (hasCell.size < count) hasCell = BooleanArray(2 * count)
         val version = whole.newLines.takeVersions(count)
         loop.run(count, LINES_A_PIECE) { _, from, to ->
             for (k in from until to) {
-                val slot = passage.slots[k]
+                val slot = passage.changed[k]
                 val p = population
                 lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
                 hasCell[k] = whole.newLines.settleInCell(slot, t, version + k)
@@ -57,13 +57,13 @@ internal class EpochSearches(
         if (lines.isLost) return
         for (k in 0 until count) {
             if (hasCell[k]) continue
-            whole.roam(passage.slots[k])
-            space.settleLine(passage.slots[k])
+            whole.roam(passage.changed[k])
+            space.settleLine(passage.changed[k])
         }
-        loop.run(passage.changed, SEARCHES_A_PIECE) { worker, from, to ->
+        loop.run(passage.changed.size, SEARCHES_A_PIECE) { worker, from, to ->
             for (k in from until to) {
-                searches[worker].around(passage.slots[k], t, NOBODY)
-                if (frame.hasWalls) workers[worker].lookAtWalls(passage.slots[k], t)
+                searches[worker].around(passage.changed[k], t, NOBODY)
+                if (frame.hasWalls) workers[worker].lookAtWalls(passage.changed[k], t)
             }
         }
     }

@@ -2,48 +2,71 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.growth.GrowingTable
+import daphnis.core.growth.IntList
 
 /**
  * What a group's spheres have done to one another in the present step, so that a part of it can be dropped: spheres
  * that have collided are of one **cluster**, whose members are a ring of places. All is addressed by place, as in
  * [EpochBodies].
  */
-internal class GroupPaths {
-    private var parent = IntArray(INITIAL)
-    private var ring = IntArray(INITIAL)
+internal class GroupPaths : GrowingTable() {
+    private var parent = IntArray(0)
+    private var ring = IntArray(0)
 
     /** The last piece of the path, see [Trails]; [NONE] for a sphere that has not collided. */
-    private var piece = IntArray(INITIAL)
-    private var isDropped = BooleanArray(INITIAL)
-    private var size = 0
+    private var piece = IntArray(0)
+    private var isDropped = BooleanArray(0)
 
     /** The collisions that count, in order: place of one sphere, and whether it was guarded. */
-    private var hits = IntArray(INITIAL)
-    private var guarded = BooleanArray(INITIAL)
-    private var hitCount = 0
+    private class Hits : GrowingTable() {
+        var places = IntArray(0)
+            private set
+        var guarded = BooleanArray(0)
+            private set
+
+        override fun resize(room: Int) {
+            places = places.copyOf(room)
+            guarded = guarded.copyOf(room)
+        }
+
+        fun add(place: Int, isGuarded: Boolean) {
+            val k = append()
+            places[k] = place
+            guarded[k] = isGuarded
+        }
+    }
+
+    private val hits = Hits()
     private var noted = 0L
     private var notedGuards = 0L
 
     /** The reflections at walls: place of the sphere. */
-    private var bounces = IntArray(INITIAL)
-    private var bounceCount = 0
+    private val bounces = IntList()
+
+    override fun resize(room: Int) {
+        parent = parent.copyOf(room)
+        ring = ring.copyOf(room)
+        piece = piece.copyOf(room)
+        isDropped = isDropped.copyOf(room)
+    }
 
     /** Forgets all. */
     fun begin() {
-        size = 0
-        hitCount = 0
+        clear()
+        hits.clear()
         noted = 0
         notedGuards = 0
-        bounceCount = 0
+        bounces.clear()
     }
 
     private fun reach(place: Int) {
         while (size <= place) {
-            if (size == parent.size) grow()
-            parent[size] = size
-            ring[size] = size
-            piece[size] = NONE
-            isDropped[size++] = false
+            val k = append()
+            parent[k] = k
+            ring[k] = k
+            piece[k] = NONE
+            isDropped[k] = false
         }
     }
 
@@ -69,18 +92,11 @@ internal class GroupPaths {
             ring[a] = ring[b]
             ring[b] = next
         }
-        if (first == second) bounced(first)
+        if (first == second) bounces.add(first)
         if (counted.collisions == noted) return
         noted = counted.collisions
-        if (hitCount == hits.size) growHits()
-        hits[hitCount] = first
-        guarded[hitCount++] = counted.guardActivations > notedGuards
+        hits.add(first, counted.guardActivations > notedGuards)
         notedGuards = counted.guardActivations
-    }
-
-    private fun bounced(place: Int) {
-        if (bounceCount == bounces.size) bounces = bounces.copyOf(bounceCount * 2)
-        bounces[bounceCount++] = place
     }
 
     private fun root(place: Int): Int {
@@ -97,10 +113,8 @@ internal class GroupPaths {
 
     /** Calls [use] with the place of each sphere that [isLive]. */
     inline fun forEachLive(use: (Int) -> Unit) {
-        for (place in 0 until count()) if (isLive(place)) use(place)
+        for (place in 0 until size) if (isLive(place)) use(place)
     }
-
-    fun count(): Int = size
 
     /** Drops the cluster of [place], and calls [use] with the place of each of its spheres. */
     inline fun drop(place: Int, use: (Int) -> Unit) {
@@ -120,31 +134,16 @@ internal class GroupPaths {
 
     /** Adds what live clusters count to [counters], and their entries of [from] to [record]. */
     fun addTo(counters: CollisionCounters, record: CollisionRecord?, from: CollisionRecord) {
-        for (k in 0 until hitCount) {
-            if (isDropped[root(hits[k])]) continue
+        for (k in 0 until hits.size) {
+            if (isDropped[root(hits.places[k])]) continue
             counters.collisions++
-            if (guarded[k]) counters.guardActivations++
+            if (hits.guarded[k]) counters.guardActivations++
             record?.addAll(from, k, k + 1)
         }
-        for (k in 0 until bounceCount) if (!isDropped[root(bounces[k])]) counters.wallCollisions++
-    }
-
-    private fun grow() {
-        val n = size * 2
-        ring = ring.copyOf(n)
-        piece = piece.copyOf(n)
-        isDropped = isDropped.copyOf(n)
-        // Last, since its length says how many there is room for.
-        parent = parent.copyOf(n)
-    }
-
-    private fun growHits() {
-        guarded = guarded.copyOf(hitCount * 2)
-        hits = hits.copyOf(hitCount * 2)
+        for (k in 0 until bounces.size) if (!isDropped[root(bounces[k])]) counters.wallCollisions++
     }
 
     companion object {
         const val NONE = -1
-        private const val INITIAL = 256
     }
 }

@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.EndsFinite
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.lists.ListSteps
@@ -45,7 +46,8 @@ public class HorizonEngine internal constructor(
     filter: LineFilter,
     lists: ListTuning,
     trial: SharingTrial?,
-) : CollisionEngine {
+) : CollisionEngine,
+    EndsFinite {
     internal constructor(handler: ThreadHandler, fewest: Int, tuning: HorizonTuning?, filter: LineFilter) :
         this(
             handler,
@@ -101,10 +103,10 @@ public class HorizonEngine internal constructor(
     internal val shared: SharedCollisions get() = epoch.shared
 
     /**
-     * Whether all numbers of the population are known to be finite at the end of the last step. After one in an epoch
-     * they are: all spheres have been on lines, which are within the bounds of the frame, or were measured before.
+     * After a step in an epoch it is so: all spheres have been on lines, which are within the bounds of the frame, or
+     * were measured before.
      */
-    internal var endedFinite = false
+    override var endedFinite: Boolean = false
         private set
 
     override fun advance(step: CollisionStep) {

@@ -2,6 +2,7 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.growth.IntList
 import daphnis.core.population.PopulationColumns
 import daphnis.core.step.CollisionStep
 
@@ -24,8 +25,7 @@ internal class LastGroup(
     private val lines = space.lines
 
     /** Slots of spheres whose clusters were dropped. */
-    private var reopened = IntArray(INITIAL)
-    private var count = 0
+    private val reopened = IntList()
 
     /** Pairs of spheres of two groups which touch unless something comes between, and spheres that came near. */
     private val seeds = PairList()
@@ -60,7 +60,7 @@ internal class LastGroup(
     ): Boolean {
         isInUse = false
         begin(step, order, tracks)
-        count = 0
+        reopened.clear()
         processed = 0
         compared = 0
         seeds.clear()
@@ -120,8 +120,7 @@ internal class LastGroup(
             val s = owner.bodies.slotOf(place)
             restore(s)
             places.forget(s)
-            if (count == reopened.size) reopened = reopened.copyOf(2 * count)
-            reopened[count++] = s
+            reopened.add(s)
             reopenings++
         }
     }
@@ -136,7 +135,7 @@ internal class LastGroup(
         isInUse = true
         group.open(if (step.record == null) null else group.record)
         group.others = this
-        for (k in 0 until count) {
+        for (k in 0 until reopened.size) {
             val place = group.bodies.placeOf(reopened[k])
             val piece = group.trails.add(reopened[k], lines, frame.stepStart, isNew = false)
             group.paths.setPiece(place, piece)
@@ -181,8 +180,6 @@ internal class LastGroup(
     }
 
     private companion object {
-        const val INITIAL = 256
-
         /** Rounds after which the step is left to another engine. */
         const val MOST_ROUNDS = 64
 

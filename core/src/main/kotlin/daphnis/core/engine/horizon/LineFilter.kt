@@ -1,12 +1,10 @@
 package daphnis.core.engine.horizon
 
 /**
- * Dismisses most of the lines that a search looks at, in floats.
- *
- * For spheres a distance **d** apart with relative velocity **u**, s the sum of the inflated radii, b = **d**·**u** and
- * c = d² − s², two lines can come as near as s within a time τ only if c ≤ 0, or if b² ≥ u²c and c ≤ −2bτ. Both are
- * tested with room for the rounding of floats, so a line that comes near is never dismissed; some others are kept, and
- * which is up to the filter.
+ * Dismisses most of the lines that a search looks at, in floats, by the bounds of
+ * [waitUntilContact][daphnis.core.collision.waitUntilContact]: a line comes near only if c ≤ 0, or if b² ≥ u²c and
+ * c ≤ −2bτ. Both are tested with room for the rounding of floats, so a line that comes near is never dismissed; some
+ * others are kept, and which is up to the filter.
  */
 internal interface LineFilter {
     /** Adds those of the slots [first] until [end] in [state] which may come near [query] to [into]. */

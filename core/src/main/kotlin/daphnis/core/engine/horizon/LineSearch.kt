@@ -153,7 +153,7 @@ internal class LineSearch(
     }
 
     private fun cover(slot: Int, from: Double) {
-        count = 0
+        clear()
         spannedLayer = -1
         time = from
         radius = lines.radius(slot)
@@ -192,19 +192,10 @@ internal class LineSearch(
     /** Adds the cells in the row ([row], [layer]), which may lie beyond a face. */
     private fun addRow(row: Int, layer: Int) {
         val rows = cells.count[1]
-        val layers = cells.count[2]
-        var c1 = row
-        var c2 = layer
-        var middle = 0
-        var slow = 0
-        if (c1 < 0 || c1 >= rows) {
-            middle = Math.floorDiv(c1, rows)
-            c1 -= middle * rows
-        }
-        if (c2 < 0 || c2 >= layers) {
-            slow = Math.floorDiv(c2, layers)
-            c2 -= slow * layers
-        }
+        val middle = cells.boxes(row, 1)
+        val slow = cells.boxes(layer, 2)
+        val c1 = row - middle * rows
+        val c2 = layer - slow * cells.count[2]
         spanRow(c2, slow)
         val rowStart = (c2 * rows + c1) * cells.count[0]
         val first = least[0]
@@ -235,7 +226,7 @@ internal class LineSearch(
         query.begin(lines, slot, time)
         kept.clear()
         var code = 0
-        for (r in 0 until count) {
+        for (r in 0 until size) {
             if (image[r] != code) {
                 tell(slot, except, code)
                 code = image[r]

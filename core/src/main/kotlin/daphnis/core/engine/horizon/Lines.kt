@@ -2,8 +2,9 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.Images
 import daphnis.core.collision.NEVER
+import daphnis.core.collision.waitUntilContact
+import daphnis.core.growth.GrowingTable
 import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * A straight line for each sphere, by slot: where the sphere would be at each moment of the epoch if it flew freely.
@@ -14,7 +15,7 @@ import kotlin.math.sqrt
  * A line lies in the box at the middle of the epoch, so that it fits the cells. The sphere itself is [image] boxes
  * away: its position is that of the line plus the displacement of the image.
  */
-internal class Lines(private val frame: EpochFrame) {
+internal class Lines(private val frame: EpochFrame) : GrowingTable() {
     /** See above. */
     var state = FloatArray(0)
         private set
@@ -34,19 +35,17 @@ internal class Lines(private val frame: EpochFrame) {
     /** Begins an epoch of [count] spheres; their lines are to be [put]. */
     fun begin(count: Int) {
         isLost = false
-        if (image.size < count) {
-            state = FloatArray(floats(count))
-            version = IntArray(count)
-            // Last, since its length says how many there is room for: an allocation before it may have failed.
-            image = IntArray(count)
-        }
+        grow(count)
         version.fill(0, 0, count)
     }
 
-    /** Makes room for one line more than [count], and keeps those. */
-    fun reserve(count: Int) {
-        if (count < image.size) return
-        val room = maxOf(LANES, 2 * count)
+    /** Makes room for [count] lines, and keeps those that there are. */
+    fun grow(count: Int) {
+        reserve(count)
+        size = count
+    }
+
+    override fun resize(room: Int) {
         state = state.copyOf(floats(room))
         version = version.copyOf(room)
         image = image.copyOf(room)
@@ -165,9 +164,7 @@ internal class Lines(private val frame: EpochFrame) {
         val c = dx * dx + dy * dy + dz * dz - s * s
         if (c <= 0) return t
         val b = dx * ux + dy * uy + dz * uz
-        if (b >= 0) return NEVER
-        val discriminant = b * b - (ux * ux + uy * uy + uz * uz) * c
-        return if (discriminant < 0) NEVER else t + c / (sqrt(discriminant) - b)
+        return if (b >= 0) NEVER else t + waitUntilContact(ux * ux + uy * uy + uz * uz, b, c)
     }
 
     /**

@@ -1,17 +1,19 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.growth.GrowingTable
+
 /**
  * The pairs that may touch, filed under the step before which they cannot. An entry holds as long as neither sphere has
- * got a new line; that shows by the versions of the two.
+ * got a new line; that shows by the versions of the two. Stale entries count until the next epoch.
  */
-internal class PairCalendar(private val lines: Lines) {
+internal class PairCalendar(private val lines: Lines) : GrowingTable() {
     private var heads = IntArray(0)
     private var counts = IntArray(0)
-    private var data = IntArray(INITIAL * WIDTH)
+    private var data = IntArray(0)
 
-    /** Entries filed since [begin], stale ones included. */
-    var size = 0
-        private set
+    override fun resize(room: Int) {
+        data = data.copyOf(room * WIDTH)
+    }
 
     /** Forgets all, for an epoch of [steps] steps. */
     fun begin(steps: Int) {
@@ -21,7 +23,7 @@ internal class PairCalendar(private val lines: Lines) {
         }
         heads.fill(NONE)
         counts.fill(0)
-        size = 0
+        clear()
     }
 
     /**
@@ -29,15 +31,15 @@ internal class PairCalendar(private val lines: Lines) {
      * have the versions [version] and [other].
      */
     fun file(step: Int, i: Int, j: Int, code: Int, version: Int, other: Int) {
-        val p = size * WIDTH
-        if (p == data.size) data = data.copyOf(data.size * 2)
+        val e = append()
+        val p = e * WIDTH
         data[p] = i
         data[p + 1] = j
         data[p + 2] = code
         data[p + 3] = version
         data[p + 4] = other
         data[p + 5] = heads[step]
-        heads[step] = size++
+        heads[step] = e
         counts[step]++
     }
 
@@ -65,7 +67,6 @@ internal class PairCalendar(private val lines: Lines) {
     companion object {
         const val NONE = -1
         const val WIDTH = 6
-        private const val INITIAL = 1024
     }
 }
 

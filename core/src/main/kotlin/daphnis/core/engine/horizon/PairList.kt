@@ -1,23 +1,20 @@
 package daphnis.core.engine.horizon
 
-/** A list of pairs of slots, each with the image of the second line. */
-internal class PairList {
-    // Empty at first, since groups have many lists, most of which stay so.
-    private var data = IntArray(0)
-    var size = 0
-        private set
+import daphnis.core.growth.GrowingTable
 
-    fun clear() {
-        size = 0
+/** A list of pairs of slots, each with the image of the second line. */
+internal class PairList : GrowingTable() {
+    private var data = IntArray(0)
+
+    override fun resize(room: Int) {
+        data = data.copyOf(room * WIDTH)
     }
 
     fun add(i: Int, j: Int, code: Int) {
-        val p = size * WIDTH
-        if (p == data.size) data = data.copyOf(maxOf(INITIAL * WIDTH, data.size * 2))
+        val p = append() * WIDTH
         data[p] = i
         data[p + 1] = j
         data[p + 2] = code
-        size++
     }
 
     inline fun forEach(use: (i: Int, j: Int, code: Int) -> Unit) {
@@ -31,7 +28,6 @@ internal class PairList {
     fun image(k: Int): Int = data[k * WIDTH + 2]
 
     private companion object {
-        const val INITIAL = 64
         const val WIDTH = 3
     }
 }

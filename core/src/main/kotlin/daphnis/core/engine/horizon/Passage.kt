@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.collision.RowColumns
+import daphnis.core.growth.IntList
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
@@ -19,24 +20,15 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     private val frame = space.frame
     private val lines = space.lines
 
-    /** Slots of the spheres which have left their lines, in order; the first [changed] entries count. */
-    var slots = IntArray(INITIAL)
-        private set
-    var changed = 0
-        private set
+    /** Slots of the spheres which have left their lines, in order. */
+    val changed = IntList()
 
     /** What one worker has found. */
     private class Strays {
-        var slots = IntArray(INITIAL)
-        var count = 0
+        val slots = IntList()
 
         /** Whether all numbers of these spheres are finite. */
         var areFinite = true
-
-        fun add(slot: Int) {
-            if (count == slots.size) slots = slots.copyOf(count * 2)
-            slots[count++] = slot
-        }
     }
 
     private val found = List(loop.workers) { Strays() }
@@ -50,7 +42,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     fun first(population: Population, cells: EpochCells, columns: PopulationColumns) {
         lines.begin(population.size)
         if (space.isShared) space.before.begin(population.size)
-        changed = 0
+        changed.clear()
         loop.run(population.size) { _, from, to -> first(population, cells, columns, from, to) }
     }
 
@@ -119,29 +111,25 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
      * A later step, in which slots are indices of [population]: gives what is to look at all of them. [hasNext] follows.
      */
     fun next(population: Population, columns: PopulationColumns): StepBounds.AlongPieces {
-        changed = 0
+        changed.clear()
         isOver = false
         for (strays in found) {
-            strays.count = 0
+            strays.slots.clear()
             strays.areFinite = true
         }
         most = population.size / PART + FEW
         return StepBounds.AlongPieces { worker, from, to ->
             val isFinite = !isOver && pass(population, columns, from, to, found[worker])
-            if (found[worker].count > most) isOver = true
+            if (found[worker].slots.size > most) isOver = true
             isFinite
         }
     }
 
     /** @return false when so many have left their lines, or a sphere has grown, that a new epoch is due */
     fun hasNext(): Boolean {
-        if (isOver || found.sumOf { it.count } > most) return false
-        for (strays in found) {
-            if (slots.size < changed + strays.count) slots = slots.copyOf(2 * (changed + strays.count))
-            strays.slots.copyInto(slots, changed, 0, strays.count)
-            changed += strays.count
-        }
-        if (found.size > 1) slots.sort(0, changed)
+        if (isOver || found.sumOf { it.slots.size } > most) return false
+        for (strays in found) changed.addAll(strays.slots)
+        if (found.size > 1) changed.sort()
         return true
     }
 
@@ -204,7 +192,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             lines.image[k] = code
             if (space.isShared) space.before.image[k] = code
         } else {
-            strays.add(k)
+            strays.slots.add(k)
             if (!p.isFinite(k, k + 1)) strays.areFinite = false
         }
     }
@@ -241,8 +229,6 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     private companion object {
-        const val INITIAL = 256
-
         /** A new epoch is due when more than one in so many, and some more, have left their lines. */
         const val PART = 8
         const val FEW = 16

@@ -1,16 +1,20 @@
 package daphnis.core.engine.horizon
 
-import kotlin.math.floor
+import daphnis.core.growth.GrowingTable
 
 /** Looks among [roamers] for those that may come near a line. Each thread has its own. */
-internal class RoamerLook(private val frame: EpochFrame, private val roamers: Roamers) {
+internal class RoamerLook(private val frame: EpochFrame, private val roamers: Roamers) : GrowingTable() {
     // The cells that are looked through, which may lie beyond periodic faces, and the lists found there.
     private val least = IntArray(AXES)
     private val most = IntArray(AXES)
-    private var found = 0
     private var radius = 0.0
-    private var foundHeads = IntArray(INITIAL)
-    private var foundImages = IntArray(INITIAL)
+    private var foundHeads = IntArray(0)
+    private var foundImages = IntArray(0)
+
+    override fun resize(room: Int) {
+        foundHeads = foundHeads.copyOf(room)
+        foundImages = foundImages.copyOf(room)
+    }
 
     /**
      * Calls [use] for each entry, and its image, that may come near the line in [slot] of [lines] from time [from] on;
@@ -38,42 +42,34 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
 
     /** Notes the lists, not empty, of all cells that the line in [slot] can reach from time [from] on. */
     fun lists(lines: Lines, slot: Int, from: Double): Int {
-        found = 0
+        clear()
         radius = lines.radius(slot)
-        val count = roamers.count
+        val count = roamers.cells.count
         for (k in 1 until AXES) {
             val axis = frame.axes[k]
             span(k, lines.at(slot, axis, from), lines.at(slot, axis, frame.end))
         }
         for (layer in least[2]..most[2]) {
-            val slow = boxes(layer, 2)
+            val slow = roamers.cells.boxes(layer, 2)
             val c2 = layer - slow * count[2]
             spanRow(lines, slot, from, c2, slow)
             for (row in least[1]..most[1]) {
-                val middle = boxes(row, 1)
+                val middle = roamers.cells.boxes(row, 1)
                 val rowStart = (c2 * count[1] + row - middle * count[1]) * count[0]
                 for (c in least[0]..most[0]) {
-                    val along = boxes(c, 0)
+                    val along = roamers.cells.boxes(c, 0)
                     val e = roamers.head(rowStart + c - along * count[0])
                     if (e != Roamers.NONE) note(e, frame.code(along, middle, slow))
                 }
             }
         }
-        return found
+        return size
     }
 
-    /** How many boxes away cell [c] along axis [k] is; nearly always none. */
-    private fun boxes(c: Int, k: Int): Int =
-        if (c >= 0 && c < roamers.count[k]) 0 else Math.floorDiv(c, roamers.count[k])
-
     private fun note(e: Int, code: Int) {
-        if (found == foundHeads.size) {
-            foundImages = foundImages.copyOf(found * 2)
-            // Last, since its length says how many there is room for.
-            foundHeads = foundHeads.copyOf(found * 2)
-        }
-        foundHeads[found] = e
-        foundImages[found++] = code
+        val k = append()
+        foundHeads[k] = e
+        foundImages[k] = code
     }
 
     /** The cells of the rows of layer [c2], at its image [boxes] away. */
@@ -90,17 +86,11 @@ internal class RoamerLook(private val frame: EpochFrame, private val roamers: Ro
     }
 
     private fun span(k: Int, here: Double, there: Double) {
-        least[k] = cellToward(minOf(here, there) - roamers.reach[k] - radius, k)
-        most[k] = cellToward(maxOf(here, there) + roamers.reach[k] + radius, k)
-    }
-
-    private fun cellToward(position: Double, k: Int): Int {
-        val c = floor((position - frame.low[k]) * roamers.perLength[k])
-        return if (frame.isPeriodic[k]) c.toInt() else c.coerceIn(0.0, roamers.count[k] - 1.0).toInt()
+        least[k] = roamers.cells.cellToward(minOf(here, there) - roamers.reach[k] - radius, k)
+        most[k] = roamers.cells.cellToward(maxOf(here, there) + roamers.reach[k] + radius, k)
     }
 
     private companion object {
         const val AXES = 3
-        const val INITIAL = 256
     }
 }

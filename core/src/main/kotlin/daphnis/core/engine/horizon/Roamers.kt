@@ -1,5 +1,7 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.growth.GrowingTable
+import daphnis.core.search.CellAxes
 import kotlin.math.abs
 
 /**
@@ -11,17 +13,12 @@ import kotlin.math.abs
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */
-internal class Roamers(private val frame: EpochFrame, private val lines: Lines) {
-    /** Entries, those of old lines included. */
-    var size = 0
-        private set
+internal class Roamers(private val frame: EpochFrame, private val lines: Lines) :
+    GrowingTable() {
+    val cells = CellAxes(frame.low, frame.length, frame.isPeriodic)
 
-    /**
-     * Numbers of cells, and how far the surface of a roamer may be from where its centre is at the middle of the epoch.
-     */
-    val count = IntArray(AXES)
+    /** How far the surface of a roamer may be from where its centre is at the middle of the epoch. */
     val reach = DoubleArray(AXES)
-    val perLength = DoubleArray(AXES)
     private val fastest = DoubleArray(AXES)
     private var largest = 0.0
 
@@ -29,29 +26,32 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
     var flow = DoubleArray(0)
         private set
     private var heads = IntArray(0)
-    private var slots = IntArray(INITIAL)
-    private var versions = IntArray(INITIAL)
-    private var next = IntArray(INITIAL)
+    private var slots = IntArray(0)
+    private var versions = IntArray(0)
+    private var next = IntArray(0)
+
+    override fun resize(room: Int) {
+        slots = slots.copyOf(room)
+        versions = versions.copyOf(room)
+        next = next.copyOf(room)
+    }
 
     /** Forgets all, for an epoch of [spheres] spheres that are about as fast as [speeds] and as large as [radius]. */
     fun begin(spheres: Int, speeds: DoubleArray, radius: Double) {
-        size = 0
+        clear()
         largest = 0.0
         fastest.fill(0.0)
         for (k in 0 until AXES) {
             val range = 2 * (2 * radius + frame.inflation + speeds[k] * frame.halfLength)
-            count[k] = (frame.length[k] / range).coerceIn(1.0, MOST_CELLS_ALONG).toInt()
+            cells.divide(k, range, 1.0, MOST_CELLS_ALONG)
         }
-        while (count[0] * count[1] * count[2] > spheres / SPHERES_A_CELL + 1) {
-            val k = (0 until AXES).maxBy { count[it] }
-            count[k] = maxOf(1, count[k] * 3 / 4)
-        }
-        for (k in 0 until AXES) perLength[k] = if (frame.length[k] > 0) count[k] / frame.length[k] else 1.0
-        if (flow.size < count[2]) flow = DoubleArray(count[2])
-        for (c in 0 until count[2]) flow[c] = frame.flowRate * (frame.low[2] + (c + 0.5) / perLength[2])
-        val cells = count[0] * count[1] * count[2]
-        if (heads.size < cells) heads = IntArray(cells)
-        heads.fill(NONE, 0, cells)
+        cells.thin(spheres / SPHERES_A_CELL + 1L) { it * 3 / 4 }
+        cells.settle()
+        val layers = cells.count[2]
+        if (flow.size < layers) flow = DoubleArray(layers)
+        for (c in 0 until layers) flow[c] = frame.flowRate * cells.middleOf(c, 2)
+        if (heads.size < cells.total) heads = IntArray(cells.total)
+        heads.fill(NONE, 0, cells.total)
         measure()
     }
 
@@ -68,9 +68,9 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
      */
     fun add(slot: Int, isFinal: Boolean = false) {
         val middle = frame.middle
-        val c2 = cellAt(lines.at(slot, frame.axes[2], middle), 2)
-        val c1 = cellAt(lines.at(slot, frame.axes[1], middle), 1)
-        val c0 = cellAt(lines.at(slot, frame.axes[0], middle), 0)
+        val c2 = cells.cellAt(lines.at(slot, frame.axes[2], middle), 2)
+        val c1 = cells.cellAt(lines.at(slot, frame.axes[1], middle), 1)
+        val c0 = cells.cellAt(lines.at(slot, frame.axes[0], middle), 0)
         var isMore = lines.radius(slot) > largest
         if (isMore) largest = lines.radius(slot)
         for (k in 0 until AXES) {
@@ -81,21 +81,18 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
             }
         }
         if (isMore) measure()
-        val cell = (c2 * count[1] + c1) * count[0] + c0
+        val cell = (c2 * cells.count[1] + c1) * cells.count[0] + c0
         // Giants collide often, and would fill the list.
         if (isFinal && heads[cell] != NONE && slots[heads[cell]] == slot) {
             versions[heads[cell]] = lines.version[slot]
             return
         }
-        if (size == slots.size) grow()
-        slots[size] = slot
-        versions[size] = lines.version[slot]
-        next[size] = heads[cell]
-        heads[cell] = size++
+        val e = append()
+        slots[e] = slot
+        versions[e] = lines.version[slot]
+        next[e] = heads[cell]
+        heads[cell] = e
     }
-
-    private fun cellAt(position: Double, k: Int): Int =
-        ((position - frame.low[k]) * perLength[k]).toInt().coerceIn(0, count[k] - 1)
 
     /** The last entry of [cell], and the one before entry [e]; [NONE] when there is none. */
     fun head(cell: Int): Int = heads[cell]
@@ -112,17 +109,9 @@ internal class Roamers(private val frame: EpochFrame, private val lines: Lines) 
         for (e in 0 until size) if (isPresent(e, lines)) use(slotOf(e))
     }
 
-    private fun grow() {
-        versions = versions.copyOf(size * 2)
-        next = next.copyOf(size * 2)
-        // Last, since its length says how many there is room for.
-        slots = slots.copyOf(size * 2)
-    }
-
     companion object {
         const val NONE = -1
         private const val AXES = 3
-        private const val INITIAL = 256
         private const val MOST_CELLS_ALONG = 1e3
         private const val SPHERES_A_CELL = 4
         private const val ROOM = 1.05

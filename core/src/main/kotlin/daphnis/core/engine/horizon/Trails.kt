@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.collision.NEVER
+import daphnis.core.growth.GrowingTable
 
 /**
  * The lines along which the spheres of a group have flown in the present step: for each sphere that has collided the
@@ -9,31 +10,32 @@ import daphnis.core.collision.NEVER
  *
  * @param group the number of the group
  */
-internal class Trails(private val frame: EpochFrame, private val cells: EpochCells, val group: Int) {
+internal class Trails(private val frame: EpochFrame, private val cells: EpochCells, val group: Int) :
+    GrowingTable() {
     /** Lines by piece. They are in the box at the middle of the epoch. */
     val lines = Lines(frame)
     private val grid = Roamers(frame, lines)
     private val looks = ArrayList<RoamerLook?>()
 
-    /** Number of pieces. */
-    var size = 0
-        private set
-
     /** By piece: the sphere, and the times of the epoch from which and until which the piece counts. */
-    var slots = IntArray(INITIAL)
+    var slots = IntArray(0)
         private set
-    var from = DoubleArray(INITIAL)
+    var from = DoubleArray(0)
         private set
-    var until = DoubleArray(INITIAL)
+    var until = DoubleArray(0)
         private set
 
     /** By piece: whether it follows a collision, and whether spheres of other groups may come near it. */
-    private var isNew = BooleanArray(INITIAL)
-    private var isOpen = BooleanArray(INITIAL)
+    private var isNew = BooleanArray(0)
+    private var isOpen = BooleanArray(0)
 
-    /** Forgets all. */
-    fun begin() {
-        size = 0
+    override fun resize(room: Int) {
+        lines.grow(room)
+        slots = slots.copyOf(room)
+        from = from.copyOf(room)
+        until = until.copyOf(room)
+        isNew = isNew.copyOf(room)
+        isOpen = isOpen.copyOf(room)
     }
 
     /**
@@ -43,16 +45,15 @@ internal class Trails(private val frame: EpochFrame, private val cells: EpochCel
      * @return the piece
      */
     fun add(slot: Int, now: Lines, start: Double, isNew: Boolean): Int {
-        if (size == slots.size) grow()
-        lines.reserve(size)
-        lines.copy(size, now, slot)
-        lines.moveBack(size, cells.imageInBox(lines, size))
-        slots[size] = slot
-        from[size] = start
-        until[size] = NEVER
-        this.isNew[size] = isNew
-        isOpen[size] = false
-        return size++
+        val k = append()
+        lines.copy(k, now, slot)
+        lines.moveBack(k, cells.imageInBox(lines, k))
+        slots[k] = slot
+        from[k] = start
+        until[k] = NEVER
+        this.isNew[k] = isNew
+        isOpen[k] = false
+        return k
     }
 
     /** [piece] ends at [time]. */
@@ -92,19 +93,7 @@ internal class Trails(private val frame: EpochFrame, private val cells: EpochCel
 
     fun pieceAt(entry: Int): Int = grid.slotOf(entry)
 
-    private fun grow() {
-        val n = size * 2
-        from = from.copyOf(n)
-        until = until.copyOf(n)
-        isNew = isNew.copyOf(n)
-        isOpen = isOpen.copyOf(n)
-        // Last, since its length says how many there is room for.
-        slots = slots.copyOf(n)
-    }
-
     private companion object {
-        const val INITIAL = 256
-
         /** Pieces for which the grid has room, for each that there is: cells with few are looked through quickly. */
         const val ROOM = 4
         const val MOST_SPHERES = 1L shl 24

@@ -1,22 +1,21 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.growth.GrowingTable
 
 /**
  * The attempts at islands that one worker has made in a window. The worker's stores are filled in order, so an attempt
  * is known by where these stood when it began; it ends where the next one begins. An attempt is alive until its island
  * is found to have met another one.
  */
-internal class Attempts {
-    var size = 0
-        private set
-
+internal class Attempts : GrowingTable() {
     /** One row of [WIDTH] numbers per attempt, and one for the end of the last. */
-    private var marks = LongArray(INITIAL * WIDTH)
-    private var alive = BooleanArray(INITIAL)
+    private var marks = LongArray(0)
+    private var alive = BooleanArray(0)
 
-    fun clear() {
-        size = 0
+    override fun resize(room: Int) {
+        marks = marks.copyOf((room + 1) * WIDTH)
+        alive = alive.copyOf(room)
     }
 
     /**
@@ -24,14 +23,10 @@ internal class Attempts {
      * now, and its counters stand at [counted].
      */
     fun begin(rows: Int, record: Int, counted: CollisionCounters): Int {
-        if (size + 1 == alive.size) {
-            marks = marks.copyOf(alive.size * 2 * WIDTH)
-            // Last, since its length says how many there is room for: an allocation before it may have failed.
-            alive = alive.copyOf(alive.size * 2)
-        }
-        mark(size, rows, record, counted)
-        alive[size] = true
-        return size++
+        val k = append()
+        mark(k, rows, record, counted)
+        alive[k] = true
+        return k
     }
 
     /** Ends the last attempt, see [begin]. */
@@ -86,6 +81,5 @@ internal class Attempts {
         const val WALL_COLLISIONS = 3
         const val GUARDED = 4
         const val WIDTH = 5
-        const val INITIAL = 256
     }
 }

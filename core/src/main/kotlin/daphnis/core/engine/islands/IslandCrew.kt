@@ -4,6 +4,7 @@ import daphnis.core.api.EngineApi
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.engine.islands.IslandBoard.Companion.FREE
+import daphnis.core.growth.IntList
 import java.util.function.IntConsumer
 
 /**

@@ -1,6 +1,7 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.api.EngineApi
+import daphnis.core.growth.IntList
 
 /** Decides which spheres a worker may take into its islands. */
 @EngineApi

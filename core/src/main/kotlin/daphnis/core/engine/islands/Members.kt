@@ -3,34 +3,37 @@ package daphnis.core.engine.islands
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
+import daphnis.core.growth.GrowingTable
 
 /**
  * The spheres in one worker's islands: copies of their rows with their present states, and the paths which they have
  * left in this window. Addressed by **place**, in the order in which they joined. Written by the worker; read by other
  * workers when all islands are done.
  */
-internal class Members {
+internal class Members : GrowingTable() {
     val rows = StepRows()
     val paths = PathLog()
-    private var slotOf = IntArray(INITIAL)
-    private var older = IntArray(INITIAL)
+    private var slotOf = IntArray(0)
+    private var older = IntArray(0)
 
-    val size: Int get() = rows.size
+    override fun resize(room: Int) {
+        slotOf = slotOf.copyOf(room)
+        older = older.copyOf(room)
+    }
 
     /** Removes all; there may be as many pieces of path as [limits] allow. */
     fun clear(limits: IslandLimits) {
+        clear()
         rows.clear()
         paths.clear(limits.pieces)
     }
 
     /** Takes over [slot] of [state] and returns its place. */
     fun take(state: StepRows, slot: Int): Int {
-        val k = rows.take(state, slot)
-        if (k == slotOf.size) {
-            older = older.copyOf(k * 2)
-            // Last, since its length says how many there is room for: an allocation before it may have failed.
-            slotOf = slotOf.copyOf(k * 2)
-        }
+        ensure(size + 1)
+        // The last that can fail.
+        rows.take(state, slot)
+        val k = append()
         slotOf[k] = slot
         older[k] = PathLog.NONE
         return k
@@ -55,9 +58,5 @@ internal class Members {
             piece = paths.older(piece)
         }
         return time
-    }
-
-    private companion object {
-        const val INITIAL = 256
     }
 }

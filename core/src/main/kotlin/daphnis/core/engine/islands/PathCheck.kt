@@ -1,6 +1,7 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.collision.contactTime
+import daphnis.core.growth.IntList
 
 /**
  * Compares the paths of one worker's suspects when all islands are done, and notes which islands touch.

@@ -2,6 +2,7 @@ package daphnis.core.engine.islands
 
 import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
+import daphnis.core.growth.IntList
 import daphnis.core.queue.EventStore.Companion.NONE
 
 /** Makes the seeds of a window from one worker's [hints], and groups them into islands. */

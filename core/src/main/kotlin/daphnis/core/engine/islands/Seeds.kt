@@ -15,7 +15,7 @@ internal class Seeds {
     /** Empties the list and makes room for [capacity] seeds. */
     fun reset(capacity: Int) {
         size.set(0)
-        store.reserve(capacity)
+        store.prepare(capacity)
     }
 
     /** @return the first of [count] entries that belong to the caller alone */

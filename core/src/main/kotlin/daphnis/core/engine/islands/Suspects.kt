@@ -1,21 +1,25 @@
 package daphnis.core.engine.islands
 
+import daphnis.core.growth.GrowingTable
+
 /**
  * Pairs of spheres of different islands that came near one another, noted by one worker. Whether they touch is checked
  * when all paths are known. Each pair is kept once per attempt, however often the two came near, since a moonlet sees
  * its whole neighbourhood at every collision.
  */
-internal class Suspects {
-    var size = 0
-        private set
-    private var data = IntArray(INITIAL * WIDTH)
+internal class Suspects : GrowingTable() {
+    private var data = IntArray(0)
 
     /** Open addressing; one more than the number of a pair, 0 where there is none. At most half full. */
     private var table = IntArray(INITIAL * 2)
 
-    fun clear() {
+    override fun resize(room: Int) {
+        data = data.copyOf(room * WIDTH)
+    }
+
+    override fun clear() {
         for (k in 0 until size) table[data[k * WIDTH + AT]] = 0
-        size = 0
+        super.clear()
     }
 
     /** Notes that [slot], of the worker's own [attempt], has to be compared with [image] of [other]. */
@@ -27,15 +31,14 @@ internal class Suspects {
             place = (place + 1) and (table.size - 1)
         }
         // Before the table names the pair, which it would for ever if there were no memory for it.
-        if ((size + 1) * WIDTH > data.size) data = data.copyOf(data.size * 2)
-        table[place] = size + 1
-        val p = size++ * WIDTH
+        val p = append() * WIDTH
+        table[place] = size
         data[p] = slot
         data[p + 1] = other
         data[p + 2] = image
         data[p + 3] = attempt
         data[p + AT] = place
-        if (size * 2 > table.size) grow()
+        if (size * 2 > table.size) growTable()
     }
 
     private fun placeOf(slot: Int, other: Int, image: Int, attempt: Int): Int {
@@ -43,7 +46,7 @@ internal class Suspects {
         return (hash xor (hash ushr 15)) and (table.size - 1)
     }
 
-    private fun grow() {
+    private fun growTable() {
         table = IntArray(table.size * 2)
         for (k in 0 until size) {
             var place = placeOf(slot(k), other(k), image(k), attempt(k))

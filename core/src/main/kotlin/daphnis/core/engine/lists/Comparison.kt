@@ -5,8 +5,8 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
-import daphnis.core.engine.lists.ListSpace.Companion.AXES
 import daphnis.core.population.Population
+import daphnis.core.search.CellAxes.Companion.AXES
 import kotlin.math.abs
 
 /**

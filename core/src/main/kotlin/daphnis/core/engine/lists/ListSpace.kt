@@ -3,6 +3,7 @@ package daphnis.core.engine.lists
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.population.SphereColumns
+import daphnis.core.search.CellAxes
 import daphnis.core.search.StepBounds
 import kotlin.math.abs
 import kotlin.math.floor
@@ -12,20 +13,8 @@ import kotlin.math.sqrt
 /**
  * The space in which lists are kept, since they were last built: the box, its division into cells, and all lengths that
  * follow from the sizes of the spheres.
- *
- * Along an axis without images the cells at the two ends go on for ever.
  */
-internal class ListSpace {
-    val isPeriodic = BooleanArray(AXES)
-    val lower = DoubleArray(AXES)
-
-    /** Distance of images along x, y, z; of no use along an axis without them. */
-    val length = DoubleArray(AXES)
-
-    /** How many cells there are, and how many in a unit of length. */
-    val cells = IntArray(AXES)
-    private val perLength = DoubleArray(AXES)
-
+internal class ListSpace : CellAxes() {
     var largestRadius = 0.0
         private set
 
@@ -48,13 +37,11 @@ internal class ListSpace {
     var farthest = 0.0
         private set
 
-    val cellCount: Int get() = cells[0] * cells[1] * cells[2]
-
     /** Whether [boundary] is still the one for which the space was laid out. */
     fun isOf(boundary: BoundaryConditions): Boolean = accepts(boundary) &&
         (0 until AXES).all {
             isPeriodic[it] == boundary.hasImages(it) &&
-                (!isPeriodic[it] || lower[it] == boundary.box.lower(it) && length[it] == boundary.box.length(it))
+                (!isPeriodic[it] || low[it] == boundary.box.lower(it) && length[it] == boundary.box.length(it))
         }
 
     /**
@@ -76,51 +63,30 @@ internal class ListSpace {
         var most = 0.0
         for (axis in 0 until AXES) {
             isPeriodic[axis] = boundary.hasImages(axis)
-            var low = Double.POSITIVE_INFINITY
-            var high = Double.NEGATIVE_INFINITY
+            var lowest = Double.POSITIVE_INFINITY
+            var highest = Double.NEGATIVE_INFINITY
             for (v in spheres.position(axis)) {
-                if (v < low) low = v
-                if (v > high) high = v
+                if (v < lowest) lowest = v
+                if (v > highest) highest = v
             }
-            most = max(most, max(abs(low), abs(high)))
-            lower[axis] = if (isPeriodic[axis]) boundary.box.lower(axis) else low
-            length[axis] = if (isPeriodic[axis]) boundary.box.length(axis) else high - low
-            if (isPeriodic[axis]) most = max(most, max(abs(lower[axis]), abs(lower[axis] + length[axis])))
+            most = max(most, max(abs(lowest), abs(highest)))
+            low[axis] = if (isPeriodic[axis]) boundary.box.lower(axis) else lowest
+            length[axis] = if (isPeriodic[axis]) boundary.box.length(axis) else highest - lowest
+            if (isPeriodic[axis]) most = max(most, max(abs(low[axis]), abs(low[axis] + length[axis])))
             val fit = floor(length[axis] / widest)
             if (isPeriodic[axis] && !(fit >= LEAST_CELLS)) return false
-            cells[axis] = fit.coerceIn(1.0, MOST_ALONG).toInt()
+            count[axis] = fit.coerceIn(1.0, MOST_ALONG).toInt()
         }
         farthest = FARTHER * most + FARTHER_RADII * largestRadius
         margin = MARGIN * largestRadius + ROUNDING * farthest
         if (!(margin <= MOST_MARGIN * largestRadius)) return false
-        thinOut(spheres.size)
-        for (axis in 0 until AXES) perLength[axis] = cells[axis] / max(length[axis], widest)
+        // Fewer cells than spheres, more or less: empty ones take memory.
+        thin(CELLS_PER_SPHERE * spheres.size + FEW_CELLS) { it / 2 + 1 }
+        settle()
         return true
     }
 
-    /** Fewer cells than spheres, more or less: empty ones take memory. */
-    private fun thinOut(spheres: Int) {
-        while (cells[0].toLong() * cells[1] * cells[2] > CELLS_PER_SPHERE * spheres + FEW_CELLS) {
-            val axis = (0 until AXES).maxBy { cells[it] }
-            cells[axis] = cells[axis] / 2 + 1
-        }
-    }
-
-    /** The cell along [axis] of the coordinate [at], which may be outside the box. */
-    fun cell(at: Double, axis: Int): Int {
-        val n = cells[axis]
-        var c = (at - lower[axis]) * perLength[axis]
-        if (isPeriodic[axis]) {
-            if (c < 0 || c >= n) c -= floor(c / n) * n
-        } else if (c < 0) {
-            return 0
-        }
-        return if (c >= n) n - 1 else c.toInt()
-    }
-
     companion object {
-        const val AXES = 3
-
         /** The largest radius over the least. */
         const val MOST_RATIO = 3.0
         private const val LEAST_CELLS = 3

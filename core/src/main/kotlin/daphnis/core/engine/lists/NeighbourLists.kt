@@ -6,7 +6,7 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
-import daphnis.core.engine.lists.ListSpace.Companion.AXES
+import daphnis.core.search.CellAxes.Companion.AXES
 import kotlin.math.abs
 
 /**
@@ -60,7 +60,7 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
         while (true) {
             reserve(n)
             isLost = false
-            cells.begin(space.cellCount)
+            cells.begin(space.total)
             for (i in 0 until n) {
                 setReference(i, 0.0)
                 entries[i * stride] = 0
@@ -190,8 +190,7 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
     private fun hasRoom(i: Int) = entries[i * stride] < stride - 1
 
     private fun enter(i: Int) {
-        val p = 4 * i
-        val c = cell(space.cell(reference[p], 0), space.cell(reference[p + 1], 1), space.cell(reference[p + 2], 2))
+        val c = cell(cellAlong(i, 0), cellAlong(i, 1), cellAlong(i, 2))
         cellOf[i] = c
         if (!cells.add(c, i)) isLost = true
     }
@@ -200,13 +199,15 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
         cells.remove(cellOf[i], i)
     }
 
-    private fun cell(x: Int, y: Int, z: Int) = (z * space.cells[1] + y) * space.cells[0] + x
+    private fun cellAlong(i: Int, axis: Int) = space.cellOfImage(reference[4 * i + axis], axis)
+
+    private fun cell(x: Int, y: Int, z: Int) = (z * space.count[1] + y) * space.count[0] + x
 
     /** Puts the sphere [i] and those near it that are in cells and not marked into one another's lists. */
     private fun addNear(i: Int) {
-        val x = space.cell(reference[4 * i], 0)
-        val y = space.cell(reference[4 * i + 1], 1)
-        val z = space.cell(reference[4 * i + 2], 2)
+        val x = cellAlong(i, 0)
+        val y = cellAlong(i, 1)
+        val z = cellAlong(i, 2)
         for (dz in -1..1) {
             val cz = beside(z, dz, 2)
             if (cz < 0) continue
@@ -223,7 +224,7 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
 
     /** The cell number [c] + [d] along [axis]; −1 when there is none. */
     private fun beside(c: Int, d: Int, axis: Int): Int {
-        val n = space.cells[axis]
+        val n = space.count[axis]
         val at = c + d
         if (at in 0 until n) return at
         return if (space.isPeriodic[axis]) at - d * n else -1

@@ -1,11 +1,14 @@
 package daphnis.core.engine.lists
 
 import daphnis.core.boundary.Images
+import daphnis.core.collision.FAR
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.collision.contactTime
+import daphnis.core.collision.waitUntilOutside
+import daphnis.core.collision.waitUntilRoot
 import daphnis.core.queue.compareTied
 import kotlin.math.max
 import kotlin.math.sqrt
@@ -111,7 +114,7 @@ internal class NextEvents(
         var next = NONE
         for (l in 0 until count) {
             val c = near.c[l]
-            val t = if (c <= 0.0) 0.0 else c / (sqrt(near.discriminant[l]) - near.b[l])
+            val t = if (c <= 0.0) 0.0 else waitUntilRoot(near.b[l], c, near.discriminant[l])
             if (t < first) {
                 second = first
                 first = t
@@ -148,7 +151,7 @@ internal class NextEvents(
             val time = contactTime(rows, i, j, code, images)
             if (time > duration) {
                 // Whatever is predicted, they do not touch in this step.
-                val t = if (near.c[l] <= 0.0) 0.0 else now + near.c[l] / (sqrt(near.discriminant[l]) - near.b[l])
+                val t = if (near.c[l] <= 0.0) 0.0 else now + waitUntilRoot(near.b[l], near.c[l], near.discriminant[l])
                 if (t < bound) bound = t
             } else if (partner < 0 ||
                 time < best ||
@@ -189,8 +192,7 @@ internal class NextEvents(
             val v2 = vx * vx + vy * vy + vz * vz
             val b = ex * vx + ey * vy + ez * vz
             val c = most - (ex * ex + ey * ey + ez * ez)
-            val wait = if (v2 > 0.0) (sqrt(max(0.0, b * b + v2 * c)) - b) / v2 else FAR
-            val exit = now + max(0.0, wait)
+            val exit = now + waitUntilOutside(v2, b, c)
             if (exit < at) {
                 data[4 * i] = EXIT
                 calendar.put(i, exit)
@@ -256,7 +258,6 @@ internal class NextEvents(
 
         /** A bound, with [HINT] less the number of the sphere that it may touch first. */
         const val HINT = -3
-        const val FAR = 1e300
         const val NEVER_ASKED = -1.0
     }
 }

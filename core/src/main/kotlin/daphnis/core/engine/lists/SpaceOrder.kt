@@ -1,6 +1,7 @@
 package daphnis.core.engine.lists
 
 import daphnis.core.population.SphereColumns
+import daphnis.core.search.CellAxes
 
 /** An order in which spheres near each other come one soon after the other: Morton's curve through small cubes. */
 internal class SpaceOrder {
@@ -14,11 +15,11 @@ internal class SpaceOrder {
         val n = spheres.size
         reserve(n)
         // Cubes as long as the longest axis over 2^10.
-        val edge = (0 until ListSpace.AXES).maxOf { space.length[it] } / CUBES
+        val edge = (0 until CellAxes.AXES).maxOf { space.length[it] } / CUBES
         for (k in 0 until n) {
             var key = 0L
-            for (axis in 0 until ListSpace.AXES) {
-                val c = (spheres.position(axis)[k] - space.lower[axis]) / edge
+            for (axis in 0 until CellAxes.AXES) {
+                val c = (spheres.position(axis)[k] - space.low[axis]) / edge
                 key = key or (spread(c.coerceIn(0.0, CUBES - 1.0).toLong()) shl axis)
             }
             keys[k] = (key shl Int.SIZE_BITS) or k.toLong()
