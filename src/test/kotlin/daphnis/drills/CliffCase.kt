@@ -22,6 +22,7 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
+import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
@@ -32,18 +33,38 @@ import java.util.Locale
 internal class CliffCase(private val seed: Long) {
     private val random = SeededRandom(seed)
     private val spheres = between(30.0, 3000.0).toInt()
-    private val filling = if (isOneIn(2)) random.nextDouble(0.3, 0.6) else between(0.003, 0.3)
     private val radii = drawRadii()
-    private val box = drawBox()
+    private val flatness = if (isOneIn(3)) 3.0 else 1.0
+    private val start: Population
+
+    /** Collisions per sphere in a step over four decades, but no more of these in all than can be waited for. */
+    private val wanted = minOf(between(1e-3, 10.0), MOST_COLLISIONS / spheres)
+
+    /** How much a sheared box is strained in a step. */
+    private val strain = random.nextDouble(-0.3, 0.3)
+
+    /** What was drawn, or as much less as it takes to place the spheres. */
+    private var filling = if (isOneIn(2)) random.nextDouble(0.3, 0.6) else between(0.003, 0.3)
+    private var box = drawBox()
     private var boundary = drawBoundary()
-    private val start = populate()
+
+    init {
+        var places = place()
+        while (places == null) {
+            filling *= 0.9
+            box = drawBox()
+            boundary = drawBoundary()
+            places = place()
+        }
+        start = made(places)
+    }
+
     private val restitution = listOf(1.0, 1.0, 0.8, 0.3)[random.nextInt(4)]
     val threads = 1 + random.nextInt(2)
 
-    /** Collisions per sphere in a step, over four decades, but no more than can be waited for. */
-    private val collisions = minOf(between(1e-3, 10.0), MOST_COLLISIONS / spheres)
+    private val dt = stepLength()
+    private val collisions = dt / meanFreeTime()
     val steps = (MOST_COLLISIONS / (collisions * spheres)).coerceIn(LEAST_STEPS, MOST_STEPS).toInt()
-    private val dt = collisions * meanFreeTime()
 
     /** How epochs are laid out where somebody wants them; null in most cases. */
     private val epochSteps = 1 + random.nextInt(if (isOneIn(3)) 64 else 6)
@@ -69,7 +90,6 @@ internal class CliffCase(private val seed: Long) {
 
     private fun drawBox(): Box {
         val volume = radii.sumOf { 4.0 / 3 * Math.PI * it * it * it } / filling
-        val flatness = if (isOneIn(3)) 3.0 else 1.0
         val edge = Math.cbrt(volume * flatness)
         fun atLeast(length: Double) = maxOf(length, 3.0)
         return Box.centred(atLeast(edge * random.nextDouble(0.8, 1.25)), atLeast(edge), atLeast(edge / flatness))
@@ -78,41 +98,53 @@ internal class CliffCase(private val seed: Long) {
     private fun drawBoundary(): BoundaryConditions = when (random.nextInt(8)) {
         0 -> Open
         1 -> Walls(box, 1.0)
-        2 -> ShearedPeriodic(box, random.nextDouble(-1.0, 1.0))
-        3, 4 -> LeesEdwards(box, random.nextDouble(-1.0, 1.0))
+        2 -> ShearedPeriodic(box, strain / stepLength())
+        3, 4 -> LeesEdwards(box, strain / stepLength())
         5 -> HillSheet(box, OMEGA)
         else -> Periodic(box)
     }
 
-    private fun populate(): Population {
+    /** @return null where there is no room for all */
+    private fun place(): Positions? {
         val walled = BooleanArray(AXES) { boundary.contactFaces(it) != ContactFaces.PERIODIC }
-        val places = try {
+        return try {
             if (filling > 0.25) {
                 LatticePlacement(Lattice.FACE_CENTRED_CUBIC).place(radii, box, walled, random)
             } else {
                 RandomPlacement(TRIES).place(radii, box, walled, random)
             }
         } catch (e: PlacementException) {
-            // The radii differ too much for that density: loosely packed in open space does as well.
-            boundary = Open
-            val pitch = 2.01
-            val edge = Math.ceil(Math.cbrt(1.0 * spheres)).toInt()
-            fun lattice(stride: Int) = DoubleArray(spheres) { (it / stride % edge - (edge - 1) / 2.0) * pitch }
-            return made(lattice(1), lattice(edge), lattice(edge * edge))
+            null
         }
-        return made(places.x, places.y, places.z)
     }
 
-    private fun made(x: DoubleArray, y: DoubleArray, z: DoubleArray): Population {
+    private fun made(at: Positions): Population {
         fun gauss() = DoubleArray(spheres) { random.nextGaussian() }
-        return Population(x, y, z, gauss(), gauss(), gauss(), radii, DoubleArray(spheres) { Math.pow(radii[it], 3.0) })
+        val masses = DoubleArray(spheres) { Math.pow(radii[it], 3.0) }
+        return Population(at.x, at.y, at.z, gauss(), gauss(), gauss(), radii, masses)
     }
 
-    /** Of a gas of spheres of one size; half of it, since two spheres share a collision. */
+    /** Not so long that the step is refused, or that the serial engine takes too long for it. */
+    private fun stepLength(): Double {
+        val edge = minOf(box.length(0), box.length(1), box.length(2))
+        var dt = minOf(wanted * meanFreeTime(), MOST_BOXES * edge / FASTEST)
+        while (searched(dt) > MOST_SEARCHED) dt *= 0.8
+        return dt
+    }
+
+    /** How many spheres the serial engine looks at in a step of [dt], about. */
+    private fun searched(dt: Double): Double {
+        val range = 4 * radii.max() + 2 * FASTEST * dt
+        return 2 * dt / meanFreeTime() * spheres * spheres * range * range * range / box.volume
+    }
+
+    /** Of a gas, with half the collisions, since two spheres share one. */
     private fun meanFreeTime(): Double {
         val free = 1 - filling
         val contact = (1 - filling / 2) / (free * free * free)
-        return 2 * radii.average() / (12 / Math.sqrt(Math.PI) * filling * contact)
+        val mean = radii.average()
+        val area = 2 * Math.PI * (radii.sumOf { it * it } / spheres + mean * mean)
+        return 2 / (spheres / box.volume * area * RELATIVE_SPEED * contact)
     }
 
     private fun drawTuning() = HorizonTuning(
@@ -148,14 +180,24 @@ internal class CliffCase(private val seed: Long) {
             "$threads threads" + if (tuning == null) "" else ", epochs of $epochSteps steps",
         )
 
-    private companion object {
-        const val AXES = 3
-        const val OMEGA = 0.1
-        const val TRIES = 2000
+    companion object {
+        /** With more than that a case is ended. */
+        const val TOO_MANY_COLLISIONS = 10_000L
+        private const val AXES = 3
+        private const val OMEGA = 0.1
+        private const val TRIES = 2000
+
+        /** How many boxes the fastest may go in a step. */
+        private const val MOST_BOXES = 1.0
+        private const val FASTEST = 5.0
+
+        /** Mean speed of two spheres relative to each other, 4 / √π. */
+        private const val RELATIVE_SPEED = 2.2568
 
         /** Expected in a case, and how many steps are for that. */
-        const val MOST_COLLISIONS = 6000.0
-        const val LEAST_STEPS = 2.0
-        const val MOST_STEPS = 8.0
+        private const val MOST_COLLISIONS = 6000.0
+        private const val MOST_SEARCHED = 3e7
+        private const val LEAST_STEPS = 2.0
+        private const val MOST_STEPS = 8.0
     }
 }

@@ -25,8 +25,9 @@ internal object CliffDrill : Drill {
         for (drawn in seed until seed + cases) {
             val case = CliffCase(drawn)
             val before = ratios.size
+            val serial = Timing(case, SerialEngine(), case.steps)
             for (engine in engines) {
-                val ratio = ratio(case, engine, lost) ?: continue
+                val ratio = ratio(case, engine, serial, lost) ?: continue
                 ratios += Ratio(engine, ratio, case)
             }
             val told = ratios.subList(before, ratios.size).joinToString { "${it.engine} ${"%.2f".format(it.value)}" }
@@ -36,40 +37,47 @@ internal object CliffDrill : Drill {
     }
 
     /** The least of some attempts where the first looks bad: others may have been at work, or the JVM's compiler. */
-    private fun ratio(case: CliffCase, engine: String, lost: MutableList<String>): Double? {
+    private fun ratio(case: CliffCase, engine: String, first: Timing, lost: MutableList<String>): Double? {
+        var serial = first
         var least = Double.POSITIVE_INFINITY
         for (attempt in 1..ATTEMPTS) {
-            val serial = Timing(case, SerialEngine())
-            val other = Timing(case, case.engine(engine) { allEngines.create(engine, case.threads)!! })
+            if (attempt > 1) serial = Timing(case, SerialEngine(), case.steps)
+            val other = Timing(case, case.engine(engine) { allEngines.create(engine, case.threads)!! }, serial.steps)
             if (serial.end != other.end) lost += "$case: $engine ends with ${other.end}, serial with ${serial.end}"
-            // Where both have failed in the first step nothing was timed.
-            if (serial.end != other.end || other.later.isNaN()) return null
-            least = minOf(least, maxOf(other.first / (serial.first + START), other.later / serial.later))
+            if (serial.end != other.end || serial.steps == 0) return null
+            val begun = other.first / (serial.first + START)
+            least = minOf(least, if (serial.steps == 1) begun else maxOf(begun, other.later / serial.later))
             if (least < SUSPECT) break
         }
         return least
     }
 
-    /** The steps of [case] on an engine, and what they came to: a digest, or what was thrown. */
-    private class Timing(case: CliffCase, engine: CollisionEngine) {
+    /** At most [most] steps of [case] on [engine], and what they came to: a digest, or what was thrown. */
+    private class Timing(case: CliffCase, engine: CollisionEngine, most: Int) {
         /** Of the first step, in which threads start, and of all others together. */
-        val first: Double
-        val later: Double
+        var first = Double.NaN
+            private set
+        var later = 0.0
+            private set
+
+        /** How many there were before it was more work than was expected. */
+        var steps = 0
+            private set
         val end: String
 
         init {
-            val seconds = DoubleArray(case.steps) { Double.NaN }
             end = case.simulation(engine).use { simulation ->
                 try {
-                    for (step in seconds.indices) seconds[step] = seconds { simulation.advance() }
+                    val counters = simulation.collisions!!.counters
+                    while (steps < most && counters.collisions < CliffCase.TOO_MANY_COLLISIONS) {
+                        val seconds = seconds { simulation.advance() }
+                        if (steps++ == 0) first = seconds else later += seconds + FLOOR
+                    }
                     stateDigest(simulation.population)
                 } catch (e: RuntimeException) {
                     "${e.javaClass.name}: ${e.message}"
                 }
             }
-            first = seconds[0]
-            later = seconds.drop(1).filterNot { it.isNaN() }.let { if (it.isEmpty()) Double.NaN else it.sum() } +
-                FLOOR * (case.steps - 1)
         }
     }
 
