@@ -120,7 +120,8 @@ internal class CliffCase(private val seed: Long) {
 
     private fun made(at: Positions): Population {
         fun gauss() = DoubleArray(spheres) { random.nextGaussian() }
-        val masses = DoubleArray(spheres) { Math.pow(radii[it], 3.0) }
+        // By volume the small ones would soon be far too fast for the step.
+        val masses = radii.copyOf()
         return Population(at.x, at.y, at.z, gauss(), gauss(), gauss(), radii, masses)
     }
 
@@ -181,8 +182,8 @@ internal class CliffCase(private val seed: Long) {
         )
 
     companion object {
-        /** With more than that a case is ended. */
-        const val TOO_MANY_COLLISIONS = 10_000L
+        /** Of the serial engine, after which a case is ended. */
+        const val MOST_SECONDS = 0.3
         private const val AXES = 3
         private const val OMEGA = 0.1
         private const val TRIES = 2000

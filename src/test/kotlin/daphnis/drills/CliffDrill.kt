@@ -25,7 +25,7 @@ internal object CliffDrill : Drill {
         for (drawn in seed until seed + cases) {
             val case = CliffCase(drawn)
             val before = ratios.size
-            val serial = Timing(case, SerialEngine(), case.steps)
+            val serial = Timing(case, SerialEngine(), case.steps, CliffCase.MOST_SECONDS)
             for (engine in engines) {
                 val ratio = ratio(case, engine, serial, lost) ?: continue
                 ratios += Ratio(engine, ratio, case)
@@ -41,8 +41,8 @@ internal object CliffDrill : Drill {
         var serial = first
         var least = Double.POSITIVE_INFINITY
         for (attempt in 1..ATTEMPTS) {
-            if (attempt > 1) serial = Timing(case, SerialEngine(), case.steps)
-            val other = Timing(case, case.engine(engine) { allEngines.create(engine, case.threads)!! }, serial.steps)
+            if (attempt > 1) serial = Timing(case, SerialEngine(), case.steps, CliffCase.MOST_SECONDS)
+            val other = Timing(case, case.engine(engine) { allEngines.create(engine, case.threads)!! }, serial.begun, FOREVER)
             if (serial.end != other.end) lost += "$case: $engine ends with ${other.end}, serial with ${serial.end}"
             if (serial.end != other.end || serial.steps == 0) return null
             val begun = other.first / (serial.first + START)
@@ -52,15 +52,20 @@ internal object CliffDrill : Drill {
         return least
     }
 
-    /** At most [most] steps of [case] on [engine], and what they came to: a digest, or what was thrown. */
-    private class Timing(case: CliffCase, engine: CollisionEngine, most: Int) {
+    /**
+     * At most [most] steps of [case] on [engine], which may begin in the first [mostSeconds], and what they came to: a
+     * digest, or what was thrown.
+     */
+    private class Timing(case: CliffCase, engine: CollisionEngine, most: Int, mostSeconds: Double) {
         /** Of the first step, in which threads start, and of all others together. */
         var first = Double.NaN
             private set
         var later = 0.0
             private set
 
-        /** How many there were before it was more work than was expected. */
+        /** How many were begun, and done. */
+        var begun = 0
+            private set
         var steps = 0
             private set
         val end: String
@@ -68,8 +73,8 @@ internal object CliffDrill : Drill {
         init {
             end = case.simulation(engine).use { simulation ->
                 try {
-                    val counters = simulation.collisions!!.counters
-                    while (steps < most && counters.collisions < CliffCase.TOO_MANY_COLLISIONS) {
+                    while (begun < most && later < mostSeconds) {
+                        begun++
                         val seconds = seconds { simulation.advance() }
                         if (steps++ == 0) first = seconds else later += seconds + FLOOR
                     }
@@ -122,6 +127,7 @@ internal object CliffDrill : Drill {
     private const val SUSPECT = 3.0
     private const val ATTEMPTS = 3
     private const val NANOS = 1e9
+    private const val FOREVER = Double.POSITIVE_INFINITY
 
     /** Seconds that a step may take anyway, and a first one, in which threads and an actor system start. */
     private const val FLOOR = 1e-4

@@ -94,7 +94,7 @@ internal class CollisionGroup(
     }
 
     /** What has been looked at in this epoch, or window, in the nanoseconds of [EpochCost]. */
-    private val work: Double get() = search.work + EpochCost.COMPARISON * everCompared + EpochCost.PAIR * asked
+    val work: Double get() = search.work + EpochCost.COMPARISON * everCompared + EpochCost.PAIR * asked
 
     /**
      * What collisions look at is weighed from now on against how many there are: of all that is allowed beside these,

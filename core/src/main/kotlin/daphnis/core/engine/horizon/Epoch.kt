@@ -106,6 +106,9 @@ internal class Epoch(
     var giants = 0L
         private set
 
+    /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
+    val work: Double get() = whole.work + groups.sumOf { it.work }
+
     /** The next step begins a new epoch. */
     fun drop() {
         hasFailed = false

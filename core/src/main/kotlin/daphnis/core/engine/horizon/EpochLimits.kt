@@ -39,7 +39,7 @@ internal class EpochLimits {
     private companion object {
         /** Times the work of the serial engine; and where epochs are wanted in all steps. */
         const val MOST = 3.0
-        const val MOST_PATIENT = 100.0
+        const val MOST_PATIENT = 50.0
 
         /** For so many steps a search for all may look ahead at once. */
         const val MOST_INVESTED = 4
