@@ -14,6 +14,7 @@ internal val drills: List<Drill> = listOf(
     ThrowDrill,
     NodesDrill,
     NetworkDrill,
+    CliffDrill,
 )
 
 /** `drill NAME [CASES [SEED]]`: tells every case, then what was tried and lost; exit code 1 when anything was. */

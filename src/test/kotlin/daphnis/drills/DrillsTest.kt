@@ -1,5 +1,6 @@
 package daphnis.drills
 
+import daphnis.app.allEngines
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -37,6 +38,19 @@ class DrillsTest {
             "only with --long, and where network namespaces can be had"
         }
         assertNothingLost(NetworkDrill, 5)
+    }
+
+    @Test
+    fun `drawn systems end with one digest in every engine, each of which is timed`() {
+        val told = ArrayList<String>()
+        val tally = CliffDrill.run(6, 1) { told += it }
+        assertEquals(emptyList<String>(), tally.lost) { told.joinToString("\n") }
+        assertEquals(6, tally.tried)
+        assertEquals(6, told.size)
+        for (engine in allEngines.names - "serial") {
+            assertTrue(tally.notes.any { it.startsWith("$engine: half of the cases") }) { tally.notes.joinToString("\n") }
+        }
+        assertTrue(tally.notes.count { " × in " in it } == 10 && tally.notes.any { "epochs of" in it })
     }
 
     @Test

@@ -96,14 +96,21 @@ internal class RegionSteps(
         val exchange = enter(step.population.size)
         try {
             if (share(exchange, step, isWanted)) return
-            exchange.wakeWith(waker)
-            exchange.begin(step)
-            while (!exchange.turn()) {
-                exchange.serveOwn()
-                await(exchange)
+            if (isOneRegion(exchange)) {
+                // As long as it can still be cancelled: the serial engine asks nobody.
                 if (!isWanted()) exchange.coordinator.cancel()
+                conclude(exchange, step)
+                SerialEngine(prepared = exchange.coordinator.prepared).advance(step)
+            } else {
+                exchange.wakeWith(waker)
+                exchange.begin(step)
+                while (!exchange.turn()) {
+                    exchange.serveOwn()
+                    await(exchange)
+                    if (!isWanted()) exchange.coordinator.cancel()
+                }
+                conclude(exchange, step)
             }
-            conclude(exchange, step)
             exchange.horizon.tookAnother(step)
         } finally {
             leave(exchange)
@@ -147,6 +154,10 @@ internal class RegionSteps(
             throw e
         }
     }
+
+    /** Whether nobody has wanted regions where there are so few spheres that one has all: islands would gain nothing. */
+    fun isOneRegion(exchange: StepExchange): Boolean =
+        layout == null && exchange.coordinator.regions.size == 1
 
     private fun newExchange(spheres: Int): StepExchange {
         val coordinator = StepCoordinator(RegionMap(layout ?: RegionLayout.of(spheres, threads)), inner)

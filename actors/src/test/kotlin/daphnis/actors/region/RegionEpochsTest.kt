@@ -54,15 +54,15 @@ class RegionEpochsTest {
         return told.keys
     }
 
-    private fun forEachEngine(test: (CollisionEngine, Map<Phase, Set<Int>>) -> Unit) {
+    private fun forEachEngine(layout: RegionLayout? = null, test: (CollisionEngine, Map<Phase, Set<Int>>) -> Unit) {
         val told = ConcurrentHashMap<Phase, MutableSet<Int>>()
         val probe = { c: RegionCommand ->
             told.getOrPut(c.phase) { ConcurrentHashMap.newKeySet() } += c.region
             Unit
         }
-        test(RegionActorEngine(2).also { it.probe = probe }, told)
+        test(RegionActorEngine(2, layout).also { it.probe = probe }, told)
         told.clear()
-        test(PekkoEngine(2).also { it.probe = probe }, told)
+        test(PekkoEngine(2, layout).also { it.probe = probe }, told)
     }
 
     @Test
@@ -97,8 +97,12 @@ class RegionEpochsTest {
     }
 
     @Test
-    fun `few spheres go by islands`() {
+    fun `few spheres go by islands where somebody wants regions, else one thread has them all and asks none`() {
         forEachEngine { engine, told ->
+            engine.use { it.advance(FaultKit.step()) }
+            assertEquals(emptySet<Phase>(), told.keys) { engine.name }
+        }
+        forEachEngine(RegionLayout.Stretches(2)) { engine, told ->
             val step = FaultKit.step()
             when (engine) {
                 is RegionActorEngine -> engine.fewest = step.population.size + 1

@@ -106,6 +106,9 @@ internal class Epoch(
     var giants = 0L
         private set
 
+    /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
+    val work: Double get() = whole.work + groups.sumOf { it.work }
+
     /** The next step begins a new epoch. */
     fun drop() {
         hasFailed = false
@@ -124,6 +127,7 @@ internal class Epoch(
         val wasOpen = isOpen
         isOpen = false
         hasFailed = false
+        space.limits.isExceeded = false
         val population = step.population
         frame.step++
         val mayGoOn = wasOpen &&
@@ -149,7 +153,10 @@ internal class Epoch(
             if (goesOn) searchChanged(population) else searchAll()
             takeStep(step, columns, order, tracks)
         }
-        if (!isDone) return false
+        if (!isDone) {
+            if (space.limits.isExceeded) abandoned()
+            return false
+        }
         beforeWriting.run()
         population.take(columns)
         step.record?.sort()
@@ -178,8 +185,14 @@ internal class Epoch(
         cells.measure(step.population)
         frame.memberRadius = sizes.choose(step.population, frame, cells.rms, loop)
         filter = filters.choose(step.population.size)
-        val tuning = fixed ?: plan.choose(step.population.size, frame, cells, filter, loop.active) ?: return false
-        if (!frame.begin(tuning)) return false
+        val n = step.population.size
+        val tuning = if (fixed == null) {
+            plan.choose(n, frame, cells, filter, loop.active)
+        } else {
+            plan.admit(fixed, n, frame, cells, filter, loop.active, always = isEager)
+        }
+        if (tuning == null || !frame.begin(tuning)) return false
+        plan.limit(space.limits, tuning, isEager)
         this.tuning = tuning
         cells.sort(step.population, tuning, 0.0)
         return true
@@ -187,6 +200,7 @@ internal class Epoch(
 
     private fun begin(population: Population, columns: PopulationColumns) {
         frame.step = 0
+        searches.begin()
         begun++
         collisions = 0
         strayed = 0
@@ -215,6 +229,12 @@ internal class Epoch(
         plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, listed / sphereSteps, isBroken)
     }
 
+    /** The present step is too much work for an epoch. */
+    private fun abandoned() {
+        val listed = listed + searches.listed
+        plan.abandoned(listed / (spheres * (frame.step + 1.0)))
+    }
+
     private fun searchAll() {
         searches.all()
         plan.searched(searches.tested.toDouble() / spheres)
@@ -229,7 +249,7 @@ internal class Epoch(
 
     /** @return false when the step cannot be ended in this way */
     private fun takeStep(step: CollisionStep, columns: PopulationColumns, order: IntArray?, tracks: Boolean): Boolean {
-        if (!collide(step, order, tracks) || lines.isLost) return false
+        if (!collide(step, order, tracks) || lines.isLost || space.limits.isExceeded) return false
         store(columns)
         return true
     }
@@ -252,12 +272,13 @@ internal class Epoch(
                 windows++
             }
             searchAll()
-            if (lines.isLost) return false
+            if (lines.isLost || space.limits.isExceeded) return false
+            whole.startCounting(parts = 1)
             if (window == 0) whole.open(step.record) else whole.goOn(cells.order, cells.slots)
             for (calendar in calendars) calendar.forEachDue(0) { i, j, code -> whole.ask(i, j, code) }
             val isDone = whole.process()
             whole.rest()
-            if (!isDone || lines.isLost) return false
+            if (!isDone || lines.isLost || space.limits.isExceeded) return false
             whole.bodies.store(columns, frame.duration)
         }
         return true
@@ -265,7 +286,7 @@ internal class Epoch(
 
     /** @return false when the step cannot be ended in this way */
     private fun collide(step: CollisionStep, order: IntArray?, tracks: Boolean): Boolean {
-        if (lines.isLost) return false
+        if (lines.isLost || space.limits.isExceeded) return false
         isShared = groups.isNotEmpty() && !loop.isAlone && (isEager || plan.sharesCollisions && shared.isWorthIt())
         if (isShared) {
             val isDone = shared.process(step, order, tracks)
@@ -275,6 +296,7 @@ internal class Epoch(
             return isDone
         }
         whole.begin(step.population, order, tracks, keepsPaths = false)
+        whole.startCounting(parts = 1)
         whole.open(step.record)
         for (calendar in calendars) calendar.forEachDue(frame.step) { i, j, code -> whole.ask(i, j, code) }
         val isDone = whole.process()

@@ -82,12 +82,25 @@ internal class EpochCost(
 
     /** In steps that are not part of an epoch. */
     fun otherwise(): Double {
+        val serial = serial()
+        return if (threads == 1 || spheres < ISLANDS_FROM) serial else serial * ISLANDS / threads
+    }
+
+    /** Of the serial engine, which sets [serialCollision]. */
+    private fun serial(): Double {
         look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.fastest[it] * dt }
         val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
         val around = SEARCH + SERIAL_FAR * (ROW * rows + TEST * tests)
-        val serial = SERIAL_PASS + ahead + remoteness * collisions * (SERIAL_COLLISION + 2 * around)
-        return if (threads == 1 || spheres < ISLANDS_FROM) serial else serial * ISLANDS / threads
+        serialCollision = remoteness * (SERIAL_COLLISION + 2 * around)
+        return SERIAL_PASS + ahead + collisions * serialCollision
     }
+
+    /** What a collision costs in the serial engine, with both searches after it. */
+    var serialCollision = 0.0
+        private set
+
+    /** What a step of all spheres costs in the serial engine. */
+    val serialStep: Double = spheres * serial()
 
     private inline fun look(time: Double, along: Double, across: Double, margin: (k: Int) -> Double) {
         rows = 1.0
@@ -108,6 +121,10 @@ internal class EpochCost(
         const val COLLISION_ANEW = 1100.0
         const val COMPARISON = 10.0
 
+        /** Of an entry of roamers that a search looks at, and of a pair of lines that may touch. */
+        const val ROAMER = 6.0
+        const val PAIR = 25.0
+
         /** Fitted to gases at filling factors of 0.1 and 0.3, 0.05 to 0.5 collisions per sphere, on two threads. */
         private const val JOINING = 2.3e5
         private const val FEW_COLLISIONS = 0.05
@@ -126,7 +143,6 @@ internal class EpochCost(
         private const val FAR = 1.4
         private const val SERIAL_FAR = 1.6
         private const val ROAMERS = 20.0
-        private const val ROAMER = 6.0
         private const val COLLISION = 120.0
         private const val SERIAL_COLLISION = 250.0
 

@@ -34,6 +34,9 @@ internal class EpochPlan {
     private var rest = 0
     private var nextRest = 1
 
+    /** How many steps are to be left to the other engine when an epoch is abandoned. */
+    private var nextRetreat = 1
+
     /** Whether the next step is to be left to the other engine without asking. */
     fun rests(): Boolean {
         if (rest == 0) return false
@@ -64,14 +67,61 @@ internal class EpochPlan {
         }
         if (isPossible && (best?.steps ?: 1) == 1) considerWindows(cost, deviation)
         if (best == null) {
-            // What is known of the first steps is a guess, and soon they are over.
-            rest = nextRest
-            nextRest = minOf(2 * nextRest, REST)
-            seen.roamers *= CALMING
+            refused()
         } else {
             nextRest = 1
         }
         return best
+    }
+
+    /**
+     * The layout [fixed], in which an epoch is to start now, unless that is expected to be far more work than the steps
+     * of another engine are. Where epochs are wanted [always], that is seen on the way only.
+     *
+     * @return null when it is
+     */
+    fun admit(
+        fixed: HorizonTuning,
+        spheres: Int,
+        frame: EpochFrame,
+        cells: EpochCells,
+        filter: LineFilter,
+        threads: Int,
+        always: Boolean,
+    ): HorizonTuning? {
+        val cost = EpochCost(spheres, frame, cells, fixed.deviation, filter, threads, seen)
+        this.cost = cost
+        val expected = cost.of(fixed.steps, fixed.windows, fixed.classBound, fixed.cellsAlong, fixed.cellsAcross)
+        expectedTests = cost.testsAhead
+        sharesCollisions = true
+        if (always || expected <= MOST * cost.otherwise()) {
+            nextRest = 1
+            return fixed
+        }
+        refused()
+        return null
+    }
+
+    /** Sets [limits] for an epoch of [tuning], which has been chosen or admitted. */
+    fun limit(limits: EpochLimits, tuning: HorizonTuning, isPatient: Boolean) {
+        limits.begin(tuning, checkNotNull(cost), isPatient)
+    }
+
+    /**
+     * Told that an epoch has been given up on the way since it was too much work, with so many entries of [roamers]
+     * looked at per sphere and step.
+     */
+    fun abandoned(roamers: Double) {
+        seen.roamers = maxOf(seen.roamers, roamers)
+        rest = nextRetreat
+        nextRetreat = minOf(2 * nextRetreat, LONG_REST)
+    }
+
+    private fun refused() {
+        // What is known of the first steps is a guess, and soon they are over.
+        rest = nextRest
+        nextRest = minOf(2 * nextRest, REST)
+        seen.roamers *= CALMING
     }
 
     /** A step is cut more finely as long as that is expected to be quicker. */
@@ -136,6 +186,7 @@ internal class EpochPlan {
     fun ended(steps: Int, collisions: Double, strays: Double, roamers: Double, isBroken: Boolean) {
         seen.roamers = roamers
         seen.collisions = collisions
+        nextRetreat = 1
         seen.strays = if (isBroken) 0.0 else strays
         if (isBroken || strays > MOST_STRAYS) {
             calm = 0
@@ -169,6 +220,10 @@ internal class EpochPlan {
         /** Expected cost, in units of that of the serial engine, below which an epoch is begun. */
         const val WORTH = 0.88
         const val REST = 16
+
+        /** The same for an epoch of a fixed layout. */
+        const val MOST = 2.0
+        const val LONG_REST = 64
         const val PATIENCE = 32
         const val LEAST_CROWDING = 0.2
         const val MOST_CROWDING = 100.0

@@ -2,6 +2,7 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
+import java.util.concurrent.atomic.AtomicLong
 
 /**
  * The searches of an epoch that belong to no collision, shared by its threads: for all spheres when a window begins,
@@ -26,12 +27,38 @@ internal class EpochSearches(
     val tested: Long get() = searches.sumOf { it.tested }
     val listed: Long get() = searches.sumOf { it.listed }
 
+    /** The work since the epoch began, in the nanoseconds of [EpochCost], and how much there may be now. */
+    private val spent = AtomicLong()
+    private var most = 0.0
+
+    /** Begins an epoch. */
+    fun begin() {
+        spent.set(0)
+    }
+
+    /**
+     * Has [worker] do [piece] of the searches, which is told how much its work may be in all, unless there has been
+     * more of it than [EpochLimits] allow.
+     */
+    private inline fun search(worker: Int, piece: (search: LineSearch, most: Double) -> Unit) {
+        if (space.limits.isExceeded) return
+        val search = searches[worker]
+        val before = search.work
+        piece(search, before + most - spent.get())
+        if (spent.addAndGet((search.work - before).toLong()) > most) space.limits.isExceeded = true
+    }
+
     /** Searches for all, along their lines from the start of the window on. */
     fun all() {
-        loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to -> searches[worker].aheadOfRows(from, to) }
+        most = space.limits.ofSearches(frame.step)
+        loop.run(searches[0].rows, ROWS_A_PIECE) { worker, from, to ->
+            search(worker) { search, most -> search.aheadOfRows(from, to, most) }
+        }
         for (slot in cells.members until space.spheres) space.addRoamer(slot, isFinal = true)
         loop.run(space.spheres - cells.members, SEARCHES_A_PIECE) { worker, from, to ->
-            for (k in from until to) searches[worker].aheadOfRoamer(cells.members + k)
+            search(worker) { search, most ->
+                for (k in from until to) if (search.work <= most) search.aheadOfRoamer(cells.members + k)
+            }
         }
         if (!frame.hasWalls) return
         loop.run(space.spheres) { worker, from, to ->
@@ -60,10 +87,14 @@ internal class EpochSearches(
             whole.roam(passage.changed[k])
             space.settleLine(passage.changed[k])
         }
+        most = space.limits.ofSearches(frame.step)
         loop.run(passage.changed.size, SEARCHES_A_PIECE) { worker, from, to ->
-            for (k in from until to) {
-                searches[worker].around(passage.changed[k], t, NOBODY)
-                if (frame.hasWalls) workers[worker].lookAtWalls(passage.changed[k], t)
+            search(worker) { search, most ->
+                for (k in from until to) {
+                    if (search.work > most) break
+                    search.around(passage.changed[k], t, NOBODY)
+                    if (frame.hasWalls) workers[worker].lookAtWalls(passage.changed[k], t)
+                }
             }
         }
     }

@@ -15,6 +15,7 @@ internal class EpochSpace(private val loop: RangeLoop) {
     /** Roamers that are larger than any member. */
     val giants = Roamers(frame, lines)
     val shares = Shares()
+    val limits = EpochLimits()
 
     /** Number of spheres. */
     var spheres = 0

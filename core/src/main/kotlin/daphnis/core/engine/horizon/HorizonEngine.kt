@@ -93,6 +93,9 @@ public class HorizonEngine internal constructor(
     /** Windows begun within a step, apart from the first of each, since the start. */
     internal val windows: Long get() = epoch.windows
 
+    /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
+    internal val work: Double get() = epoch.work
+
     /** Spheres that were found off their lines, at the starts of steps, since the start. */
     internal val strays: Long get() = epoch.strays
 

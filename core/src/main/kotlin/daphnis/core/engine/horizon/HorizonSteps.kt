@@ -94,7 +94,7 @@ public class HorizonSteps internal constructor(
             return true
         }
         filters.passed(size)
-        if (size < maxOf(fewest, 1) || tuning == null && epoch.plan.rests()) {
+        if (size < maxOf(fewest, 1) || !(isEager && tuning != null) && epoch.plan.rests()) {
             epoch.drop()
             return false
         }

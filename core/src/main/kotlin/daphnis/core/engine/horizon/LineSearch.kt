@@ -33,6 +33,14 @@ internal class LineSearch(
     var listed = 0L
         private set
 
+    /** Rows of cells looked at, and pairs found, since [begin]. */
+    private var rowsSeen = 0L
+    private var told = 0L
+
+    /** All of this since [begin], in the nanoseconds of [EpochCost]. */
+    val work: Double
+        get() = filter.perRun * rowsSeen + filter.perLine * tested + EpochCost.ROAMER * listed + EpochCost.PAIR * told
+
     // Where the line is now and at the end along row axis, middle axis and slow axis, and how far beside it to look.
     private var here0 = 0.0
     private var here1 = 0.0
@@ -60,6 +68,8 @@ internal class LineSearch(
         this.filter = filter
         tested = 0
         listed = 0
+        rowsSeen = 0
+        told = 0
         for (k in 0 until AXES) margin[k] = frame.memberRadius + frame.inflation + cells.reach[k]
     }
 
@@ -69,15 +79,17 @@ internal class LineSearch(
     /**
      * Finds, at the start of the epoch, the pairs of each member in the rows of cells [first] until [end] with members
      * in later slots of its cell and in cells ahead, so that each pair of members, and each image, is found from one of
-     * the two.
+     * the two. Ends early when it is more [work] than [most].
      */
-    fun aheadOfRows(first: Int, end: Int) {
+    fun aheadOfRows(first: Int, end: Int, most: Double) {
         val start = cells.start
         var cell = first * cells.count[0]
         for (r in first until end) {
             val rowStart = cell
             for (c in 0 until cells.count[0]) {
                 for (slot in start[cell] until start[cell + 1]) {
+                    // Not for each: where there are few a row, the caller looks as well.
+                    if (slot % SLOTS_A_LOOK == 0 && work > most) return
                     ahead(slot, rowStart, c, r % cells.count[1], r / cells.count[1])
                 }
                 cell++
@@ -105,12 +117,12 @@ internal class LineSearch(
         look.forEachNear(lines, slot, frame.start) { e, image ->
             countListed()
             val other = roamers.slotOf(e)
-            if (other < slot) found.pair(slot, other, image, frame.start)
+            if (other < slot) pair(slot, other, image)
         }
         lookAtGiants.forEachNear(lines, slot, frame.start) { e, image ->
             countListed()
             val other = giants.slotOf(e)
-            if (other < slot) found.pair(slot, other, image, frame.start)
+            if (other < slot) pair(slot, other, image)
         }
     }
 
@@ -129,21 +141,21 @@ internal class LineSearch(
             countListed()
             val other = roamers.slotOf(e)
             if (other != slot && other != except && roamers.isPresent(e, sight.of(other))) {
-                found.pair(slot, other, image, from)
+                pair(slot, other, image)
             }
         }
         lookAtGiants.forEachNear(lines, slot, from) { e, image ->
             countListed()
             val other = giants.slotOf(e)
             if (other != slot && other != except && giants.isPresent(e, sight.of(other))) {
-                found.pair(slot, other, image, from)
+                pair(slot, other, image)
             }
         }
         lookAtNew.forEachNear(lines, slot, from) { e, image ->
             countListed()
             val other = newRoamers.slotOf(e)
             if (other != slot && other != except && newRoamers.isPresent(e, lines)) {
-                found.pair(slot, other, image, from)
+                pair(slot, other, image)
             }
         }
     }
@@ -167,6 +179,7 @@ internal class LineSearch(
         there2 = lines.at(slot, axes[2], end)
         span(1, here1, there1)
         span(2, here2, there2)
+        rowsSeen += (most[1] - least[1] + 1L) * (most[2] - least[2] + 1)
     }
 
     private fun span(k: Int, here: Double, there: Double) {
@@ -242,12 +255,20 @@ internal class LineSearch(
 
     /** Tells of the lines that were kept, which are at the image [code], and forgets them. */
     private fun tell(slot: Int, except: Int, code: Int) {
-        kept.forEach { other -> if (other != slot && other != except) found.pair(slot, other, code, time) }
+        kept.forEach { other -> if (other != slot && other != except) pair(slot, other, code) }
         kept.clear()
+    }
+
+    private fun pair(slot: Int, other: Int, code: Int) {
+        told++
+        found.pair(slot, other, code, time)
     }
 
     private companion object {
         const val AXES = 3
         const val NOBODY = -1
+
+        /** Of how many slots one looks at the work. */
+        const val SLOTS_A_LOOK = 16
     }
 }

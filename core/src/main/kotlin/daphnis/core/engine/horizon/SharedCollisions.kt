@@ -85,6 +85,7 @@ internal class SharedCollisions(
         if (hasFailed || lines.isLost || !isDone.all { it }) return false
         collisions = groups.sumOf { it.impact.counted.collisions }
         each { compare(it) }
+        if (space.limits.isExceeded) return false
         if (!last.process(collisions, step, order, tracks, due, meetings)) {
             hasFailed = last.hasFailed
             return false
@@ -104,6 +105,7 @@ internal class SharedCollisions(
     /** Deals out the pairs that are due in the calendar of group [g]. */
     private fun prepareGroup(g: Int, population: Population, order: IntArray?, tracks: Boolean) {
         groups[g].begin(population, order, tracks, keepsPaths = true)
+        groups[g].startCounting(groups.size)
         groups[g].sight.narrow(g)
         val lists = due[g]
         for (list in lists) list.clear()
@@ -131,6 +133,7 @@ internal class SharedCollisions(
         val trails = own.trails
         for (piece in 0 until trails.size) {
             if (!trails.isOpen(piece)) continue
+            if (own.isTooMuch()) return
             for (other in groups) {
                 if (other !== own) {
                     own.meet(piece, other, alsoOld = false, isTwice = g > other.trails.group) { q ->

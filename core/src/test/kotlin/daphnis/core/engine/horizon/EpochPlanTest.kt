@@ -84,6 +84,37 @@ class EpochPlanTest {
     }
 
     @Test
+    fun `an epoch that was given up is not tried at once again, each time later, until one comes to its end`() {
+        val plan = EpochPlan()
+        plan.observe(FEW)
+        fun restAfterGivingUp(): Int {
+            assertNotNull(choose(plan))
+            plan.abandoned(roamers = 0.0)
+            return generateSequence { plan.rests() }.takeWhile { it }.count()
+        }
+        assertEquals(listOf(1, 2, 4, 8, 16, 32, 64, 64), List(8) { restAfterGivingUp() })
+        plan.ended(4, FEW, strays = 0.0, roamers = 0.0, isBroken = false)
+        assertEquals(1, restAfterGivingUp())
+    }
+
+    @Test
+    fun `a fixed layout is refused where it is expected to be far too much work, unless it is wanted always`() {
+        fun admit(plan: EpochPlan, tuning: HorizonTuning, always: Boolean = false) =
+            plan.admit(tuning, size, space.frame, space.cells, ScalarFilter, threads, always)
+        val plan = EpochPlan()
+        plan.observe(FEW)
+        val usual = HorizonTuning(4)
+        val coarse = HorizonTuning(64, 5.0, 0.06, 0.01, 0.01)
+        assertEquals(usual, admit(plan, usual))
+        assertNull(admit(plan, coarse))
+        assertTrue(plan.rests())
+        assertEquals(coarse, admit(plan, coarse, always = true))
+        // What an epoch that was given up has looked at counts, however good its layout is.
+        plan.abandoned(roamers = 500.0)
+        assertNull(admit(plan, usual))
+    }
+
+    @Test
     fun `one thread has no groups, and rests where epochs do not pay`() {
         val plan = EpochPlan()
         plan.observe(FEW)

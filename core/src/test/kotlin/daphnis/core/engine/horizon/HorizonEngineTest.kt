@@ -348,9 +348,9 @@ class HorizonEngineTest {
 
     @Test
     fun `a step in which groups undo more than they have done is another engine's`() {
-        val serial = gas(SerialEngine(), apart = 1.85, layers = 64)
+        val serial = gas(SerialEngine(), apart = 2.1, layers = 64)
         val engine = HorizonEngine(FixedPool(2), tuning = HorizonTuning(2))
-        val crowd = gas(engine, apart = 1.85, layers = 64)
+        val crowd = gas(engine, apart = 2.1, layers = 64)
         for (step in 1..10) {
             serial.advance()
             crowd.advance()
