@@ -2,10 +2,8 @@ package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
+import daphnis.analysis.insitu.nearPairs
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.population.Population
-import daphnis.core.search.NearPairs
-import daphnis.core.search.SearchStructure
 import kotlin.math.PI
 import kotlin.math.sqrt
 
@@ -66,14 +64,13 @@ public class PairCorrelation @JvmOverloads constructor(
     /** Counts pairs by bin; the number of particles. */
     private fun count(state: State, inPlane: Boolean, counts: DoubleArray): Int {
         // In the plane, spheres one above the other are as near as if they lay at one height.
-        val p = if (inPlane) flat(state.population) else state.population
-        val pairs = NearPairs(p, state.boundary, state.time, structure = SearchStructure.GRID)
+        val pairs = nearPairs(state, inPlane)
         val runs = pairs.runs()
         val bodies = state.firstBody != Int.MAX_VALUE
         // Most that are looked at are farther away: they need no root.
         val far = farthest * farthest * (1 + ROUNDING)
         var n = 0
-        for (slot in 0 until p.size) {
+        for (slot in 0 until state.population.size) {
             if (!state.isParticle(pairs.index(slot))) continue
             n++
             // A sphere of that size touches every sphere that is near enough.
@@ -89,13 +86,6 @@ public class PairCorrelation @JvmOverloads constructor(
             }
         }
         return n
-    }
-
-    /** The spheres of [p] all at the height of the first, in the same order. */
-    private fun flat(p: Population): Population = if (p.size == 0) {
-        p
-    } else {
-        Population(p.x, p.y, DoubleArray(p.size) { p.z[0] }, p.vx, p.vy, p.vz, p.radius, p.mass, p.id)
     }
 
     public companion object {

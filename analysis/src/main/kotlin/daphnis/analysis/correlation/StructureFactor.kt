@@ -28,104 +28,120 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
         val lengthAcross = state.boundary.box.length(images.across)
         val unitAcross = 2 * PI / lengthAcross
         val unitAlong = 2 * PI / state.boundary.box.length(images.along)
-        val sum = DoubleArray(bins)
-        val count = IntArray(bins)
+        // Of more than can be summed in a moment, every k-th is taken.
         val mostAcross = (largest / unitAcross).toInt() + 1
         val mostAlong = (largest / unitAlong).toInt() + 1
-        // Of more than can be summed in a moment, every k-th is taken.
         val stride = maxOf(1L, (2L * mostAcross + 1) * (mostAlong + 1) * state.population.size / MOST_WORK)
-        val waves = Waves(state, if (images.across == 0) 0 else 1, stride * unitAcross)
+        val rows = mutableListOf<Row>()
         var number = 0L
         for (m in 0..mostAlong) {
             // exp(i k·r) must be the same at an image: k·(L across, offset along) is a multiple of 2π.
             val lean = m * unitAlong * images.offset / lengthAcross
             val middle = Math.rint(lean / unitAcross).toInt()
+            val along = m * unitAlong
+            var first = 0.0
+            val binsOfRow = mutableListOf<Int>()
             for (l in middle - mostAcross..middle + mostAcross) {
                 if (m == 0 && l <= 0) continue
                 if (number++ % stride != 0L) continue
                 val across = l * unitAcross - lean
-                val along = m * unitAlong
                 val bin = (sqrt(across * across + along * along) / largest * bins).toInt()
                 if (bin >= bins) continue
-                sum[bin] += waves.power(across, along)
+                if (binsOfRow.isEmpty()) first = across
+                binsOfRow += bin
+            }
+            if (binsOfRow.isNotEmpty()) rows += Row(first, along, binsOfRow.toIntArray())
+        }
+        Waves(state, images.across, stride * unitAcross).addTo(rows)
+        return byBin(rows, (0 until state.population.size).count(state::isParticle))
+    }
+
+    private fun byBin(rows: List<Row>, particles: Int): DoubleArray {
+        val sum = DoubleArray(bins)
+        val count = IntArray(bins)
+        for (row in rows) {
+            for ((j, bin) in row.bins.withIndex()) {
+                sum[bin] += (row.re[j] * row.re[j] + row.im[j] * row.im[j]) / particles
                 count[bin]++
             }
-            waves.endRow()
         }
         return DoubleArray(bins) { if (count[it] == 0) Double.NaN else sum[it] / count[it] }
     }
 
     /**
-     * |Σ exp(i k·r)|² / N of wave vectors in rows, in which each is [step] further along one axis than the one before.
-     * The phase of a particle is turned from one to the next by a complex product, and computed anew once in a row: that
-     * takes a tenth of the time of cosines and sines, and after a row of n is wrong by less than n · 3e-16.
+     * Wave vectors in a row, each one step further across than the one before.
+     *
+     * @property first component across of the first; all have [along]
+     * @property bins of each
+     */
+    private class Row(val first: Double, val along: Double, val bins: IntArray) {
+        /** Σ cos k·r of each wave vector, and in [im] Σ sin k·r. */
+        val re = DoubleArray(bins.size)
+        val im = DoubleArray(bins.size)
+    }
+
+    /**
+     * Sums exp(i k·r) of wave vectors in rows, which are [step] apart. In a row it is exp(i k·r) of the first wave
+     * vector times a power of exp(i step x) that is the same in all rows; so cosines and sines are taken once per row
+     * and particle. The n-th power, from n products, is wrong by less than n · 3e-16.
+     *
+     * Particles are taken in blocks whose powers stay in the cache. The sums of a row do not wait for one another.
      *
      * @param axis along which a row goes, 0 or 1
      */
     private class Waves(state: State, axis: Int, private val step: Double) {
         private val onRow = places(state, axis)
-        private val across = places(state, 1 - axis)
-        private val n = onRow.size
-        private val turnCos = DoubleArray(n) { cos(step * onRow[it]) }
-        private val turnSin = DoubleArray(n) { sin(step * onRow[it]) }
-        private val phaseCos = DoubleArray(n)
-        private val phaseSin = DoubleArray(n)
-        private var isInRow = false
+        private val beside = places(state, 1 - axis)
 
         private fun places(state: State, axis: Int): DoubleArray {
             val all = state.population.position(axis)
             return all.indices.filter(state::isParticle).map { all[it] }.toDoubleArray()
         }
 
-        /** Of the wave vector with [k] along the row and [other] along the other axis; the next of its row if any. */
-        fun power(k: Double, other: Double): Double {
-            if (n == 0) return Double.NaN
-            return if (isInRow) turned() else begun(k, other)
-        }
-
-        /** The next wave vector begins a row. */
-        fun endRow() {
-            isInRow = false
-        }
-
-        private fun begun(k: Double, other: Double): Double {
-            isInRow = true
-            var c = 0.0
-            var s = 0.0
-            for (i in 0 until n) {
-                val phase = k * onRow[i] + other * across[i]
-                phaseCos[i] = cos(phase)
-                phaseSin[i] = sin(phase)
-                c += phaseCos[i]
-                s += phaseSin[i]
+        fun addTo(rows: List<Row>) {
+            val width = rows.maxOfOrNull { it.bins.size } ?: return
+            val re = Array(BLOCK) { DoubleArray(width) }
+            val im = Array(BLOCK) { DoubleArray(width) }
+            for (from in onRow.indices step BLOCK) {
+                val size = minOf(BLOCK, onRow.size - from)
+                for (k in 0 until size) powers(step * onRow[from + k], re[k], im[k])
+                for (row in rows) {
+                    for (k in 0 until size) {
+                        val phase = row.first * onRow[from + k] + row.along * beside[from + k]
+                        add(cos(phase), sin(phase), re[k], im[k], row.re, row.im)
+                    }
+                }
             }
-            return (c * c + s * s) / n
         }
 
-        private fun turned(): Double {
-            var c = 0.0
-            var s = 0.0
-            val a = phaseCos
-            val b = phaseSin
-            val u = turnCos
-            val v = turnSin
-            for (i in 0 until n) {
-                val x = a[i]
-                val y = b[i]
-                val turnX = u[i]
-                val turnY = v[i]
-                val re = x * turnX - y * turnY
-                val im = x * turnY + y * turnX
-                a[i] = re
-                b[i] = im
-                c += re
-                s += im
+        /** exp(i n [phase]) for n = 0, 1, … */
+        private fun powers(phase: Double, re: DoubleArray, im: DoubleArray) {
+            val c = cos(phase)
+            val s = sin(phase)
+            re[0] = 1.0
+            im[0] = 0.0
+            for (n in 1 until re.size) {
+                re[n] = re[n - 1] * c - im[n - 1] * s
+                im[n] = re[n - 1] * s + im[n - 1] * c
             }
-            return (c * c + s * s) / n
+        }
+
+        /** Adds ([c] + i [s]) (re + i im) to the sums of a row. */
+        private fun add(
+            c: Double,
+            s: Double,
+            re: DoubleArray,
+            im: DoubleArray,
+            sumRe: DoubleArray,
+            sumIm: DoubleArray,
+        ) {
+            for (n in sumRe.indices) sumRe[n] += c * re[n] - s * im[n]
+            for (n in sumIm.indices) sumIm[n] += c * im[n] + s * re[n]
         }
     }
 
     private companion object {
         const val MOST_WORK = 30_000_000L
+        const val BLOCK = 32
     }
 }

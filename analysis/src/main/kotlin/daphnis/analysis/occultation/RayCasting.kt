@@ -10,6 +10,7 @@ import kotlin.math.cos
 import kotlin.math.floor
 import kotlin.math.ln
 import kotlin.math.sin
+import kotlin.math.sqrt
 import kotlin.math.tan
 
 /**
@@ -119,15 +120,27 @@ public class RayCasting @JvmOverloads constructor(
          */
         private fun dropLine(i: Int, pa: Double, centreB: Double, long: Double, r: Double) {
             // The shadow is convex: all rays between the first and the last that it stops.
-            var from = first(centreB - long, lowB, stepB)
-            var to = last(centreB + long, lowB, stepB)
+            // Both are where a quadratic has its roots, to a ray: those before and behind are asked as well.
+            val bend = towardB * towardB / (long * long) + towardA * towardA / (r * r)
+            val middle = pa * towardA * towardB * (1 / (r * r) - 1 / (long * long)) / bend
+            val aside = pa * pa * (towardA * towardA / (long * long) + towardB * towardB / (r * r))
+            val half = sqrt(maxOf(0.0, middle * middle + (1 - aside) / bend))
+            var from = first(centreB + middle - half, lowB, stepB) - 1
+            var to = last(centreB + middle + half, lowB, stepB) + 1
             while (from <= to && !isWithin(pa, from, centreB, long, r)) from++
             while (to > from && !isWithin(pa, to, centreB, long, r)) to--
             if (!wrapsB) {
                 from = maxOf(from, 0)
                 to = minOf(to, countB - 1)
             }
-            for (j in from..to) shadow.blocked[i * strideA + Math.floorMod(j, countB) * strideB] = true
+            var j = from
+            while (j <= to) {
+                // In one box of images.
+                val start = Math.floorMod(j, countB)
+                val end = minOf(countB, start + to - j + 1)
+                for (k in start until end) shadow.blocked[i * strideA + k * strideB] = true
+                j += end - start
+            }
         }
 
         private fun isWithin(pa: Double, j: Int, centreB: Double, long: Double, r: Double): Boolean {

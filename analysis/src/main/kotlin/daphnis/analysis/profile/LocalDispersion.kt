@@ -2,8 +2,7 @@ package daphnis.analysis.profile
 
 import daphnis.analysis.insitu.PooledMeasure
 import daphnis.analysis.insitu.State
-import daphnis.core.search.NearPairs
-import daphnis.core.search.SearchStructure
+import daphnis.analysis.insitu.nearPairs
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -39,16 +38,13 @@ public class LocalDispersion(public val reach: Double) : PooledMeasure {
         val sums = DoubleArray(BINS * WIDTH)
         if (p.size == 0) return sums
         val w = Array(3) { axis -> DoubleArray(p.size) { state.againstFlow(it, axis) } }
-        val pairs = NearPairs(p, state.boundary, state.time, structure = SearchStructure.GRID)
-        val runs = pairs.runs()
         // All spheres above and below are near, unless space goes on there.
-        val isInPlane = !state.boundary.hasImages(2)
-        val height = if (isInPlane) p.z.max() - p.z.min() else 0.0
-        val radius = sqrt(reach * reach + height * height)
+        val pairs = nearPairs(state, inPlane = !state.boundary.hasImages(2))
+        val runs = pairs.runs()
         for (slot in 0 until p.size) {
             if (!state.isParticle(pairs.index(slot))) continue
-            pairs.forEach(runs, slot, radius) { i, j, dx, dy, dz ->
-                val square = dx * dx + dy * dy + if (isInPlane) 0.0 else dz * dz
+            pairs.forEach(runs, slot, reach) { i, j, dx, dy, dz ->
+                val square = dx * dx + dy * dy + dz * dz
                 val bin = (square / (reach * reach) * BINS).toInt()
                 if (bin < BINS && state.isParticle(j)) {
                     val weight = p.mass[i] * p.mass[j]
