@@ -13,8 +13,7 @@ import kotlin.math.abs
  *
  * Arrays are indexed by row axis, middle axis and slow axis.
  */
-internal class Roamers(private val frame: EpochFrame, private val lines: Lines) :
-    GrowingTable() {
+internal class Roamers(private val frame: EpochFrame, private val lines: Lines) : GrowingTable() {
     val cells = CellAxes(frame.low, frame.length, frame.isPeriodic)
 
     /** How far the surface of a roamer may be from where its centre is at the middle of the epoch. */
