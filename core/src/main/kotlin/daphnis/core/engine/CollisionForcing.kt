@@ -16,6 +16,7 @@ import daphnis.core.step.CollisionStep
 /**
  * The collisional forcing: moves the population through a step with every collision in time order.
  *
+ * @property engine moves the spheres; not asked in a run whose steps nodes compute
  * @param search how neighbours are found; affects only the time it takes
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
  */
