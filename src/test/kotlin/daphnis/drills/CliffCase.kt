@@ -168,18 +168,19 @@ internal class CliffCase(private val seed: Long) {
         return Simulation(start.copy(), boundary, forcing, FixedTimeStep(dt), forces)
     }
 
-    override fun toString() = "seed %d: %d spheres of %.2f to 1, filling %.3f, %s, restitution %.1f, %.1e collisions, %s"
-        .format(
-            Locale.ROOT,
-            seed,
-            spheres,
-            radii.min(),
-            filling,
-            boundary.javaClass.simpleName,
-            restitution,
-            collisions,
-            "$threads threads" + if (tuning == null) "" else ", epochs of $epochSteps steps",
-        )
+    override fun toString() =
+        "seed %d: %d spheres of %.2f to 1, filling %.3f, %s, restitution %.1f, %.1e collisions, %s"
+            .format(
+                Locale.ROOT,
+                seed,
+                spheres,
+                radii.min(),
+                filling,
+                boundary.javaClass.simpleName,
+                restitution,
+                collisions,
+                "$threads threads" + if (tuning == null) "" else ", epochs of $epochSteps steps",
+            )
 
     companion object {
         /** Of the serial engine, after which a case is ended. */

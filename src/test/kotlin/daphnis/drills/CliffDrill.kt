@@ -42,7 +42,8 @@ internal object CliffDrill : Drill {
         var least = Double.POSITIVE_INFINITY
         for (attempt in 1..ATTEMPTS) {
             if (attempt > 1) serial = Timing(case, SerialEngine(), case.steps, CliffCase.MOST_SECONDS)
-            val other = Timing(case, case.engine(engine) { allEngines.create(engine, case.threads)!! }, serial.begun, FOREVER)
+            val other =
+                Timing(case, case.engine(engine) { allEngines.create(engine, case.threads)!! }, serial.begun, FOREVER)
             if (serial.end != other.end) lost += "$case: $engine ends with ${other.end}, serial with ${serial.end}"
             if (serial.end != other.end || serial.steps == 0) return null
             val begun = other.first / (serial.first + START)

@@ -156,8 +156,7 @@ internal class RegionSteps(
     }
 
     /** Whether nobody has wanted regions where there are so few spheres that one has all: islands would gain nothing. */
-    fun isOneRegion(exchange: StepExchange): Boolean =
-        layout == null && exchange.coordinator.regions.size == 1
+    fun isOneRegion(exchange: StepExchange): Boolean = layout == null && exchange.coordinator.regions.size == 1
 
     private fun newExchange(spheres: Int): StepExchange {
         val coordinator = StepCoordinator(RegionMap(layout ?: RegionLayout.of(spheres, threads)), inner)

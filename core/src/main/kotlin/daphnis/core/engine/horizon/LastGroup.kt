@@ -60,7 +60,7 @@ internal class LastGroup(
     ): Boolean {
         isInUse = false
         begin(step, order, tracks)
-        group.startCounting(parts = 1)
+        group.work.start(parts = 1)
         count = 0
         processed = 0
         compared = 0
@@ -138,7 +138,7 @@ internal class LastGroup(
         group.open(if (step.record == null) null else group.record)
         group.others = this
         for (k in 0 until count) {
-            if (group.isTooMuch()) return
+            if (group.work.isTooMuch()) return
             val place = group.bodies.placeOf(reopened[k])
             val piece = group.trails.add(reopened[k], lines, frame.stepStart, isNew = false)
             group.paths.setPiece(place, piece)
