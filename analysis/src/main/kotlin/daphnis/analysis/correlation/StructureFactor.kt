@@ -142,6 +142,6 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
 
     private companion object {
         const val MOST_WORK = 30_000_000L
-        const val BLOCK = 32
+        private const val BLOCK = 32
     }
 }

@@ -41,6 +41,7 @@ internal class CollisionGroup(
     val sight = Sight(lines, space.before, space.shares)
     val newLines = NewLines(space, sight, newRoamers, number, numbers)
     val search = LineSearch(frame, cells, space.roamers, space.giants, newRoamers, sight, this)
+    val work = GroupWork(search, space.limits)
     val bodies = EpochBodies(places)
     val impact = EpochImpact(prepared, bodies, this)
     val trails = Trails(frame, cells, number)
@@ -61,11 +62,6 @@ internal class CollisionGroup(
     /** Whether collisions are under way: pairs that are due are asked at once. */
     private var isUnderWay = false
 
-    /** Impacts since [startCounting], and the work before. */
-    private var impacts = 0L
-    private var workBefore = 0.0
-    private var mostWork = 0.0
-
     /** Whether an exception ended the work. */
     var hasFailed = false
         private set
@@ -73,10 +69,6 @@ internal class CollisionGroup(
     /** Pieces of other groups that were compared with pieces of this one, in this step. */
     var compared = 0L
         private set
-    private var everCompared = 0L
-
-    /** Pairs that were asked since the start. */
-    private var asked = 0L
 
     /** Begins an epoch, in which [filter] dismisses lines. */
     fun beginEpoch(filter: LineFilter) {
@@ -91,26 +83,6 @@ internal class CollisionGroup(
         isUnderWay = false
         others = null
         sight.widen()
-    }
-
-    /** What has been looked at in this epoch, or window, in the nanoseconds of [EpochCost]. */
-    val work: Double get() = search.work + EpochCost.COMPARISON * everCompared + EpochCost.PAIR * asked
-
-    /**
-     * What collisions look at is weighed from now on against how many there are: of all that is allowed beside these,
-     * this group has one of so many [parts].
-     */
-    fun startCounting(parts: Int) {
-        impacts = 0
-        workBefore = work
-        mostWork = space.limits.ofStep / parts
-    }
-
-    /** Whether this has been more work than [EpochLimits] allow; then the step is to be taken in another way. */
-    fun isTooMuch(): Boolean {
-        if (work - workBefore <= mostWork + impacts * space.limits.ofCollision) return false
-        space.limits.isExceeded = true
-        return true
     }
 
     /** Begins a step. See [EpochBodies.begin] about [order]. */
@@ -183,7 +155,7 @@ internal class CollisionGroup(
      */
     fun ask(i: Int, j: Int, code: Int) {
         if (i == j) return askWalls(i)
-        asked++
+        work.asked++
         val time = contact(i, j, code, lines)
         if (time > frame.stepLimit) return
         bodies.queue.add(time, bodies.placeOf(i), bodies.placeOf(j), lines.spheresImage(code, i, lines, j))
@@ -247,7 +219,7 @@ internal class CollisionGroup(
 
     fun countCompared() {
         compared++
-        everCompared++
+        work.compared++
     }
 
     /** A moment before which [piece] cannot touch piece [q] of [theirs], while both count; NEVER when they cannot. */
@@ -269,7 +241,7 @@ internal class CollisionGroup(
     }
 
     override fun met(first: Int, second: Int) {
-        impacts++
+        work.impacts++
         if (keepsPaths) paths.met(first, second, impact.counted)
     }
 
@@ -304,7 +276,7 @@ internal class CollisionGroup(
     }
 
     override fun lookOut(slot: Int, place: Int, except: Int): Boolean {
-        if (lines.isLost || isTooMuch()) return false
+        if (lines.isLost || work.isTooMuch()) return false
         val local = bodies.rows.state[place * StepRows.STRIDE + StepRows.TIME]
         sight.hasMetOthers = false
         search.around(slot, frame.stepStart + local, except)

@@ -50,11 +50,10 @@ internal class Epoch(
 ) {
     private val space = EpochSpace(loop)
     private val frame = space.frame
-    private val lines = space.lines
     private val cells = space.cells
 
     /** One for each group; the first is also that of [whole]. */
-    private val calendars = List(loop.workers) { PairCalendar(lines) }
+    private val calendars = List(loop.workers) { PairCalendar(space.lines) }
     private val wholePlaces = SlotPlaces()
 
     /** What one thread does alone. */
@@ -94,20 +93,19 @@ internal class Epoch(
     var begun = 0L
         private set
 
-    /** Windows begun within a step since the start, apart from the first of each. */
+    /**
+     * Since the start: windows begun within a step, apart from the first of each; spheres that were found off their
+     * lines; and spheres that were too large for cells, at the starts of epochs.
+     */
     var windows = 0L
         private set
-
-    /** Spheres that were found off their lines since the start. */
     var strays = 0L
         private set
-
-    /** Spheres that were too large for cells, at the starts of epochs, since the start. */
     var giants = 0L
         private set
 
     /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
-    val work: Double get() = whole.work + groups.sumOf { it.work }
+    val work: Double get() = whole.work.total + groups.sumOf { it.work.total }
 
     /** The next step begins a new epoch. */
     fun drop() {
@@ -154,7 +152,7 @@ internal class Epoch(
             takeStep(step, columns, order, tracks)
         }
         if (!isDone) {
-            if (space.limits.isExceeded) abandoned()
+            if (space.limits.isExceeded) plan.abandoned((listed + searches.listed) / (spheres * (frame.step + 1.0)))
             return false
         }
         beforeWriting.run()
@@ -185,15 +183,7 @@ internal class Epoch(
         cells.measure(step.population)
         frame.memberRadius = sizes.choose(step.population, frame, cells.rms, loop)
         filter = filters.choose(step.population.size)
-        val n = step.population.size
-        val tuning = if (fixed == null) {
-            plan.choose(n, frame, cells, filter, loop.active)
-        } else {
-            plan.admit(fixed, n, frame, cells, filter, loop.active, always = isEager)
-        }
-        if (tuning == null || !frame.begin(tuning)) return false
-        plan.limit(space.limits, tuning, isEager)
-        this.tuning = tuning
+        tuning = plan.layOut(fixed, step.population.size, space, filter, loop.active, isEager) ?: return false
         cells.sort(step.population, tuning, 0.0)
         return true
     }
@@ -229,12 +219,6 @@ internal class Epoch(
         plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, listed / sphereSteps, isBroken)
     }
 
-    /** The present step is too much work for an epoch. */
-    private fun abandoned() {
-        val listed = listed + searches.listed
-        plan.abandoned(listed / (spheres * (frame.step + 1.0)))
-    }
-
     private fun searchAll() {
         searches.all()
         plan.searched(searches.tested.toDouble() / spheres)
@@ -249,7 +233,7 @@ internal class Epoch(
 
     /** @return false when the step cannot be ended in this way */
     private fun takeStep(step: CollisionStep, columns: PopulationColumns, order: IntArray?, tracks: Boolean): Boolean {
-        if (!collide(step, order, tracks) || lines.isLost || space.limits.isExceeded) return false
+        if (!collide(step, order, tracks) || space.isOver) return false
         store(columns)
         return true
     }
@@ -272,21 +256,20 @@ internal class Epoch(
                 windows++
             }
             searchAll()
-            if (lines.isLost || space.limits.isExceeded) return false
-            whole.startCounting(parts = 1)
+            if (space.isOver) return false
+            whole.work.start(parts = 1)
             if (window == 0) whole.open(step.record) else whole.goOn(cells.order, cells.slots)
             for (calendar in calendars) calendar.forEachDue(0) { i, j, code -> whole.ask(i, j, code) }
             val isDone = whole.process()
             whole.rest()
-            if (!isDone || lines.isLost || space.limits.isExceeded) return false
+            if (!isDone || space.isOver) return false
             whole.bodies.store(columns, frame.duration)
         }
         return true
     }
 
-    /** @return false when the step cannot be ended in this way */
     private fun collide(step: CollisionStep, order: IntArray?, tracks: Boolean): Boolean {
-        if (lines.isLost || space.limits.isExceeded) return false
+        if (space.isOver) return false
         isShared = groups.isNotEmpty() && !loop.isAlone && (isEager || plan.sharesCollisions && shared.isWorthIt())
         if (isShared) {
             val isDone = shared.process(step, order, tracks)
@@ -296,12 +279,10 @@ internal class Epoch(
             return isDone
         }
         whole.begin(step.population, order, tracks, keepsPaths = false)
-        whole.startCounting(parts = 1)
+        whole.work.start(parts = 1)
         whole.open(step.record)
         for (calendar in calendars) calendar.forEachDue(frame.step) { i, j, code -> whole.ask(i, j, code) }
-        val isDone = whole.process()
-        whole.rest()
-        return isDone
+        return whole.process().also { whole.rest() }
     }
 
     /** Writes the spheres with rows to [columns]; everybody knows their lines from now on. */

@@ -35,7 +35,7 @@ internal class EpochPlan {
     private var nextRest = 1
 
     /** How many steps are to be left to the other engine when an epoch is abandoned. */
-    private var nextRetreat = 1
+    private var nextRetreat = RETREAT
 
     /** Whether the next step is to be left to the other engine without asking. */
     fun rests(): Boolean {
@@ -102,9 +102,28 @@ internal class EpochPlan {
         return null
     }
 
-    /** Sets [limits] for an epoch of [tuning], which has been chosen or admitted. */
-    fun limit(limits: EpochLimits, tuning: HorizonTuning, isPatient: Boolean) {
-        limits.begin(tuning, checkNotNull(cost), isPatient)
+    /**
+     * Lays out an epoch of [spheres] in [space] that starts now: as [fixed], or, where that is null, as should be
+     * quickest. Where epochs are wanted [always], any are.
+     *
+     * @return null when there is to be none
+     */
+    fun layOut(
+        fixed: HorizonTuning?,
+        spheres: Int,
+        space: EpochSpace,
+        filter: LineFilter,
+        threads: Int,
+        always: Boolean,
+    ): HorizonTuning? {
+        val tuning = if (fixed == null) {
+            choose(spheres, space.frame, space.cells, filter, threads)
+        } else {
+            admit(fixed, spheres, space.frame, space.cells, filter, threads, always)
+        }
+        if (tuning == null || !space.frame.begin(tuning)) return null
+        space.limits.begin(tuning, checkNotNull(cost), isPatient = always)
+        return tuning
     }
 
     /**
@@ -186,7 +205,7 @@ internal class EpochPlan {
     fun ended(steps: Int, collisions: Double, strays: Double, roamers: Double, isBroken: Boolean) {
         seen.roamers = roamers
         seen.collisions = collisions
-        nextRetreat = 1
+        nextRetreat = RETREAT
         seen.strays = if (isBroken) 0.0 else strays
         if (isBroken || strays > MOST_STRAYS) {
             calm = 0
@@ -223,6 +242,9 @@ internal class EpochPlan {
 
         /** The same for an epoch of a fixed layout. */
         const val MOST = 2.0
+
+        /** Steps left to the other engine when an epoch is given up: first, and at most. */
+        const val RETREAT = 4
         const val LONG_REST = 64
         const val PATIENCE = 32
         const val LEAST_CROWDING = 0.2

@@ -17,6 +17,9 @@ internal class EpochSpace(private val loop: RangeLoop) {
     val shares = Shares()
     val limits = EpochLimits()
 
+    /** Whether the epoch cannot go on, or is too much work. */
+    val isOver: Boolean get() = lines.isLost || limits.isExceeded
+
     /** Number of spheres. */
     var spheres = 0
         private set

@@ -29,7 +29,8 @@ import daphnis.core.step.PreparedStep
  * It takes the same collisions in the same order and fails at the same collision as the serial engine, with the same
  * words. Where lines cannot be used ([EpochFrame.begin]), where a sphere is suddenly too fast for the bounds of the
  * step, and where an epoch would not pay, another engine takes the step: the serial one, and [IslandsEngine] where
- * there are several threads.
+ * there are several threads. So it is where an epoch would be far more work than that, or turns out to be
+ * ([EpochLimits]), whatever the tuning.
  *
  * Where the JVM was started with `--add-modules jdk.incubator.vector`, the search uses the vector unit
  * ([usesVectorUnit]), which is quicker and gives the same bits.

@@ -1,7 +1,8 @@
 package daphnis.core.engine.horizon
 
 /**
- * How epochs are laid out. It affects only the time that steps take.
+ * How epochs are laid out. It affects only the time that steps take. Where that makes an epoch far more work than steps
+ * of the serial engine are, there is none.
  *
  * @param steps steps of an epoch, at least 1
  * @param classBound a sphere faster than this, in units of the root mean square velocity along an axis, is a roamer

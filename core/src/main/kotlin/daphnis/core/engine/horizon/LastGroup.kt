@@ -61,7 +61,7 @@ internal class LastGroup(
         isInUse = false
         begin(step, order, tracks)
         reopened.clear()
-        group.startCounting(parts = 1)
+        group.work.start(parts = 1)
         processed = 0
         compared = 0
         seeds.clear()
@@ -137,7 +137,7 @@ internal class LastGroup(
         group.open(if (step.record == null) null else group.record)
         group.others = this
         for (k in 0 until reopened.size) {
-            if (group.isTooMuch()) return
+            if (group.work.isTooMuch()) return
             val place = group.bodies.placeOf(reopened[k])
             val piece = group.trails.add(reopened[k], lines, frame.stepStart, isNew = false)
             group.paths.setPiece(place, piece)

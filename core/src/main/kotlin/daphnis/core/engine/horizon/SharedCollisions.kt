@@ -105,7 +105,7 @@ internal class SharedCollisions(
     /** Deals out the pairs that are due in the calendar of group [g]. */
     private fun prepareGroup(g: Int, population: Population, order: IntArray?, tracks: Boolean) {
         groups[g].begin(population, order, tracks, keepsPaths = true)
-        groups[g].startCounting(groups.size)
+        groups[g].work.start(groups.size)
         groups[g].sight.narrow(g)
         val lists = due[g]
         for (list in lists) list.clear()
@@ -133,7 +133,7 @@ internal class SharedCollisions(
         val trails = own.trails
         for (piece in 0 until trails.size) {
             if (!trails.isOpen(piece)) continue
-            if (own.isTooMuch()) return
+            if (own.work.isTooMuch()) return
             for (other in groups) {
                 if (other !== own) {
                     own.meet(piece, other, alsoOld = false, isTwice = g > other.trails.group) { q ->

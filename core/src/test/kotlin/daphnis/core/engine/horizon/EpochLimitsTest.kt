@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test
 /** Work is counted, in the nanoseconds of a model: the clock is not asked. */
 class EpochLimitsTest {
     @Test
-    fun `an epoch that turns out to be too much work is given up, whatever its tuning, and not tried at once again`() {
+    fun `an epoch that turns out to be far too much work is given up, and not tried at once again`() {
         for (classBound in listOf(0.1, 0.5)) {
             for (threads in 1..2) {
                 val engine =

@@ -92,9 +92,9 @@ class EpochPlanTest {
             plan.abandoned(roamers = 0.0)
             return generateSequence { plan.rests() }.takeWhile { it }.count()
         }
-        assertEquals(listOf(1, 2, 4, 8, 16, 32, 64, 64), List(8) { restAfterGivingUp() })
+        assertEquals(listOf(4, 8, 16, 32, 64, 64), List(6) { restAfterGivingUp() })
         plan.ended(4, FEW, strays = 0.0, roamers = 0.0, isBroken = false)
-        assertEquals(1, restAfterGivingUp())
+        assertEquals(4, restAfterGivingUp())
     }
 
     @Test
