@@ -37,7 +37,7 @@ internal class StepLimits {
         }
         return CollapseException(
             "inelastic collapse at time ${stepStart + time}, of $who: more than $MOST_IN_A_ROW collisions in a row " +
-                "while time stands still; set a collapse guard (floor speed or contact duration)",
+                "while time stands still; set a collapse guard (contact duration, or a higher floor speed)",
         )
     }
 
