@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.CancellationException
@@ -146,6 +147,7 @@ abstract class CloseContract(shares: Boolean) : BothWays(shares) {
         fun reset(): Int = commits.getAndSet(0)
     }
 
+    @Tag("thorough")
     @Test
     fun `closed at many moments around the end of a step`() {
         val host = FaultKit.actorSystem()

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.CancellationException
@@ -64,6 +65,7 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `an error in a region, in any phase, is thrown at once, the population is as before, the engine works on`() {
         for (phase in phases) {

@@ -7,6 +7,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.atomic.AtomicBoolean
@@ -66,6 +67,7 @@ abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
         FaultKit.awaitNoEngineThreads()
     }
 
+    @Tag("thorough")
     @Test
     fun `one interrupt during the first step, while everything starts`() {
         val host = Thread.currentThread()

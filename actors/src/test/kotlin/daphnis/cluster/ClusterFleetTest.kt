@@ -29,6 +29,7 @@ import kotlin.random.Random
 /** Crews of nodes in one JVM, over Pekko. The time-out is for what hangs. */
 @Tag("jdk-neutral")
 @Timeout(300)
+@Tag("thorough")
 class ClusterFleetTest {
     @TempDir
     lateinit var folder: Path

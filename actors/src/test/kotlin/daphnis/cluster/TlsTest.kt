@@ -5,6 +5,7 @@ import daphnis.core.cluster.FleetException
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -12,6 +13,7 @@ import java.nio.file.Path
 import java.time.Duration
 
 @Timeout(300)
+@Tag("thorough")
 class TlsTest {
     @TempDir
     lateinit var folder: Path

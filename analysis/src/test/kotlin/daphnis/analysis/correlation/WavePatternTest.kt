@@ -103,6 +103,7 @@ class WavePatternTest {
         assertEquals(2 * PI / kx, mirrored.spacing.mean, 0.1)
     }
 
+    @Tag("thorough")
     @Test
     fun `errors cover the truth in two of three realisations, and few particles do not shift it`() {
         for ((count, depth) in listOf(400 to 0.7, 1500 to 0.4)) {
@@ -152,6 +153,7 @@ class WavePatternTest {
         maps to map
     }
 
+    @Tag("thorough")
     @Test
     fun `errors cover the truth in two of three realisations of states that resemble one another`() {
         val random = SeededRandom(12)

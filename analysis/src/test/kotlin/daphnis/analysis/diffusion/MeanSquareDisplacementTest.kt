@@ -92,6 +92,7 @@ class MeanSquareDisplacementTest {
         assertEquals(0.5, sum / runs, 0.003)
     }
 
+    @Tag("thorough")
     @Test
     fun `errors cover the coefficient of walkers that go in groups of thirty, as of independent ones`() {
         // Without the centre of mass, of ten groups: 0.5 (0.8 · 0.9 + 0.2).
@@ -140,6 +141,7 @@ class MeanSquareDisplacementTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `flight that remembers its velocity is left out of the fit`() {
         // Memory 0.8 lasts 4.5 steps; the slope at a lag of one step is a fifth of what it comes to. D = 4.5.

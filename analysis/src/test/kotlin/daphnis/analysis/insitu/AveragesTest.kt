@@ -85,6 +85,7 @@ class AveragesTest {
         assertEquals(truth, sum / all, 0.006 * truth) { name }
     }
 
+    @Tag("thorough")
     @Test
     fun `structure, occultation and moments of states cover the truth in 60 to 75 percent`() {
         val hill = HillSheet(box, 1.0)

@@ -3,6 +3,7 @@ package daphnis.core.parallel
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.Collections
@@ -15,6 +16,7 @@ import java.util.concurrent.atomic.AtomicIntegerArray
 class ParallelTest {
     private fun handlers(threads: Int) = listOf(FixedPool(threads), ThreadPerTask(threads))
 
+    @Tag("thorough")
     @Test
     fun `every worker runs once, also many times over`() {
         for (threads in 1..8) {
@@ -33,6 +35,7 @@ class ParallelTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `what workers write without any guard is seen after the run, and what the caller writes, by the workers`() {
         // A missed hand-over would show as a stale sum in one of many rounds.

@@ -6,6 +6,7 @@ import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -23,6 +24,7 @@ class UnsteadyTest {
         assertTrue("passes once" in Unsteady.advice(true, Double.NaN))
     }
 
+    @Tag("thorough")
     @Test
     fun `forced epicycles behind a moon are in the total dispersion, not in the thermal one`() {
         val path = home.resolve("pan")

@@ -17,6 +17,7 @@ import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 
@@ -96,6 +97,7 @@ class BricksAgreeTest {
         assertTrue(serial.collisions!!.counters.collisions > 1000)
     }
 
+    @Tag("thorough")
     @Test
     fun `chains of collisions across many cuts change no bit`() {
         var redone = 0L
@@ -116,6 +118,7 @@ class BricksAgreeTest {
         assertTrue(redone > 10) { "only $redone redone" }
     }
 
+    @Tag("thorough")
     @Test
     fun `where engines may choose, very many spheres are divided for two threads`() {
         val box = LongBox(3, long = 1800)
