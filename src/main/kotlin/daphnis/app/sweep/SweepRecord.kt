@@ -1,8 +1,10 @@
 package daphnis.app.sweep
 
 import daphnis.core.format.FormatException
+import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
 import daphnis.core.run.Version
+import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -15,7 +17,6 @@ import kotlinx.serialization.json.jsonPrimitive
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardCopyOption
 
 /**
  * `sweep.json`: what a sweep consists of, so that the same command goes on with it and another one is refused.
@@ -75,9 +76,7 @@ internal class SweepRecord(
             put("seeds", seeds?.let { JsonArray(it.map(::JsonPrimitive)) } ?: JsonPrimitive(null as String?))
             put("scenario", scenario)
         }
-        val beside = path.resolveSibling("${path.fileName}.tmp")
-        Files.writeString(beside, JSON.encodeToString(JsonElement.serializer(), tree) + "\n")
-        Files.move(beside, path, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE)
+        WholeFile.write(path, JSON.encodeToString(JsonElement.serializer(), tree) + "\n")
     }
 
     companion object {
@@ -96,8 +95,11 @@ internal class SweepRecord(
             )
         } catch (e: IOException) {
             throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
-        } catch (e: IllegalArgumentException) {
+        } catch (e: SerializationException) {
             throw FormatException("$path: is no record of a sweep: ${e.message.orEmpty().lineSequence().first()}")
+        } catch (e: IllegalArgumentException) {
+            // Other JSON, of which the library says what it is in the names of its classes.
+            throw FormatException("$path: is no record of a sweep")
         } catch (e: NoSuchElementException) {
             throw FormatException("$path: is no record of a sweep: ${e.message}")
         }

@@ -9,8 +9,9 @@ import java.util.function.Consumer
 
 /**
  * Writes files so that under their names stands what was there or what is new, and nothing half done, whatever ends the
- * program. Until then it is in `NAME.part` beside the file. A link stays one and its target is replaced; what is no
- * file, such as a pipe, is written itself. It is not forced to the disk.
+ * program. Until then it is in `NAME.part` beside the file. A link to a file, or to nothing, is replaced and its target
+ * stays: somebody else may have put it there. What is no file, such as a pipe, is written itself. It is not forced to
+ * the disk.
  */
 public object WholeFile {
     internal const val ENDING = ".part"
@@ -37,20 +38,20 @@ public object WholeFile {
 
 /**
  * Lets [write] write under another name and renames when it is done. What was at [path] stays if a state cannot be read,
- * the disk is full or the program ends: a trajectory that ends between two states looks like a complete one. A link stays
- * one, and what is no file, such as a pipe, is written itself.
+ * the disk is full or the program ends: a trajectory that ends between two states looks like a complete one. A link is
+ * replaced, and what is no file, such as a pipe, is written itself.
  *
  * @throws IOException when [path] cannot be written
  */
 internal inline fun <T> wholeFile(path: Path, write: (Path) -> T): T {
-    val exists = Files.exists(path)
-    if (exists && !Files.isRegularFile(path)) return write(path)
-    val file = if (exists) path.toRealPath() else path
-    val part = file.resolveSibling("${file.fileName}${WholeFile.ENDING}")
+    if (Files.exists(path) && !Files.isRegularFile(path)) return write(path)
+    val part = path.resolveSibling("${path.fileName}${WholeFile.ENDING}")
+    // A link of that name, symbolic or hard, would lead what is written elsewhere.
+    Files.deleteIfExists(part)
     // An interrupted program leaves nothing behind.
     part.toFile().deleteOnExit()
     try {
-        return write(part).also { Files.move(part, file, ATOMIC_MOVE, REPLACE_EXISTING) }
+        return write(part).also { Files.move(part, path, ATOMIC_MOVE, REPLACE_EXISTING) }
     } catch (e: RuntimeException) {
         // A library wraps the reason, such as a full disk; restore it.
         throw generateSequence(e as Throwable) { it.cause }.firstOrNull { it is IOException } ?: e

@@ -4,6 +4,7 @@ import java.io.FileDescriptor
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.file.Files
+import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.nio.file.StandardOpenOption
@@ -64,8 +65,8 @@ internal open class FileOperations {
      */
     fun writeWhole(path: Path, write: (Path) -> Unit) {
         try {
-            // Somebody may have put one there since the directory was looked at ([Links]).
-            if (Files.isSymbolicLink(path)) Files.delete(path)
+            // Somebody may have put a link there since the directory was looked at ([Links]), or a hard one before.
+            if (Files.exists(path, NOFOLLOW_LINKS)) Files.delete(path)
             write(path, write)
             force(path)
         } catch (e: IOException) {

@@ -5,6 +5,7 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
+import kotlin.io.path.name
 
 /**
  * Links in a directory that somebody else prepared would lead what is written there to files elsewhere. So a link to a
@@ -34,6 +35,7 @@ public object Links {
     private fun checkOne(entry: Path, replaces: Boolean) {
         if (!Files.isSymbolicLink(entry)) return
         val why = when {
+            entry.name in RunLock.FILES -> "is a link, and its target would be written to"
             !Files.isDirectory(entry) -> if (replaces) return else "is a link, and its target would be written to"
             isForeign(entry) -> "is a link to a directory, and belongs to ${Files.getOwner(entry, NOFOLLOW_LINKS)}"
             else -> return

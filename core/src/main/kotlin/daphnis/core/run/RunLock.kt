@@ -95,7 +95,12 @@ public class RunLock private constructor(private val directory: Path, private va
                 channel.close()
                 return null
             }
-            if (!isFree) throw channel.use { busy(directory, holder(it)) }
+            val text = channel.text()
+            if (!isFree) throw channel.use { busy(directory, text.filter { it in '0'..'9' }) }
+            if (text.any { it > ' ' && it !in '0'..'9' } || text.length > LONGEST_NUMBER) {
+                val why = "holds no number of a process and would be overwritten"
+                throw channel.use { InputException("${directory.resolve(FILE)}", null, "$why; $WAY_OUT") }
+            }
             try {
                 channel.truncate(0)
                 channel.write(ByteBuffer.wrap("${ProcessHandle.current().pid()}\n".toByteArray()))
@@ -106,11 +111,10 @@ public class RunLock private constructor(private val directory: Path, private va
             return channel
         }
 
-        /** The process that wrote its number into the lock file; empty when it has not yet. */
-        private fun holder(channel: FileChannel): String = try {
-            val bytes = ByteBuffer.allocate(LONGEST_NUMBER)
-            channel.read(bytes, 0)
-            String(bytes.array(), Charsets.US_ASCII).filter { it.isDigit() }
+        /** What the process that holds the lock wrote into its file; empty when it has not yet. */
+        private fun FileChannel.text(): String = try {
+            val bytes = ByteBuffer.allocate(LONGEST_NUMBER + 1)
+            String(bytes.array(), 0, maxOf(0, read(bytes, 0)), Charsets.US_ASCII)
         } catch (e: IOException) {
             ""
         }
@@ -121,5 +125,6 @@ public class RunLock private constructor(private val directory: Path, private va
         }
 
         private const val LONGEST_NUMBER = 20
+        private const val WAY_OUT = "remove it, or give another directory"
     }
 }

@@ -105,6 +105,8 @@ internal class SchemaCheck(private val source: String) {
                     primitive.content.toDouble().isFinite()
         }
         if (!ok) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
+        // It could be written into no file.
+        if (!Charsets.UTF_8.newEncoder().canEncode(primitive.content)) fail(path, HALF)
     }
 
     private fun expected(descriptor: SerialDescriptor): String = "it must be " + when (descriptor.kind) {
@@ -143,6 +145,7 @@ internal class SchemaCheck(private val source: String) {
     )
 
     private companion object {
+        const val HALF = "has half of a character (one of \\ud800 to \\udfff without its other half); give both halves"
         const val MOST_SHOWN = 40
         const val MOST_LOOKED_AT = 1000
         val JSON_NUMBER = Regex("""-?\d+(\.\d+)?([eE][+-]?\d+)?""")

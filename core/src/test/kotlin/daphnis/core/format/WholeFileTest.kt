@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -8,6 +9,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.IOException
 import java.nio.file.Files
+import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 
@@ -49,13 +51,27 @@ class WholeFileTest {
     }
 
     @Test
-    fun `a link stays one, and what is no file is not replaced`() {
+    fun `a link is replaced and its target stays, and what is no file is not replaced`() {
         val file = Files.writeString(home.resolve("a"), "before")
         val link = Files.createSymbolicLink(home.resolve("link"), file)
         wholeFile(link) { Files.writeString(it, "after") }
-        assertTrue(Files.isSymbolicLink(link))
-        assertEquals("after", Files.readString(file))
+        assertFalse(Files.isSymbolicLink(link))
+        assertEquals("after", Files.readString(link))
+        assertEquals("before", Files.readString(file))
         val folder = Files.createDirectory(home.resolve("folder"))
         assertEquals(folder, wholeFile(folder) { it })
+    }
+
+    @Test
+    fun `nor is what bears the name under which it is written first`() {
+        val precious = Files.writeString(home.resolve("precious"), "precious")
+        val part = home.resolve("new.part")
+        for (isHard in listOf(false, true)) {
+            if (isHard) Files.createLink(part, precious) else Files.createSymbolicLink(part, precious)
+            WholeFile.write(home.resolve("new"), "new")
+            assertEquals("new", Files.readString(home.resolve("new")))
+            assertEquals("precious", Files.readString(precious))
+            assertTrue(Files.notExists(part, NOFOLLOW_LINKS))
+        }
     }
 }

@@ -70,6 +70,32 @@ class LinksTest {
     }
 
     @Test
+    fun `a hard link in the place of the lock is refused, and one in that of a file to come is replaced`() {
+        val precious = Files.writeString(home.resolve("precious"), "precious")
+        for ((k, name) in listOf(".lock", "scenario.json.tmp").withIndex()) {
+            val directory = Files.createDirectories(home.resolve("$k"))
+            Files.createLink(directory.resolve(name), precious)
+            if (k == 0) {
+                val message = refusal { start(directory).close() }
+                assertTrue("$directory/.lock: holds no number of a process" in message) { message }
+            } else {
+                start(directory).close()
+            }
+            assertEquals("precious", Files.readString(precious)) { name }
+        }
+    }
+
+    @Test
+    fun `a link in the place of the lock is refused also when a directory is its target`() {
+        for (name in RunLock.FILES) {
+            val directory = Files.createDirectories(home.resolve("a$name"))
+            Files.createSymbolicLink(directory.resolve(name), Files.createDirectories(home.resolve("b$name")))
+            val message = refusal { start(directory).close() }
+            assertTrue("$directory/$name: is a link" in message) { message }
+        }
+    }
+
+    @Test
     fun `directories may be links of one's own`() {
         val elsewhere = Files.createDirectories(home.resolve("elsewhere"))
         val link = Files.createSymbolicLink(home.resolve("link"), elsewhere)

@@ -111,6 +111,7 @@ class ScenarioJsonTest {
         assertWrong("box.lengths=[1,2]", "box.lengths", "three")
         assertWrong("box.lengths=[10,10,\"x\"]", "box.lengths[2]", "finite number")
         assertWrong("box=3", "box", "3", "object")
+        assertWrong("name=\"a\\ud800b\"", "name", "half of a character")
     }
 
     @Test

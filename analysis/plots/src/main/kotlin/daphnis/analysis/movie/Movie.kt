@@ -74,6 +74,8 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
 
     private fun beside(file: Path, write: (Path) -> MovieFrames): MovieFrames {
         val part = file.resolveSibling("${file.fileName}.part")
+        // A link of that name, symbolic or hard, would lead what is written elsewhere.
+        Files.deleteIfExists(part)
         // An interrupted program leaves nothing behind.
         part.toFile().deleteOnExit()
         try {

@@ -1,5 +1,7 @@
 package daphnis.analysis.plot
 
+import daphnis.core.format.oneLine
+
 /** A sheet that becomes an SVG document. The same drawing gives the same bytes. */
 internal class SvgSheet(width: Int, height: Int) : Sheet {
     private val out = StringBuilder(
@@ -56,13 +58,13 @@ internal class SvgSheet(width: Int, height: Int) : Sheet {
             "<text transform=\"translate($place)$turn\" font-size=\"$size\" " +
                 "text-anchor=\"${anchor.svg}\" fill=\"${Figures.TEXT}\">",
         )
-        for (c in text) {
+        for (c in oneLine(text)) {
             when (c) {
                 '<' -> out.append("&lt;")
                 '>' -> out.append("&gt;")
                 '&' -> out.append("&amp;")
-                // Control characters and the last two of 16 bits are not allowed in XML at all.
-                else -> out.append(if (c < ' ' || c >= '\uFFFE') ' ' else c)
+                // The last two of 16 bits are not allowed in XML at all, as control characters are not.
+                else -> out.append(if (c >= '\uFFFE') ' ' else c)
             }
         }
         out.append("</text>\n")

@@ -2,26 +2,64 @@ package daphnis.analysis.report
 
 import daphnis.core.format.WholeFile
 import daphnis.core.run.Links
+import daphnis.core.run.RunLock
+import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.AtomicMoveNotSupportedException
 import java.nio.file.Files
+import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
 
 /**
  * Files that appear in [directory] all together, at [keep]: until then they are in a hidden directory in it. What was
- * there before stays as it was if that never comes, also when the program is ended by a signal.
+ * there before stays as it was if that never comes, also when the program is ended by a signal. A process that is killed
+ * leaves its hidden directory, and the next one takes it away: a [RunLock] on each says whether somebody writes there.
  */
 internal class NewFiles(private val directory: Path) : AutoCloseable {
+    private val lock: RunLock
+
     /** Where to write them. */
-    val place: Path = Files.createTempDirectory(directory.also { Links.check(it, replaces = true) }, ".analysis-")
+    val place: Path
 
     private val hook = Thread(::clear)
 
     init {
+        Links.check(directory, replaces = true)
+        sweep()
+        val (path, held) = make()
+        place = path
+        lock = held
         Runtime.getRuntime().addShutdownHook(hook)
+    }
+
+    /** Deletes what killed processes have left. Each is locked meanwhile: a process that has just made it makes another. */
+    private fun sweep() {
+        val found = Files.newDirectoryStream(directory, "$PREFIX*").use { it.toList() }
+        for (path in found.filter { Files.isDirectory(it, NOFOLLOW_LINKS) }) {
+            try {
+                RunLock.take(path).use { isDeleted(path) }
+            } catch (e: InputException) {
+                // Somebody writes there, or it is not ours to delete.
+            }
+        }
+    }
+
+    private fun make(): Pair<Path, RunLock> {
+        for (k in 1..TRIES) {
+            val path = Files.createTempDirectory(directory, PREFIX)
+            try {
+                val held = RunLock.take(path)
+                if (Files.exists(path)) return path to held
+                held.close()
+            } catch (e: InputException) {
+                isDeleted(path)
+                if (k == TRIES) throw e
+            }
+        }
+        throw IOException("directories whose names begin with $PREFIX vanish as soon as they are made")
     }
 
     /** Moves all files to the directory, each in the place of its predecessor; those in subdirectories come first. */
@@ -29,6 +67,7 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
     @Synchronized
     fun keep() {
         val files = Files.walk(place).use { all -> all.filter(Files::isRegularFile).toList() }
+            .filter { "${place.relativize(it)}" !in RunLock.FILES }
         for (file in files.sortedWith(compareByDescending<Path> { it.nameCount }.thenBy { it })) {
             val target = directory.resolve(place.relativize(file))
             Files.createDirectories(target.parent)
@@ -52,19 +91,26 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
         clear()
     }
 
+    /** Deletes [path] with all that is in it, unless something else is written there or deletes it at the same time. */
+    private fun isDeleted(path: Path): Boolean = try {
+        if (Files.exists(path)) {
+            Files.walk(path).use { all -> all.sorted(Comparator.reverseOrder()).forEach(Files::deleteIfExists) }
+        }
+        true
+    } catch (e: IOException) {
+        false
+    } catch (e: UncheckedIOException) {
+        false
+    }
+
     @Synchronized
     private fun clear() {
         // Another thread may be writing.
         for (k in 1..TRIES) {
-            try {
-                if (!Files.exists(place)) break
-                Files.walk(place).use { all -> all.sorted(Comparator.reverseOrder()).forEach(Files::deleteIfExists) }
-            } catch (e: IOException) {
-                Thread.sleep(PAUSE_MILLISECONDS)
-            } catch (e: UncheckedIOException) {
-                Thread.sleep(PAUSE_MILLISECONDS)
-            }
+            if (isDeleted(place)) break
+            Thread.sleep(PAUSE_MILLISECONDS)
         }
+        lock.close()
         try {
             Files.delete(directory)
         } catch (e: IOException) {
@@ -73,6 +119,7 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
     }
 
     private companion object {
+        const val PREFIX = ".analysis-"
         const val TRIES = 50
         const val PAUSE_MILLISECONDS = 10L
     }

@@ -119,7 +119,7 @@ class RunPlotTest {
 
     @Test
     fun `the SVG is XML that a parser takes, whatever the title is`() {
-        RunPlot.write(series(10) { 1.0 / (1 + it) }, home, "<my> & \u0007 run", gas)
+        RunPlot.write(series(10) { 1.0 / (1 + it) }, home, "<my> & \u0007\u202e\u009b\uffff run", gas)
         val root = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(
             home.resolve("run.svg").toFile(),
         ).documentElement
@@ -128,7 +128,7 @@ class RunPlotTest {
             listOf(root.tagName, root.getAttribute("width"), root.getAttribute("height")),
         )
         val texts = root.getElementsByTagName("text")
-        assertTrue((0 until texts.length).any { texts.item(it).textContent == "<my> &   run" })
+        assertTrue((0 until texts.length).any { texts.item(it).textContent == "<my> & \\u0007\\u202e\\u009b  run" })
         assertEquals("time [units of time]", texts.item(texts.length - 3).textContent)
     }
 

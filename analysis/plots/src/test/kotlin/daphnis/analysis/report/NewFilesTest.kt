@@ -50,6 +50,44 @@ class NewFilesTest {
         assertEquals(mapOf("report.html" to "before"), files(folder))
     }
 
+    @Test
+    fun `what a killed process left is taken away, and nothing that somebody writes to or that only bears such a name`() {
+        val left = Files.createDirectories(folder.resolve(".analysis-1/plots"))
+        Files.writeString(left.resolve("half.svg"), "half")
+        Files.writeString(left.resolveSibling(".lock"), "1\n")
+        val elsewhere = Files.createDirectories(folder.resolve("elsewhere"))
+        Files.writeString(elsewhere.resolve("precious"), "precious")
+        val link = Files.createSymbolicLink(folder.resolve(".analysis-2"), elsewhere)
+        Files.createSymbolicLink(left.resolve("inner"), elsewhere)
+        val file = Files.writeString(folder.resolve(".analysis-3"), "a file")
+        NewFiles(folder).use { first ->
+            assertFalse(Files.exists(left.parent))
+            Files.writeString(first.place.resolve("report.html"), "first")
+            NewFiles(folder).use { second ->
+                assertTrue(Files.exists(first.place.resolve("report.html")))
+                second.keep()
+            }
+            assertTrue(Files.exists(first.place))
+            first.keep()
+        }
+        assertEquals(setOf("report.html", "elsewhere/precious", ".analysis-3"), files(folder).keys)
+        assertTrue(Files.exists(link) && Files.exists(file))
+    }
+
+    @Test
+    fun `a directory in which another process writes stays until that process is killed`() {
+        val held = Files.createDirectory(folder.resolve(".analysis-9"))
+        val process = LockHolder.start(held)
+        try {
+            NewFiles(folder).close()
+            assertTrue(Files.exists(held))
+        } finally {
+            process.destroyForcibly().waitFor()
+        }
+        NewFiles(folder).close()
+        assertFalse(Files.exists(held))
+    }
+
     private fun run(name: String): Path {
         val path = folder.resolve(name).resolve("run")
         val settings = listOf("untilOrbits=1", "box.lengths=[40,40,20]", "output.snapshotEvery=50")
