@@ -51,7 +51,7 @@ class NewFilesTest {
     }
 
     @Test
-    fun `what a killed process left is taken away, and nothing that somebody writes to or that only bears such a name`() {
+    fun `what a killed process left is taken away, and nothing that is written to or only so called`() {
         val left = Files.createDirectories(folder.resolve(".analysis-1/plots"))
         Files.writeString(left.resolve("half.svg"), "half")
         Files.writeString(left.resolveSibling(".lock"), "1\n")
