@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test
 /** What the script that starts the JVM makes of limits and options; `echo` stands for the JVM. */
 @Tag("jdk-neutral")
 class LauncherTest {
-    private fun launched(options: String, before: String = ":"): Pair<Int, String> {
+    private fun launched(options: String, before: String = ":", words: String = "run gas"): Pair<Int, String> {
         val script = Repository.root.resolve("src/dist/lib/launch.sh")
         val text = """
             set -eu
@@ -18,7 +18,7 @@ class LauncherTest {
             archived() { return 1; }
             settled() { return 0; }
             $before
-            launch some.jar run gas
+            launch some.jar $words
         """.trimIndent()
         val builder = ProcessBuilder("sh", "-c", text).redirectErrorStream(true)
         for (name in listOf("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS")) builder.environment().remove(name)
@@ -45,6 +45,17 @@ class LauncherTest {
             assertEquals(1, code) { said }
             assertTrue(said.startsWith("daphnis: not enough memory") && said.lines().size == 1) { said }
         }
+    }
+
+    @Test
+    fun `an analysis has a late second compiler, for loops over many particles, and the collector that was named`() {
+        for (options in listOf("", "-XX:+UseParallelGC")) {
+            val (code, said) = launched(options, words = "analyze runs/ring")
+            assertEquals(0, code) { said }
+            assertTrue("-XX:Tier4BackEdgeThreshold=4000000" in said && "TieredStopAtLevel" !in said) { said }
+            assertEquals(options.isEmpty(), "-XX:+UseSerialGC" in said) { said }
+        }
+        assertTrue("Tier4" !in launched("").second)
     }
 
     @Test
