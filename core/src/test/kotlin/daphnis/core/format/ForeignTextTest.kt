@@ -57,6 +57,14 @@ class ForeignTextTest {
     }
 
     @Test
+    fun `a speed whose square is no number is named with its column`() {
+        val e = assertThrows(FormatException::class.java) {
+            comment("Properties=species:S:1:pos:R:3:velo:R:3 pbc=\"F F F\"", "X 1 2 3 0 -1e160 0\n")
+        }
+        assertTrue("vy of particle 0 is -1.0E160; it must be a number within ±1.0E150" in e.message!!) { e.message }
+    }
+
+    @Test
     fun `faces that are no list of three are refused with the line of the comment in its frame`() {
         for (pbc in listOf("\"T T\"", "\"T T maybe\"", "[T T F F]", "\"\"")) {
             refused("a.xyz", "1\n$box\nX 1 2 3\n1\n$box pbc=$pbc\nX 1 2 3\n", "a.xyz:5:", "pbc")

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.collision.Counter
 import daphnis.core.scenario.InputException
 import daphnis.core.table.UnitsOfDimensions
 import kotlinx.serialization.json.Json
@@ -27,6 +28,19 @@ class CheckpointTest {
     private fun digest(directory: RunDirectory): String = Run.resume(directory.path).use { it.execute().stateDigest }
 
     private val whole by lazy { startIn(home.resolve("whole")).toStep(Long.MAX_VALUE).stateDigest }
+
+    @Test
+    fun `counts stand at the top of the file's text, and none of the trajectory's may be missing`() {
+        val meta = CheckpointMeta(7, 0.5, Counter.entries.associate { it.key to 10L + it.ordinal }, 1.5)
+        val text = Json.encodeToString(CheckpointMeta.FILED, meta)
+        assertTrue("\"step\":7" in text && "\"wallCollisions\":11" in text && "counted" !in text) { text }
+        assertEquals(meta.counted, Json.decodeFromString(CheckpointMeta.FILED, text).counted)
+        for (counter in Counter.entries) {
+            val less = text.replace(Regex(",?\"${counter.key}\":\\d+"), "")
+            val read = runCatching { Json.decodeFromString(CheckpointMeta.FILED, less) }
+            assertEquals(counter.isOfTrajectory, read.isFailure) { "$counter: $less" }
+        }
+    }
 
     @Test
     fun `no flipped bit and no cut passes`() {
