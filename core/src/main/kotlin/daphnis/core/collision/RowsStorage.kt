@@ -6,7 +6,7 @@ import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.population.PopulationColumns
 
-private const val NOWHERE = -1
+internal const val NOWHERE = -1
 
 /** Writes the slots [from] until [to], at the end of a step of [duration], to the same entries of [columns]. */
 internal fun StepRows.storeRange(columns: PopulationColumns, duration: Double, from: Int, to: Int) {
@@ -16,22 +16,24 @@ internal fun StepRows.storeRange(columns: PopulationColumns, duration: Double, f
 }
 
 /**
- * Moves the spheres whose [StepRows.origin] is below [first] to the end of a step of [duration] and writes them, in the
- * order of their slots, to entries [at], [at] + 1, … of [columns]. Other spheres are left out.
+ * Moves the spheres whose [StepRows.origin] is [chosen] to the end of a step of [duration] and writes them, in the order
+ * of their slots, to entries [at], [at] + 1, … of [columns]. Other spheres are left out.
  *
  * @return how many were written
  */
-internal fun StepRows.storeFirst(first: Int, columns: PopulationColumns, at: Int, duration: Double): Int {
+internal inline fun StepRows.storeWhere(
+    columns: PopulationColumns,
+    at: Int,
+    duration: Double,
+    chosen: (origin: Int) -> Boolean,
+): Int {
     var next = at
-    storeStates(columns, duration, 0, size) { if (origin[it] < first) next++ else NOWHERE }
+    storeStates(columns, duration, 0, size) { if (chosen(origin[it])) next++ else NOWHERE }
     var k = at
-    for (slot in 0 until size) {
-        if (origin[slot] >= first) continue
-        columns.id[k++] = id[slot]
-    }
+    for (slot in 0 until size) if (chosen(origin[slot])) columns.id[k++] = id[slot]
     for (side in carried) {
         k = at
-        storeSide(side, columns, duration, 0, size) { if (origin[it] < first) k++ else NOWHERE }
+        storeSide(side, columns, duration, 0, size) { if (chosen(origin[it])) k++ else NOWHERE }
     }
     return next - at
 }
@@ -46,7 +48,7 @@ internal fun StepRows.storeAt(columns: PopulationColumns, duration: Double, plac
 }
 
 /** Writes the column [side], which is not in the packed rows, of the slots [from] until [to]. */
-private inline fun StepRows.storeSide(
+internal inline fun StepRows.storeSide(
     side: Int,
     columns: PopulationColumns,
     duration: Double,
@@ -64,7 +66,7 @@ private inline fun StepRows.storeSide(
 }
 
 /** Writes positions, velocities and radii of the slots [from] until [to], each to the entry that [place] says. */
-private inline fun StepRows.storeStates(
+internal inline fun StepRows.storeStates(
     columns: PopulationColumns,
     duration: Double,
     from: Int,

@@ -97,6 +97,7 @@ public class Reach {
      */
     internal fun take(whole: Reach) {
         headroom = whole.headroom
+        measured.take(whole.measured.numbers())
         for (axis in 0 until AXES) {
             fastest[axis] = whole.fastest[axis]
             most[axis] = whole.most[axis]

@@ -12,8 +12,8 @@ import daphnis.core.queue.Schedule
  * and changes their velocities, counts, records, drops what the two had queued, checks the limits and the bounds of the
  * step, and queues what the two can touch now. Each worker has its own object.
  *
- * Engines differ in two things after a collision, and override the functions for them. Bricks also say which collisions
- * they count ([isCounted]) and follow all ([changed]). An epoch follows all too, and needs no bound ([outrun]).
+ * Engines differ in two things after a collision, and override the functions for them. An epoch follows all impacts too
+ * ([changed]), and needs no bound ([outrun]). Bricks have a [Witness].
  *
  * | engine | [slotOf] a place | [search] from a place |
  * |---|---|---|
@@ -24,12 +24,26 @@ import daphnis.core.queue.Schedule
  *
  * @param rows the rows of the colliding spheres, addressed by place: those of the step, or a worker's copies
  * @param schedule where potential collisions are queued, by place
+ * @param witness says which collisions count here and follows all; null where all count
  */
 internal open class Impact(
     protected val prepared: PreparedStep,
     protected val rows: StepRows,
     protected val schedule: Schedule,
+    private val witness: Witness? = null,
 ) {
+    /** Follows the impacts of spheres, some of which belong to another part of the step, which counts theirs. */
+    interface Witness {
+        /** A new attempt at the step begins. */
+        fun begin()
+
+        /** Whether this part of the step counts and records the collision of [first] with [second] of [rows]. */
+        fun isCounted(rows: StepRows, first: Int, second: Int): Boolean
+
+        /** Told of every impact, also of one that changes nothing; [second] is negative for a wall. */
+        fun changed(rows: StepRows, first: Int, second: Int, time: Double)
+    }
+
     /** How an impact ended. */
     enum class End {
         DONE,
@@ -53,7 +67,10 @@ internal open class Impact(
         this.record = record
         record?.clear()
         counted.clear()
+        witness?.begin()
     }
+
+    private fun isCounted(first: Int, second: Int) = witness?.isCounted(rows, first, second) ?: true
 
     /**
      * Processes the collision of [first] with [second], a wall's partner number when negative, at [time].
@@ -68,7 +85,8 @@ internal open class Impact(
         } else {
             collide(time, first, second, image)
         }
-        changed(first, second, time)
+        witness?.changed(rows, first, second, time)
+        changed(first, second)
         schedule.removeAllOf(first)
         if (!isWall) schedule.removeAllOf(second)
         prepared.limits.checkProgress(rows, first, second, time)
@@ -93,11 +111,8 @@ internal open class Impact(
         return search(place, except)
     }
 
-    /** Whether this engine's part of the step counts and records the collision of [first] with [second]. */
-    protected open fun isCounted(first: Int, second: Int): Boolean = true
-
     /** Told of every impact, also of one that changes nothing; [second] is negative for a wall. */
-    protected open fun changed(first: Int, second: Int, time: Double): Unit = Unit
+    protected open fun changed(first: Int, second: Int): Unit = Unit
 
     /**
      * Told that [first] or [second] went beyond the bound.

@@ -16,12 +16,14 @@ import daphnis.core.step.PreparedStep
  * @param whole the step for the spheres of this process, measured for all
  * @param places which bricks are here
  * @param guesses see [Agreement]
+ * @param ahead when bricks look ahead
  */
 internal class BrickCrew(
     private val whole: PreparedStep,
     val margins: HaloMargins,
     private val places: BrickPlaces = BrickPlaces.Here,
     private val guesses: Int = Int.MAX_VALUE,
+    private val ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST,
 ) {
     private var bricks = emptyList<Brick>()
     private var nodes = emptyList<BrickNode>()
@@ -44,6 +46,9 @@ internal class BrickCrew(
     /** What all bricks have counted in the last step. */
     val counts: BrickCounts get() = agreement.counts
 
+    /** Steps of single bricks that were taken in epochs, since the territory is divided as it is. */
+    val stepsAhead: Long get() = bricks.sumOf { it.stepsAhead }
+
     /** Attempts since the start that were redone with wider halos. */
     var redone = 0L
         private set
@@ -53,14 +58,14 @@ internal class BrickCrew(
         private set
 
     /** Spheres in halos in the last step. */
-    val haloSpheres: Int get() = bricks.sumOf { it.columns.size - it.own }
+    val haloSpheres: Int get() = bricks.sumOf { it.spheres.near.size }
 
     /** Divides space anew. */
     fun settle(territory: Territory) {
         val all = territory.size
         first = places.from(all)
         val count = places.to(all) - first
-        bricks = List(count) { bricks.getOrNull(it) ?: Brick() }
+        bricks = List(count) { bricks.getOrNull(it) ?: Brick(ahead) }
         boxes = Mailboxes(all)
         nodes = List(count) { BrickNode(first + it, territory, bricks[it], boxes.post(first + it)) }
         val post = boxes.postBetween()
@@ -163,7 +168,7 @@ internal class BrickCrew(
         var next = 0
         for (k in bricks.indices) {
             starts[k] = next
-            next += bricks[k].own
+            next += bricks[k].spheres.own
         }
         starts[bricks.size] = next
         val columns = population.columnsToWrite(whole.step.law.guard.needsLastCollision, next)

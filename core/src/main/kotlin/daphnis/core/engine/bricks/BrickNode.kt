@@ -135,10 +135,11 @@ internal class BrickNode(
 
     private fun computeIfComplete() {
         if (halosMissing > 0) return
-        gather()
+        gathered = widths
         failure = null
         try {
-            brick.solve(input.whole, middle, input.halt)
+            brick.solve(input.whole, middle, input.halt, isAgain = key.attempt > 0, gathering)
+            check.index()
         } catch (e: Exception) {
             if (!answersFailures) throw e
             failure = e
@@ -146,30 +147,36 @@ internal class BrickNode(
         sendOutcomes()
     }
 
-    private fun gather() {
-        var count = own[number].size + near[number].size
-        for (halo in halos) if (halo != null) count += halo.own.size + halo.near.size
-        brick.columns.clear(count)
-        brick.columns.add(held.spheres, own[number])
-        for (halo in halos) if (halo != null) brick.columns.add(halo.spheres, halo.own)
-        brick.own = brick.columns.size
-        brick.columns.add(held.spheres, near[number])
-        for (halo in halos) if (halo != null) brick.columns.add(halo.spheres, halo.near)
-        gathered = widths
-        check.index()
+    private val gathering = object : Gathering {
+        override val count: Int
+            get() {
+                var count = own[number].size + near[number].size
+                for (halo in halos) if (halo != null) count += halo.own.size + halo.near.size
+                return count
+            }
+
+        override fun into(spheres: BrickSpheres) {
+            spheres.add(held.spheres, own[number], areOwn = true)
+            for (halo in halos) if (halo != null) spheres.add(halo.spheres, halo.own, areOwn = true)
+            spheres.add(held.spheres, near[number], areOwn = false)
+            for (halo in halos) if (halo != null) spheres.add(halo.spheres, halo.near, areOwn = false)
+        }
     }
 
     /** Tells all what became of those own spheres that are in their halos. */
     private fun sendOutcomes() {
         state = State.COMPARING
         for (list in paths) list.clear()
-        val columns = brick.columns
+        val spheres = brick.spheres
         // After a failure others miss what is in their sight.
-        for (k in 0 until if (failure == null) brick.own else 0) {
-            vicinity.look(columns, k)
-            if (vicinity.size == 0) continue
-            val hash = brick.wholePath(k)
-            for (n in 0 until vicinity.size) paths[vicinity.others[n]].add(columns.id[k], hash)
+        if (failure == null) {
+            spheres.forEachOwn { k ->
+                vicinity.look(spheres, k)
+                if (vicinity.size > 0) {
+                    val hash = brick.wholePath(k)
+                    for (n in 0 until vicinity.size) paths[vicinity.others[n]].add(spheres.id[k], hash)
+                }
+            }
         }
         for (to in 0 until bricks) {
             if (to != number) post.send(to, Outcome(key, number, paths[to], brick.bound))
@@ -181,7 +188,7 @@ internal class BrickNode(
         if (state != State.COMPARING || outcomesMissing > 0) return
         state = State.ANSWERED
         val isRight = isTrusting || failure == null && check.isRight(gathered, outcomes, input.total)
-        val counts = BrickCounts(brick.own.toLong(), brick.counted.collisions, brick.counted.wallCollisions)
+        val counts = BrickCounts(brick.spheres.own.toLong(), brick.counted.collisions, brick.counted.wallCollisions)
         post.send(BrickMessage.AGREEMENT, Agreed(key, number, isRight, brick.bound, counts, failure != null))
     }
 

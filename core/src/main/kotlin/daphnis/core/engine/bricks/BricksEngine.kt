@@ -59,6 +59,7 @@ public class BricksEngine internal constructor(
     division: BrickDivision?,
     margins: HaloMargins,
     private val quicker: QuickerWay,
+    ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST,
 ) : CollisionEngine {
     @JvmOverloads
     public constructor(handler: ThreadHandler, fewest: Int = WORTH_SPHERES, division: BrickDivision? = null) :
@@ -74,7 +75,7 @@ public class BricksEngine internal constructor(
     private val whole = PreparedStep()
     private val alone = SerialEngine(prepared = whole)
     private val plan = TerritoryPlan(whole, margins, threads, division)
-    internal val crew = BrickCrew(whole, margins)
+    internal val crew = BrickCrew(whole, margins, ahead = ahead)
     private var failed = false
 
     /** Attempts that bricks computed again, with wider halos, since the start; without steps that were given up. */

@@ -4,15 +4,16 @@ import daphnis.core.engine.bricks.Cuts.Companion.AXES
 
 /** Compares the paths of the halo, as brick [number] has computed them, with those that their owners have found. */
 internal class PathComparison(private val number: Int, private val territory: Territory, private val brick: Brick) {
+    private val spheres = brick.spheres
     private val places = IdIndex()
     private val bound = DoubleArray(AXES)
     private val sight = DoubleArray(AXES)
 
-    /** To be called when the columns of the brick are filled. */
+    /** To be called when the spheres of the brick are gathered. */
     fun index() {
-        val columns = brick.columns
-        places.clear(columns.size - brick.own)
-        for (k in brick.own until columns.size) places.put(columns.id[k], k)
+        val near = spheres.near
+        places.clear(near.size)
+        for (k in 0 until near.size) places.put(spheres.id[near[k]], near[k])
     }
 
     /**
@@ -30,7 +31,7 @@ internal class PathComparison(private val number: Int, private val territory: Te
         for (axis in 0 until AXES) {
             sight[axis] = widths.sight(axis, number, brick.bound[axis], bound[axis])
             val isWide = !territory.cuts.isCut(axis) || widths.width(axis, number) >= sight[axis]
-            if (!isWide && brick.columns.size < total) return false
+            if (!isWide && spheres.here < total) return false
         }
         var known = 0
         for (outcome in outcomes) {
@@ -48,14 +49,14 @@ internal class PathComparison(private val number: Int, private val territory: Te
 
     private fun countInSight(): Int {
         var count = 0
-        for (place in brick.own until brick.columns.size) if (isInSight(place)) count++
+        for (k in 0 until spheres.near.size) if (isInSight(spheres.near[k])) count++
         return count
     }
 
     private fun isInSight(place: Int): Boolean {
-        val r = brick.columns.radius[place]
+        val r = spheres.radius[place]
         for (axis in 0 until AXES) {
-            val d = territory.distance(axis, territory.part(axis, number), brick.columns.position(axis)[place])
+            val d = territory.distance(axis, territory.part(axis, number), spheres.position(axis)[place])
             if (d > sight[axis] + r) return false
         }
         return true

@@ -3,7 +3,7 @@ package daphnis.core.engine.horizon
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NEVER
 import daphnis.core.collision.StepRows
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
@@ -13,6 +13,7 @@ import daphnis.core.step.PreparedStep
  *
  * @param number the number of the group, by which versions of lines differ from those of others
  * @param numbers how many groups there are
+ * @param witness see [Impact]
  */
 internal class CollisionGroup(
     private val prepared: PreparedStep,
@@ -21,6 +22,7 @@ internal class CollisionGroup(
     places: SlotPlaces,
     number: Int,
     numbers: Int,
+    witness: Impact.Witness?,
 ) : EpochImpact.Course,
     LineSearch.Found {
     /** Says which spheres other groups have changed, so that this one leaves them alone. */
@@ -43,7 +45,7 @@ internal class CollisionGroup(
     val search = LineSearch(frame, cells, space.roamers, space.giants, newRoamers, sight, this)
     val work = GroupWork(search, space.limits)
     val bodies = EpochBodies(places)
-    val impact = EpochImpact(prepared, bodies, this)
+    val impact = EpochImpact(prepared, bodies, this, witness)
     val trails = Trails(frame, cells, number)
     val paths = GroupPaths()
 
@@ -86,11 +88,11 @@ internal class CollisionGroup(
     }
 
     /** Begins a step. See [EpochBodies.begin] about [order]. */
-    fun begin(population: Population, order: IntArray?, tracks: Boolean, keepsPaths: Boolean) {
+    fun begin(spheres: SphereColumns, order: IntArray?, tracks: Boolean, keepsPaths: Boolean) {
         this.keepsPaths = keepsPaths
         hasFailed = false
         compared = 0
-        bodies.begin(population, order, frame.duration, frame.stepLimit, tracks)
+        bodies.begin(spheres, order, frame.duration, frame.stepLimit, tracks)
         crossings.clear()
         if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         if (!keepsPaths) return
@@ -131,7 +133,7 @@ internal class CollisionGroup(
     }
 
     override fun pair(slot: Int, other: Int, code: Int, from: Double) {
-        if (others?.haveChanged(other) == true) return
+        if (others?.haveChanged(other) == true || space.isAway(other)) return
         val seen = sight.of(other)
         val touch = lines.touch(slot, seen, other, code, from)
         if (touch > frame.end) return

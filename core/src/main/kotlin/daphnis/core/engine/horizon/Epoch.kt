@@ -1,9 +1,11 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.collision.CollisionCounters
 import daphnis.core.parallel.OptionalLoop
-import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereColumns
 import daphnis.core.step.CollisionStep
+import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
 /**
@@ -47,6 +49,7 @@ internal class Epoch(
     private val loop: OptionalLoop,
     private val filters: FilterChoice,
     private val isEager: Boolean,
+    private val witness: Impact.Witness? = null,
 ) {
     private val space = EpochSpace(loop)
     private val frame = space.frame
@@ -74,6 +77,9 @@ internal class Epoch(
     /** Index in the population by slot of the first window. */
     private var firstOrder = IntArray(0)
 
+    /** The same of the present step: index in its spheres by slot; null when the two are the same. */
+    var order: IntArray? = null
+        private set
     private var spheres = 0
 
     /** Collisions, and spheres found off their lines, in this epoch. */
@@ -113,91 +119,102 @@ internal class Epoch(
         isOpen = false
     }
 
+    /** Whether [step] can be the next one of the present epoch, as far as its spheres are not asked. */
+    fun mayGoOn(step: CollisionStep): Boolean =
+        isOpen && !calendars.areFull(spheres) && frame.continues(step, prepared.imagesOf(step))
+
     /**
-     * Carries the population through [step].
+     * Carries the spheres of [carried] through [step], and writes them nowhere but to new columns; [addTo] and [finish] follow.
      *
      * @param fixed how epochs are laid out; null for what should be quickest
-     * @param beforeWriting called before the population is written
-     * @return false when the step is to be taken in another way; then nothing has changed
+     * @return the columns; null when the step is to be taken in another way; then nothing has changed
      * @throws IllegalArgumentException when the step is refused
      */
-    fun carry(step: CollisionStep, fixed: HorizonTuning?, beforeWriting: Runnable): Boolean {
+    fun carry(step: CollisionStep, carried: Carried, fixed: HorizonTuning?): PopulationColumns? {
+        val mayGoOn = mayGoOn(step) && carried.follow(spheres)
         val wasOpen = isOpen
         isOpen = false
         hasFailed = false
         space.limits.isExceeded = false
-        val population = step.population
         frame.step++
-        val mayGoOn = wasOpen &&
-            spheres == population.size &&
-            !calendars.areFull(spheres) &&
-            frame.continues(step, prepared.imagesOf(step))
         val tracks = step.law.guard.needsLastCollision
-        var columns = if (mayGoOn) goOn(step, tracks) else null
+        var columns = if (mayGoOn) goOn(carried, tracks) else null
         val goesOn = columns != null
         if (columns == null) {
-            if (!mayGoOn) prepared.measure(step, loop)
+            if (!mayGoOn) carried.measure(along = null)
             prepared.prepareWithoutGrid()
             if (wasOpen) ended(isBroken = mayGoOn)
-            if (!layOut(step, fixed)) return false
-            columns = population.columnsToWrite(tracks)
-            begin(population, columns)
+            // Those that are away have no place in a new epoch.
+            if (mayGoOn && carried.visits != null || !layOut(step, carried.spheres, fixed)) return null
+            columns = carried.columnsToWrite(tracks, keepsOrder = false)
+            begin(carried, columns)
         }
-        val order = if (goesOn) null else cells.order
-        passage.keep(population, columns, order, tracks)
+        order = if (goesOn) null else cells.order
+        passage.keep(carried.spheres, columns, order, tracks)
         val isDone = if (frame.windows > 1) {
-            takeWindows(step, columns, tracks)
+            takeWindows(carried, columns, tracks)
         } else {
-            if (goesOn) searchChanged(population) else searchAll()
-            takeStep(step, columns, order, tracks)
+            if (goesOn) searchChanged(carried) else searchAll()
+            takeStep(step, carried, columns, tracks)
         }
-        if (!isDone) {
-            if (space.limits.isExceeded) plan.abandoned((listed + searches.listed) / (spheres * (frame.step + 1.0)))
-            return false
-        }
-        beforeWriting.run()
-        population.take(columns)
-        step.record?.sort()
-        val before = step.counters.collisions
-        if (isShared) shared.addTo(step.counters) else step.counters.add(whole.impact.counted)
-        collisions += step.counters.collisions - before
+        if (isDone) return columns
+        if (space.limits.isExceeded) plan.abandoned((listed + searches.listed) / (spheres * (frame.step + 1.0)))
+        return null
+    }
+
+    /** The step stands: what [carry] has written to [columns] is what [carried] has now. */
+    fun finish(carried: Carried, columns: PopulationColumns) {
+        carried.take(columns)
         isOpen = true
-        return true
+    }
+
+    /** Adds what the step has counted to [counters]. */
+    fun addTo(counters: CollisionCounters) {
+        val before = counters.collisions
+        if (isShared) shared.addTo(counters) else counters.add(whole.impact.counted)
+        collisions += counters.collisions - before
     }
 
     /** Measures the next step of the epoch and writes where spheres fly. @return null when there is none */
-    private fun goOn(step: CollisionStep, tracks: Boolean): PopulationColumns? {
-        val columns = step.population.columnsToWrite(tracks, keepsOrder = true)
-        prepared.measureAlong(step, loop, passage.next(step.population, columns))
+    private fun goOn(carried: Carried, tracks: Boolean): PopulationColumns? {
+        val visits = carried.visits
+        if (visits != null) {
+            spheres = carried.spheres.size
+            space.admit(carried.spheres, spheres, visits, whole.newLines)
+            wholePlaces.reserve(spheres)
+        }
+        val columns = carried.columnsToWrite(tracks, keepsOrder = true)
+        carried.measure(passage.next(carried.spheres, columns))
         if (passage.hasNext()) {
             prepared.prepareWithoutGrid()
             return columns
         }
-        step.population.giveBack(columns)
+        carried.giveBack(columns)
         return null
     }
 
-    /** @return whether there can be an epoch from [step] on, and it should be quicker than the serial engine */
-    private fun layOut(step: CollisionStep, fixed: HorizonTuning?): Boolean {
-        frame.takeOver(step, prepared.reach, loop)
-        cells.measure(step.population)
-        frame.memberRadius = sizes.choose(step.population, frame, cells.rms, loop)
-        filter = filters.choose(step.population.size)
-        tuning = plan.layOut(fixed, step.population.size, space, filter, loop.active, isEager) ?: return false
-        cells.sort(step.population, tuning, 0.0)
+    /** @return whether there can be an epoch of [all] from [step] on, and it should be quicker than the serial engine */
+    private fun layOut(step: CollisionStep, all: SphereColumns, fixed: HorizonTuning?): Boolean {
+        frame.takeOver(step, all, prepared.reach, loop)
+        cells.measure(all)
+        frame.memberRadius = sizes.choose(all, frame, cells.rms, loop)
+        filter = filters.choose(all.size)
+        tuning = plan.layOut(fixed, all.size, space, filter, loop.active, isEager) ?: return false
+        cells.sort(all, tuning, 0.0)
         return true
     }
 
-    private fun begin(population: Population, columns: PopulationColumns) {
+    private fun begin(carried: Carried, columns: PopulationColumns) {
         frame.step = 0
         searches.begin()
         begun++
         collisions = 0
         strayed = 0
         listed = 0
-        spheres = population.size
+        spheres = carried.spheres.size
+        space.open(carried.visits)
         wholePlaces.reserve(spheres)
-        passage.first(population, cells, columns)
+        passage.first(carried.spheres, cells, columns)
         beginWindow()
         if (groups.isNotEmpty()) shared.divide(spheres)
     }
@@ -225,40 +242,43 @@ internal class Epoch(
         giants += space.giants.size
     }
 
-    private fun searchChanged(population: Population) {
-        strays += passage.changed.size
-        strayed += passage.changed.size
-        searches.changed(population, passage, whole)
+    private fun searchChanged(carried: Carried) {
+        val off = passage.changed.size - (carried.visits?.entered?.size ?: 0)
+        strays += off
+        strayed += off
+        searches.changed(carried.spheres, passage, whole)
     }
 
     /** @return false when the step cannot be ended in this way */
-    private fun takeStep(step: CollisionStep, columns: PopulationColumns, order: IntArray?, tracks: Boolean): Boolean {
-        if (!collide(step, order, tracks) || space.isOver) return false
+    private fun takeStep(step: CollisionStep, carried: Carried, columns: PopulationColumns, tracks: Boolean): Boolean {
+        if (!collide(step, carried, tracks) || space.isOver) return false
         store(columns)
         return true
     }
 
     /** The same for a step that is taken in several windows, whose collisions are processed on one thread. */
-    private fun takeWindows(step: CollisionStep, columns: PopulationColumns, tracks: Boolean): Boolean {
+    private fun takeWindows(carried: Carried, columns: PopulationColumns, tracks: Boolean): Boolean {
         if (firstOrder.size < spheres) firstOrder = IntArray(cells.order.size)
         cells.order.copyInto(firstOrder, 0, 0, spheres)
+        order = firstOrder
         isShared = false
-        whole.begin(step.population, firstOrder, tracks, keepsPaths = false)
+        whole.begin(carried.spheres, firstOrder, tracks, keepsPaths = false)
+        val written = if (columns.size == spheres) columns else FirstOf(columns, spheres)
         for (window in 0 until frame.windows) {
             if (window > 0) {
                 // Entries of roamers that searches have looked at are counted by window.
                 listed += searches.listed
                 frame.openWindow(window)
-                cells.sort(columns, tuning, frame.duration)
+                cells.sort(written, tuning, frame.duration)
                 cells.invert(spheres)
-                passage.again(columns, cells)
+                passage.again(written, cells)
                 beginWindow()
                 windows++
             }
             searchAll()
             if (space.isOver) return false
             whole.work.start(parts = 1)
-            if (window == 0) whole.open(step.record) else whole.goOn(cells.order, cells.slots)
+            if (window == 0) whole.open(carried.record) else whole.goOn(cells.order, cells.slots)
             for (calendar in calendars) calendar.forEachDue(0) { i, j, code -> whole.ask(i, j, code) }
             val isDone = whole.process()
             whole.rest()
@@ -268,7 +288,7 @@ internal class Epoch(
         return true
     }
 
-    private fun collide(step: CollisionStep, order: IntArray?, tracks: Boolean): Boolean {
+    private fun collide(step: CollisionStep, carried: Carried, tracks: Boolean): Boolean {
         if (space.isOver) return false
         isShared = groups.isNotEmpty() && !loop.isAlone && (isEager || plan.sharesCollisions && shared.isWorthIt())
         if (isShared) {
@@ -278,9 +298,9 @@ internal class Epoch(
             if (!hasFailed) plan.joined(shared.collisions / n, shared.processedAnew / n, shared.compared / n)
             return isDone
         }
-        whole.begin(step.population, order, tracks, keepsPaths = false)
+        whole.begin(carried.spheres, order, tracks, keepsPaths = false)
         whole.work.start(parts = 1)
-        whole.open(step.record)
+        whole.open(carried.record)
         for (calendar in calendars) calendar.forEachDue(frame.step) { i, j, code -> whole.ask(i, j, code) }
         return whole.process().also { whole.rest() }
     }
@@ -296,5 +316,5 @@ internal class Epoch(
     }
 
     private fun group(places: SlotPlaces, calendar: PairCalendar, number: Int) =
-        CollisionGroup(prepared, space, calendar, places, number, loop.workers + 1)
+        CollisionGroup(prepared, space, calendar, places, number, loop.workers + 1, witness)
 }

@@ -4,8 +4,8 @@ import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.contactTime
 import daphnis.core.collision.storeAt
-import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereColumns
 import daphnis.core.queue.BucketEventQueue
 
 /** The place of the row of a sphere, by index in the columns of the step. Groups of different spheres can share one. */
@@ -48,14 +48,14 @@ internal class EpochBodies(private val places: SlotPlaces) {
     /** Potential collisions of the step, by place. */
     val queue = BucketEventQueue()
     private var indexOfPlace = IntArray(INITIAL)
-    private lateinit var population: Population
+    private lateinit var spheres: SphereColumns
 
     /** For the states of two spheres without rows, and that which was found last. */
     private val first = DoubleArray(StepRows.STRIDE)
     private val second = DoubleArray(StepRows.STRIDE)
     private var found = first
 
-    /** Index in the population by index; null when the two are the same. */
+    /** Index in [spheres] by index; null when the two are the same. */
     private var order: IntArray? = null
 
     /** Index by slot and slot by index; null when the two are the same. */
@@ -63,8 +63,8 @@ internal class EpochBodies(private val places: SlotPlaces) {
     private var slotAt: IntArray? = null
 
     /** Begins a step of [duration], without rows; there will be collisions until the time [end] of it. */
-    fun begin(population: Population, order: IntArray?, duration: Double, end: Double, tracksLastCollision: Boolean) {
-        this.population = population
+    fun begin(spheres: SphereColumns, order: IntArray?, duration: Double, end: Double, tracksLastCollision: Boolean) {
+        this.spheres = spheres
         this.order = order
         indexAt = null
         slotAt = null
@@ -121,7 +121,7 @@ internal class EpochBodies(private val places: SlotPlaces) {
             found = rows.state
             return place * StepRows.STRIDE
         }
-        StepRows.copyState(population, order?.get(index) ?: index, room, 0)
+        StepRows.copyState(spheres, order?.get(index) ?: index, room, 0)
         found = room
         return 0
     }
@@ -134,7 +134,7 @@ internal class EpochBodies(private val places: SlotPlaces) {
     private fun include(index: Int): Int {
         // Before the row, so that there is none without an index when the memory ends.
         if (rows.size == indexOfPlace.size) indexOfPlace = indexOfPlace.copyOf(rows.size * 2)
-        val place = rows.include(population, order?.get(index) ?: index)
+        val place = rows.include(spheres, order?.get(index) ?: index)
         indexOfPlace[place] = index
         places.put(index, place)
         queue.include(place, rows.id)

@@ -87,6 +87,16 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         loop.run(spheres.size) { _, from, to -> for (slot in from until to) cellOf[slot] = sorted.cellOf[order[slot]] }
     }
 
+    /** The slots [from] until [to] are added, which have no cell. */
+    fun admit(from: Int, to: Int) {
+        if (cellOf.size < to) {
+            imageOfIndex = imageOfIndex.copyOf(to + to / SPARE)
+            // Last, since its length says how many there is room for: an allocation before it may have failed.
+            cellOf = cellOf.copyOf(to + to / SPARE)
+        }
+        if (from < to) cellOf.fill(total, from, to)
+    }
+
     /** Measures velocities relative to the mean flow: [rms] and [fastest]. */
     fun measure(spheres: SphereColumns) {
         // Parts of the same length each time, whose sums are added in order: the same bits with any number of threads.
@@ -264,5 +274,8 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         const val LEAST_CELLS = 64L
         const val MEASURED_AT_ONCE = 8192
         const val SHRINKING = 0.8
+
+        /** One part in so many is room for more. */
+        const val SPARE = 8
     }
 }

@@ -5,6 +5,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.SphereColumns
 import daphnis.core.search.Reach
 import daphnis.core.step.CollisionStep
 import kotlin.math.abs
@@ -101,13 +102,13 @@ internal class EpochFrame {
     /** Whether images slide along the rows. */
     val slides: Boolean get() = images.normalAxis >= 0
 
-    /** Takes over the space of [step], whose population [reach] has measured; [begin] follows. */
-    fun takeOver(step: CollisionStep, reach: Reach, loop: RangeLoop) {
+    /** Takes over the space of [step] with [spheres], which [reach] has measured; [begin] follows. */
+    fun takeOver(step: CollisionStep, spheres: SphereColumns, reach: Reach, loop: RangeLoop) {
         boundary = step.boundary
         duration = step.duration
         largestRadius = reach.largestRadius
         memberRadius = largestRadius
-        layOutAxes(step, loop)
+        layOutAxes(step, spheres, loop)
         reach.measured.fastest.copyInto(speed)
     }
 
@@ -149,7 +150,7 @@ internal class EpochFrame {
 
     private fun farthestIn(k: Int): Double = maxOf(abs(low[k]), abs(low[k] + length[k]))
 
-    private fun layOutAxes(step: CollisionStep, loop: RangeLoop) {
+    private fun layOutAxes(step: CollisionStep, spheres: SphereColumns, loop: RangeLoop) {
         val boundary = step.boundary
         val flow = boundary.meanFlow
         images.prepare(boundary, step.start)
@@ -169,7 +170,7 @@ internal class EpochFrame {
                 low[k] = boundary.box.lower(axes[k])
                 length[k] = boundary.box.length(axes[k])
             } else {
-                extremes.measure(step.population.position(axes[k]), step.population.size, loop)
+                extremes.measure(spheres.position(axes[k]), spheres.size, loop)
                 low[k] = extremes.least
                 length[k] = extremes.greatest - extremes.least
             }
@@ -183,12 +184,10 @@ internal class EpochFrame {
         largestRadius / whole * largestRadius <= MOST_RATE &&
         farthest <= MOST_RADII * memberRadius
 
-    /**
-     * Whether [next], whose images are [now], can be the present step of this epoch.
-     */
+    /** Whether [next], whose images are [now], can be the step of this epoch after the present one. */
     fun continues(next: CollisionStep, now: Images): Boolean {
-        if (step >= steps || next.duration != duration || next.boundary !== boundary) return false
-        return !slides || abs(now.shearOffset - offset(stepStart)) <= rounding
+        if (step + 1 >= steps || next.duration != duration || next.boundary !== boundary) return false
+        return !slides || abs(now.shearOffset - offset((step + 1) * duration)) <= rounding
     }
 
     /** Displacement along the rows, at time [t], of the image one box up the slow axis. */

@@ -4,8 +4,12 @@ import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
 /** What an epoch does at a collision: the two spheres get new lines, and only then is searched along them. */
-internal class EpochImpact(prepared: PreparedStep, private val bodies: EpochBodies, private val course: Course) :
-    Impact(prepared, bodies.rows, bodies.queue) {
+internal class EpochImpact(
+    prepared: PreparedStep,
+    private val bodies: EpochBodies,
+    private val course: Course,
+    witness: Witness?,
+) : Impact(prepared, bodies.rows, bodies.queue, witness) {
     /** The rest of the epoch. */
     interface Course {
         /** The spheres at the places [first] and [second] have met; they are the same where one has met a wall. */
@@ -24,7 +28,7 @@ internal class EpochImpact(prepared: PreparedStep, private val bodies: EpochBodi
 
     override fun slotOf(place: Int): Int = bodies.slotOf(place)
 
-    override fun changed(first: Int, second: Int, time: Double) {
+    override fun changed(first: Int, second: Int) {
         course.met(first, if (second < 0) first else second)
         course.bend(bodies.slotOf(first), first)
         if (second >= 0) course.bend(bodies.slotOf(second), second)

@@ -1,7 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 import java.util.concurrent.atomic.AtomicLong
 
 /**
@@ -67,7 +67,7 @@ internal class EpochSearches(
     }
 
     /** Gives the spheres that [passage] found off their lines new ones, and searches along these. */
-    fun changed(population: Population, passage: Passage, whole: CollisionGroup) {
+    fun changed(spheres: SphereColumns, passage: Passage, whole: CollisionGroup) {
         val t = frame.stepStart
         val count = passage.changed.size
         if (hasCell.size < count) hasCell = BooleanArray(2 * count)
@@ -75,7 +75,7 @@ internal class EpochSearches(
         loop.run(count, LINES_A_PIECE) { _, from, to ->
             for (k in from until to) {
                 val slot = passage.changed[k]
-                val p = population
+                val p = spheres
                 lines.put(slot, p.x[slot], p.y[slot], p.z[slot], p.vx[slot], p.vy[slot], p.vz[slot], t)
                 hasCell[k] = whole.newLines.settleInCell(slot, t, version + k)
                 if (hasCell[k]) space.settleLine(slot)

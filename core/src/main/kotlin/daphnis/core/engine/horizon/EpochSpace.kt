@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.SphereColumns
 
 /** The spheres of an epoch as lines, and where they are. All of its workers share it. */
 internal class EpochSpace(private val loop: RangeLoop) {
@@ -23,6 +24,26 @@ internal class EpochSpace(private val loop: RangeLoop) {
     /** Number of spheres. */
     var spheres = 0
         private set
+
+    /** Which of them are there, where they come and go; null where all are. */
+    private var visits: Visits? = null
+
+    /** Whether the sphere in [slot] is not there in this step. */
+    fun isAway(slot: Int): Boolean = visits?.isHere(slot) == false
+
+    /** Takes over the [visits] of an epoch that begins. */
+    fun open(visits: Visits?) {
+        this.visits = visits
+    }
+
+    /** From now on there are the first [count] of [all], those of them that [visits] say. */
+    fun admit(all: SphereColumns, count: Int, visits: Visits, newLines: NewLines) {
+        lines.grow(count)
+        cells.admit(spheres, count)
+        for (k in 0 until visits.left.size) newLines.outdate(visits.left[k])
+        for (k in 0 until visits.entered.size) visits.entered[k].let { lines.forget(it, all.radius[it]) }
+        spheres = count
+    }
 
     /** Whether several groups process collisions. */
     val isShared: Boolean get() = loop.workers > 1

@@ -58,6 +58,7 @@ public class HorizonSteps internal constructor(
     internal val loop = OptionalLoop(if (isEager) FineLoop(loop) else loop)
 
     private val filters = FilterChoice(filter, always = isEager)
+    private val carried = WholePopulation(prepared, this.loop)
     internal val epoch = Epoch(prepared, this.loop, filters, isEager)
     internal val lists = ListSteps(prepared, lists, this.loop)
 
@@ -98,7 +99,11 @@ public class HorizonSteps internal constructor(
             epoch.drop()
             return false
         }
-        if (!epoch.carry(step, tuning, beforeWriting)) return false
+        val columns = epoch.carry(step, carried.also { it.step = step }, tuning) ?: return false
+        beforeWriting.run()
+        epoch.finish(carried, columns)
+        step.record?.sort()
+        epoch.addTo(step.counters)
         steps++
         judge?.finish(beganEpoch = epoch.begun > begun)
         return true

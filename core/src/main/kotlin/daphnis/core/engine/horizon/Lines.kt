@@ -97,6 +97,13 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
         if (!isWithin) isLost = true
     }
 
+    /** Nobody is on the line in slot [i] any more, whose sphere has this [radius]. */
+    fun forget(i: Int, radius: Double) {
+        state[place(i)] = Float.NaN
+        image[i] = 0
+        putRadius(i, radius)
+    }
+
     /** Gives slot [i] a radius of at least [radius]. */
     fun putRadius(i: Int, radius: Double) {
         val f = radius.toFloat()

@@ -45,6 +45,11 @@ internal class NewLines(
         return cells.holds(slot, from)
     }
 
+    /** What is filed of the sphere in [slot] holds no longer. */
+    fun outdate(slot: Int) {
+        lines.version[slot] = takeVersions(1) * numbers + number
+    }
+
     /** The sphere in [slot] has left its cell, or had none. See [Roamers.add] about [isFinal]. */
     fun roam(slot: Int, isFinal: Boolean) {
         lines.moveBack(slot, cells.imageInBox(lines, slot))

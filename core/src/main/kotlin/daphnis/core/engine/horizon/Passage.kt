@@ -3,8 +3,8 @@ package daphnis.core.engine.horizon
 import daphnis.core.collision.RowColumns
 import daphnis.core.growth.IntList
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereColumns
 import daphnis.core.population.isFinite
 import daphnis.core.search.StepBounds
 
@@ -39,14 +39,14 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     private var most = 0
 
     /** The first step of an epoch: puts spheres into the order of [cells] and gives each its line. */
-    fun first(population: Population, cells: EpochCells, columns: PopulationColumns) {
+    fun first(population: SphereColumns, cells: EpochCells, columns: PopulationColumns) {
         lines.begin(population.size)
         if (space.isShared) space.before.begin(population.size)
         changed.clear()
         loop.run(population.size) { _, from, to -> first(population, cells, columns, from, to) }
     }
 
-    private fun first(p: Population, cells: EpochCells, columns: PopulationColumns, from: Int, to: Int) {
+    private fun first(p: SphereColumns, cells: EpochCells, columns: PopulationColumns, from: Int, to: Int) {
         val order = cells.order
         val dt = frame.duration
         for (slot in from until to) {
@@ -74,13 +74,13 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /** A later window of a step: gives each sphere its line anew. [columns] say where it is at the end of the step. */
-    fun again(columns: PopulationColumns, cells: EpochCells) {
+    fun again(columns: SphereColumns, cells: EpochCells) {
         lines.begin(columns.size)
         if (space.isShared) space.before.begin(columns.size)
         loop.run(columns.size) { _, from, to -> again(columns, cells, from, to) }
     }
 
-    private fun again(p: PopulationColumns, cells: EpochCells, from: Int, to: Int) {
+    private fun again(p: SphereColumns, cells: EpochCells, from: Int, to: Int) {
         val order = cells.order
         for (slot in from until to) {
             val k = order[slot]
@@ -96,7 +96,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
      *
      * @param tracks whether collisions note their times
      */
-    fun keep(population: Population, columns: PopulationColumns, order: IntArray?, tracks: Boolean) {
+    fun keep(population: SphereColumns, columns: PopulationColumns, order: IntArray?, tracks: Boolean) {
         for (place in RowColumns.changing(tracks)) {
             val from = population.column(place)
             val to = columns.column(place)
@@ -110,7 +110,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     /**
      * A later step, in which slots are indices of [population]: gives what is to look at all of them. [hasNext] follows.
      */
-    fun next(population: Population, columns: PopulationColumns): StepBounds.AlongPieces {
+    fun next(population: SphereColumns, columns: PopulationColumns): StepBounds.AlongPieces {
         changed.clear()
         isOver = false
         for (strays in found) {
@@ -134,7 +134,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /** @return whether all numbers of these spheres are finite: those of spheres on their lines cannot but be */
-    private fun pass(population: Population, columns: PopulationColumns, from: Int, to: Int, strays: Strays): Boolean {
+    private fun pass(population: SphereColumns, columns: PopulationColumns, from: Int, to: Int, strays: Strays): Boolean {
         val x = population.x
         val y = population.y
         val z = population.z
@@ -185,7 +185,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /** Looks closer at the sphere in slot [k]: it may be at another image than before. */
-    private fun look(p: Population, k: Int, t: Double, strays: Strays) {
+    private fun look(p: SphereColumns, k: Int, t: Double, strays: Strays) {
         if (isOn(p, k, lines.image[k], t)) return
         val code = imageAt(p, k, t)
         if (code != lines.image[k] && isOn(p, k, code, t)) {
@@ -198,7 +198,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /** Whether the sphere in slot [k] follows its line, at the image [code], through the step that starts at [t]. */
-    private fun isOn(p: Population, k: Int, code: Int, t: Double): Boolean {
+    private fun isOn(p: SphereColumns, k: Int, code: Int, t: Double): Boolean {
         val dt = frame.duration
         val images = frame.images
         val sx = images.slide(code, 0)
@@ -214,13 +214,13 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /** The image of the line in slot [k] that is nearest to the sphere at time [t]. */
-    private fun imageAt(p: Population, k: Int, t: Double): Int {
+    private fun imageAt(p: SphereColumns, k: Int, t: Double): Int {
         val slow = boxes(p, k, t, 2, 0.0)
         val along = boxes(p, k, t, 0, if (frame.slides) slow * frame.offset(t) else 0.0)
         return frame.code(along, boxes(p, k, t, 1, 0.0), slow)
     }
 
-    private fun boxes(p: Population, k: Int, t: Double, which: Int, shift: Double): Int {
+    private fun boxes(p: SphereColumns, k: Int, t: Double, which: Int, shift: Double): Int {
         if (!frame.isPeriodic[which]) return 0
         val axis = frame.axes[which]
         val boxes = Math.rint((p.position(axis)[k] - shift - lines.at(k, axis, t)) / frame.length[which])

@@ -2,8 +2,8 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereColumns
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
 import daphnis.core.step.StepLimits
@@ -103,7 +103,7 @@ internal class SharedCollisions(
     }
 
     /** Deals out the pairs that are due in the calendar of group [g]. */
-    private fun prepareGroup(g: Int, population: Population, order: IntArray?, tracks: Boolean) {
+    private fun prepareGroup(g: Int, population: SphereColumns, order: IntArray?, tracks: Boolean) {
         groups[g].begin(population, order, tracks, keepsPaths = true)
         groups[g].work.start(groups.size)
         groups[g].sight.narrow(g)

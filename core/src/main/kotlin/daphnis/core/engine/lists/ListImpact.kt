@@ -8,7 +8,7 @@ import daphnis.core.step.PreparedStep
 /** What lists do at a collision: the next events of the two spheres are found anew. */
 internal class ListImpact(prepared: PreparedStep, rows: StepRows, private val events: NextEvents) :
     Impact(prepared, rows, Nothing) {
-    override fun changed(first: Int, second: Int, time: Double) {
+    override fun changed(first: Int, second: Int) {
         events.bend(first)
         events.bend(second)
     }

@@ -169,7 +169,7 @@ internal class BrickNet(
         for ((k, brick) in bricks.withIndex()) {
             starts[k] = at
             brick.store(columns, at)
-            at += brick.own
+            at += brick.spheres.own
             counters.add(brick.counted)
         }
         starts[bricks.size] = at

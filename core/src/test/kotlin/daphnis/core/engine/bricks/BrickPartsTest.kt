@@ -105,9 +105,8 @@ class BrickPartsTest {
         val p = populationOf(Sphere(r = 0.5), Sphere(x = 3.0, r = 0.5))
         val territory = Territory(Cuts(listOf(doubleArrayOf(1.0), DoubleArray(0), DoubleArray(0)), Open), Open, 1)
         val brick = Brick()
-        brick.columns.clear(2)
-        brick.columns.add(p, IndexRuns().also { runs -> repeat(2) { runs.add(it) } })
-        brick.own = 1
+        brick.spheres.begin(2)
+        for (k in 0..1) brick.spheres.add(p, IndexRuns().also { it.add(k) }, areOwn = k == 0)
         val comparison = PathComparison(0, territory, brick).also { it.index() }
         fun isRight(bound: Double, planned: Double, total: Int): Boolean {
             val widths = HaloWidths(DoubleArray(3) { planned }, DoubleArray(3), DoubleArray(2) { 0.5 }, DoubleArray(2))

@@ -10,7 +10,9 @@ import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.hill.HillSheet
+import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
@@ -20,6 +22,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+
 
 /** Bricks of every shape and with halos of every width against the serial engine. */
 @Timeout(600)
@@ -33,13 +36,21 @@ class BricksAgreeTest {
         val random = case.random
         val division = BrickDivision(1 + random.nextInt(4), 1 + random.nextInt(4), 1 + random.nextInt(3))
         val margins = HaloMargins(WIDTHS[random.nextInt(WIDTHS.size)], 0.0)
-        return BricksEngine(FixedPool(1 + random.nextInt(2)), fewest = 0, division, margins, QuickerWay())
+        val pool = FixedPool(1 + random.nextInt(2))
+        return BricksEngine(pool, fewest = 0, division, margins, QuickerWay(), ahead(random))
+    }
+
+    private fun ahead(random: SeededRandom) = when (random.nextInt(4)) {
+        0 -> BrickAhead.Choice.NEVER
+        1 -> BrickAhead.Choice(0, null)
+        else -> BrickAhead.Choice(0, HorizonTuning(1 + random.nextInt(12), deviation = random.nextInt(3) * 0.1))
     }
 
     @Test
     fun `bricks of any shape, with halos of any width, give the digest, counts and collisions of the serial engine`() {
         var redone = 0L
         var replays = 0L
+        var ahead = 0L
         for (seed in Draws.first..<Draws.first + draws) {
             val case = case(seed)
             val serial = case.simulation(SerialEngine())
@@ -55,8 +66,9 @@ class BricksAgreeTest {
                 replays += bricks.collisions!!.counters.causalityReplays
             }
             redone += engine.redone
+            ahead += engine.crew.stepsAhead
         }
-        println("$draws draws, $redone redone with wider halos, $replays replays")
+        println("$draws draws, $ahead steps ahead, $redone redone with wider halos, $replays replays")
         if (draws >= 120) assertTrue(redone > draws / 4) { "only $redone steps redone: halos are never too narrow" }
         assertTrue(replays < draws / 4) { "$replays of $draws draws left to the serial engine" }
     }
@@ -140,7 +152,7 @@ class BricksAgreeTest {
     }
 
     private companion object {
-        const val STEPS = 3
+        const val STEPS = 5
 
         /** In mean diameters. */
         val WIDTHS = doubleArrayOf(0.0, 0.0, 0.3, 1.0, 3.0)

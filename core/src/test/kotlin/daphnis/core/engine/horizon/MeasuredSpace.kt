@@ -16,6 +16,6 @@ internal fun EpochSpace.measure(population: Population, boundary: BoundaryCondit
     step.duration = duration
     val prepared = PreparedStep()
     prepared.measure(step, InlineLoop)
-    frame.takeOver(step, prepared.reach, InlineLoop)
+    frame.takeOver(step, population, prepared.reach, InlineLoop)
     cells.measure(population)
 }
