@@ -26,9 +26,9 @@ import daphnis.app.bench.timingTitle
 import daphnis.app.printing.printLine
 import daphnis.app.printing.printLines
 import daphnis.app.printing.warn
+import daphnis.core.run.adviceOn
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
-import daphnis.core.scenario.Nearest
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -172,10 +172,7 @@ class BenchCommand : CliktCommand(name = "bench") {
         val engine = allEngines.create(name, threads) ?: throw InputException(
             "--engines",
             null,
-            "'$name' is no engine; ${Nearest.question(
-                name,
-                allEngines.names,
-            )}known are ${allEngines.names.joinToString()}",
+            "'$name' is no engine; ${adviceOn(name, allEngines)}",
         )
         return engine.use { it.threads }
     }

@@ -26,9 +26,9 @@ import daphnis.app.sweep.SweepRecord
 import daphnis.app.sweep.SweepWork
 import daphnis.core.format.WholeFile
 import daphnis.core.run.RunDirectory
+import daphnis.core.run.adviceOn
 import daphnis.core.run.engineOf
 import daphnis.core.scenario.InputException
-import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
@@ -112,9 +112,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
     private fun requireEngine() {
         val name = engine ?: return
         if (name in allEngines.names) return
-        val known = "known are ${allEngines.names.joinToString()}"
-        val problem = "'$name' is no engine; ${Nearest.question(name, allEngines.names)}$known"
-        throw InputException("--engine", null, problem)
+        throw InputException("--engine", null, "'$name' is no engine; ${adviceOn(name, allEngines)}")
     }
 
     /** Wrong values are told before anything is written; seeds change none. Runs that have begun were checked then. */

@@ -48,7 +48,6 @@ class CommandLineTest {
             "serial" to 1,
             "islands" to 1,
             "islands" to 3,
-            "bricks" to 2,
             "thread-pool" to 2,
             "horizon" to 1,
             "horizon" to 3,

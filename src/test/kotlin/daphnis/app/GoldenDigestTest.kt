@@ -3,8 +3,6 @@ package daphnis.app
 import daphnis.core.Simulation
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.bricks.BrickDivision
-import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
@@ -34,7 +32,7 @@ class GoldenDigestTest {
     fun `every engine gives the pinned digests of a built-in scenario in its first steps`(name: String) {
         val engines = allEngines.names.map { it to if (allEngines.isSpecification(it)) 1 else 2 } + ("islands" to 3)
         val steps = if (LONG) LONG_STEPS else FIRST_STEPS
-        check(BuiltIn.scenario(name), name, steps, engines.map { (engine, threads) -> made(engine, threads) } + slabs)
+        check(BuiltIn.scenario(name), name, steps, engines.map { (engine, threads) -> made(engine, threads) })
     }
 
     @ParameterizedTest
@@ -44,7 +42,7 @@ class GoldenDigestTest {
         val byName = allEngines.names.flatMap { engine ->
             (if (allEngines.isSpecification(engine)) listOf(1) else listOf(1, 3)).map { made(engine, it) }
         }
-        check(ScenarioJson.parse(text, name, emptyList()), name, null, byName + islands + blocks)
+        check(ScenarioJson.parse(text, name, emptyList()), name, null, byName + islands)
     }
 
     @Tag("thorough")
@@ -85,10 +83,6 @@ class GoldenDigestTest {
 
         // Few spheres go the serial way unless told otherwise.
         val islands: () -> CollisionEngine = { IslandsEngine(FixedPool(2), fewest = 0) }
-        val slabs: () -> CollisionEngine = { BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 3, 1)) }
-        val blocks: () -> CollisionEngine = {
-            BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 2, 2))
-        }
 
         /** A whole number of steps can fall short of the end by round-off. */
         const val SLACK = 1e-9

@@ -3,7 +3,7 @@ package daphnis.bench
 import daphnis.actors.ActorEngines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.cluster.bricks.BricksEngine
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine

@@ -3,7 +3,6 @@ package daphnis.core
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
@@ -14,7 +13,6 @@ public class Engines private constructor() {
         private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
             "horizon" to { HorizonEngine(it) },
             "islands" to { IslandsEngine(it) },
-            "bricks" to { BricksEngine(it) },
             "thread-pool" to { ThreadPoolEngine(it) },
             SERIAL to { SerialEngine() },
         )
@@ -28,6 +26,10 @@ public class Engines private constructor() {
 
         @JvmStatic
         override fun isSpecification(name: String): Boolean = name == SERIAL
+
+        @JvmStatic
+        override fun successor(name: String): String? =
+            if (name == "bricks") "it is gone; take horizon, which gives the same bits and is quicker" else null
 
         /** The factory itself, for Java. */
         @JvmStatic

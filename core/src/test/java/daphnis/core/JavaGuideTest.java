@@ -164,7 +164,7 @@ class JavaGuideTest {
         assertSame(Open.INSTANCE, BoundaryConditions.open());
         assertSame(NoGuard.INSTANCE, CollapseGuard.none());
         RangeLoop.inline().run(3, (worker, from, to) -> assertEquals(3, to - from));
-        assertEquals(List.of("horizon", "islands", "bricks", "thread-pool", "serial"), Engines.getNames());
+        assertEquals(List.of("horizon", "islands", "thread-pool", "serial"), Engines.getNames());
         try (var engine = Engines.create("islands", 2)) {
             assertTrue(engine != null && engine.getThreads() == 2);
         }
@@ -283,7 +283,7 @@ class JavaGuideTest {
         parts.restitution(speed -> 0.5);
         refuses("restitution(…) and withoutCollisions() contradict each other; one of them is enough", parts::build);
         refuses(
-            "there is no engine 'snail'; known: horizon, islands, bricks, thread-pool, serial",
+            "there is no engine 'snail'; known: horizon, islands, thread-pool, serial",
             () -> CollisionForcing.builder(speed -> 0.5).engine("snail", 1, Engines.factory()));
     }
 

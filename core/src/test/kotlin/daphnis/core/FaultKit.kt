@@ -7,8 +7,8 @@ import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.bricks.BrickDivision
-import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.cluster.bricks.BrickDivision
+import daphnis.core.cluster.bricks.BricksTogether
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force
@@ -28,7 +28,7 @@ abstract class FaultKit {
         { SerialEngine() },
         { IslandsEngine(3) },
         { IslandsEngine(FixedPool(3), fewest = 0) },
-        { BricksEngine(FixedPool(3), fewest = 0, division = BrickDivision(2, 1, 2)) },
+        { BricksTogether(FixedPool(3), BrickDivision(2, 1, 2)) },
         { ThreadPoolEngine(3) },
         { IslandsEngine(ExecutorHandler({ it.run() }, 2), fewest = 0) },
     )

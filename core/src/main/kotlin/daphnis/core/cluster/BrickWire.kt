@@ -1,20 +1,20 @@
 package daphnis.core.cluster
 
-import daphnis.core.engine.bricks.Agreed
-import daphnis.core.engine.bricks.AttemptKey
-import daphnis.core.engine.bricks.BrickCounts
-import daphnis.core.engine.bricks.BrickMessage
-import daphnis.core.engine.bricks.Halo
-import daphnis.core.engine.bricks.IndexRuns
-import daphnis.core.engine.bricks.Outcome
-import daphnis.core.engine.bricks.PathList
+import daphnis.core.cluster.bricks.Agreed
+import daphnis.core.cluster.bricks.AttemptKey
+import daphnis.core.cluster.bricks.BrickCounts
+import daphnis.core.cluster.bricks.BrickMessage
+import daphnis.core.cluster.bricks.Halo
+import daphnis.core.cluster.bricks.IndexRuns
+import daphnis.core.cluster.bricks.Outcome
+import daphnis.core.cluster.bricks.PathList
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import java.nio.ByteBuffer
 
 /**
  * Messages between bricks as bytes: a head, which says the same to all bricks, and what is for one of them alone.
- * [Agreement][daphnis.core.engine.bricks.Agreement]s answer within a node only.
+ * [Agreement][daphnis.core.cluster.bricks.Agreement]s answer within a node only.
  */
 internal object BrickWire {
     private const val HALO = 1

@@ -1,8 +1,8 @@
 package daphnis.core.cluster
 
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.bricks.BrickCrew
-import daphnis.core.engine.bricks.HaloMargins
+import daphnis.core.cluster.bricks.BrickCrew
+import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -13,8 +13,8 @@ import daphnis.core.step.PreparedStep
 
 /**
  * Collisions of the spheres that the nodes of a crew hold together. Each node advances its own population, at the same
- * time as the others, and afterwards it holds the spheres that are in its territory. Bricks are computed as by
- * [BricksEngine][daphnis.core.engine.bricks.BricksEngine], which says why they give the serial engine's bits.
+ * time as the others, and afterwards it holds the spheres that are in its territory. [BrickCrew] says why bricks give the
+ * serial engine's bits.
  *
  * A node cannot leave a step to the serial engine, since it does not hold all spheres. Where bricks do not come to
  * agree, or a guess ends with an exception, they compute the step once more with all spheres in every halo. That is the
@@ -35,7 +35,7 @@ internal class NodeEngine(
 
     private val whole = PreparedStep()
     private val places = RemoteBricks(turns, threads)
-    internal val crew = BrickCrew(whole, margins, places, GUESSES)
+    internal val crew = BrickCrew(whole, margins, places)
     private val plan = NodePlan(turns, whole, margins, threads)
 
     /** Number of spheres of all nodes in the last step. */
@@ -56,8 +56,7 @@ internal class NodeEngine(
         }
         plan.prepare(step.population, step.boundary, crew.busy)
         if (crew.territory !== plan.territory) crew.settle(plan.territory)
-        val end = crew.compute(total, plan.bodies, plan.extent, loop) { false }
-        check(end == BrickCrew.End.AGREED) { "the bricks of the nodes do not agree" }
+        crew.compute(total, plan.bodies, plan.extent, loop)
         crew.collect(step.record)
         crew.store(loop)
         crew.addTo(step.counters)
@@ -66,10 +65,5 @@ internal class NodeEngine(
     override fun close() {
         gate.close()
         handler.close()
-    }
-
-    private companion object {
-        /** Attempts at a step with halos of limited width. */
-        const val GUESSES = 6
     }
 }

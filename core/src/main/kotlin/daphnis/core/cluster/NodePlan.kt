@@ -1,14 +1,13 @@
 package daphnis.core.cluster
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.engine.bricks.Bodies
-import daphnis.core.engine.bricks.BrickCost
-import daphnis.core.engine.bricks.BrickDivision
-import daphnis.core.engine.bricks.CutPlaces
-import daphnis.core.engine.bricks.Cuts
-import daphnis.core.engine.bricks.Cuts.Companion.AXES
-import daphnis.core.engine.bricks.HaloMargins
-import daphnis.core.engine.bricks.Territory
+import daphnis.core.cluster.bricks.Bodies
+import daphnis.core.cluster.bricks.BrickDivision
+import daphnis.core.cluster.bricks.CutPlaces
+import daphnis.core.cluster.bricks.Cuts
+import daphnis.core.cluster.bricks.Cuts.Companion.AXES
+import daphnis.core.cluster.bricks.HaloMargins
+import daphnis.core.cluster.bricks.Territory
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
@@ -141,13 +140,18 @@ internal class NodePlan(
             val width = 2 * (whole.reach.bound[axis] + bodies.ordinary) + margins.least
             if (places.canCut(axis) && extent.size[axis] > 0) width / extent.size[axis] else 0.0
         }
-        val periodic = BooleanArray(AXES) { boundary.hasImages(it) }
-        val cost = BrickCost(places.count, bricks, margins.collisionsPerSphere, shares, periodic)
+
+        // In how many bricks a sphere is on average, along one axis alone.
+        fun copies(axis: Int, parts: Int): Double {
+            if (parts == 1) return 1.0
+            val planes = if (boundary.hasImages(axis)) parts else parts - 1
+            return minOf(parts.toDouble(), 1 + 2 * planes * shares[axis])
+        }
         val sides = (1..minOf(bricks, BrickDivision.MOST)).filter { bricks % it == 0 }
         return sides.flatMap { x -> sides.filter { bricks / x % it == 0 }.map { y -> Triple(x, y, bricks / x / y) } }
             .filter { (x, y, z) -> z <= BrickDivision.MOST && canCut(shares, x, y, z) }
             .map { (x, y, z) -> BrickDivision(x, y, z) }
-            .minByOrNull { cost.time(it) }
+            .minByOrNull { copies(0, it.x) * copies(1, it.y) * copies(2, it.z) }
     }
 
     private fun canCut(shares: DoubleArray, x: Int, y: Int, z: Int): Boolean =

@@ -1,9 +1,9 @@
 package daphnis.core.cluster
 
-import daphnis.core.engine.bricks.Agreed
-import daphnis.core.engine.bricks.BrickMessage
-import daphnis.core.engine.bricks.BrickPlaces
-import daphnis.core.engine.bricks.Mailboxes
+import daphnis.core.cluster.bricks.Agreed
+import daphnis.core.cluster.bricks.BrickMessage
+import daphnis.core.cluster.bricks.BrickPlaces
+import daphnis.core.cluster.bricks.Mailboxes
 
 /**
  * The bricks of the nodes of a crew: each has as many, one after the other, as it has threads. A brick sends to all

@@ -35,7 +35,9 @@ public class CollisionForcingBuilder internal constructor(private val restitutio
      * @throws IllegalArgumentException when they do not know the name
      */
     public fun engine(name: String, threads: Int, engines: EngineFactory): CollisionForcingBuilder {
-        require(name in engines.names) { "there is no engine '$name'; known: ${engines.names.joinToString()}" }
+        require(name in engines.names) {
+            "there is no engine '$name'; ${engines.successor(name) ?: "known: ${engines.names.joinToString()}"}"
+        }
         return apply { makeEngine = { engines.create(name, threads)!! } }
     }
 

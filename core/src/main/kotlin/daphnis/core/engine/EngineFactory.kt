@@ -17,6 +17,9 @@ public interface EngineFactory {
      */
     public fun isSpecification(name: String): Boolean = false
 
+    /** What to take for the engine that earlier versions called [name], in words; null when there was none. */
+    public fun successor(name: String): String? = null
+
     public companion object {
         /** [threads], or as many as the machine has when that is 0. */
         @JvmStatic
@@ -37,4 +40,6 @@ public class CombinedEngines(private vararg val factories: EngineFactory) : Engi
     }
 
     override fun isSpecification(name: String): Boolean = factories.any { it.isSpecification(name) }
+
+    override fun successor(name: String): String? = factories.firstNotNullOfOrNull { it.successor(name) }
 }

@@ -9,6 +9,11 @@ import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.ScenarioParts
 
+/** What to write in place of [name], which is that of no engine of [engines]. */
+@JvmName("adviceOn")
+public fun adviceOn(name: String, engines: EngineFactory): String =
+    engines.successor(name) ?: "${Nearest.question(name, engines.names)}known: ${engines.names.joinToString()}"
+
 /**
  * The engine that [scenario] asks for.
  *
@@ -22,8 +27,7 @@ public fun engineOf(scenario: ScenarioParts, source: String, engines: EngineFact
         ?: throw InputException(
             source,
             "engine.name",
-            "is \"${spec.name}\"; ${Nearest.question(spec.name, engines.names.toList())}" +
-                "known: ${engines.names.joinToString()}",
+            "is \"${spec.name}\"; ${adviceOn(spec.name, engines)}",
         )
     if (spec.threads != 0 && engine.threads != spec.threads) {
         engine.close()

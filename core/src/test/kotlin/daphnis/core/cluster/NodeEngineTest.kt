@@ -8,8 +8,8 @@ import daphnis.core.engine.Draws
 import daphnis.core.engine.OddDraw
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
-import daphnis.core.engine.bricks.HaloMargins
-import daphnis.core.engine.bricks.LongBox
+import daphnis.core.cluster.bricks.HaloMargins
+import daphnis.core.cluster.bricks.LongBox
 import daphnis.core.engine.failure
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.stateDigest

@@ -7,8 +7,8 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.engine.bricks.HaloMargins
-import daphnis.core.engine.bricks.Territory
+import daphnis.core.cluster.bricks.HaloMargins
+import daphnis.core.cluster.bricks.Territory
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep

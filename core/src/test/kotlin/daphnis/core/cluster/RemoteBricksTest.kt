@@ -1,9 +1,9 @@
 package daphnis.core.cluster
 
-import daphnis.core.engine.bricks.AttemptKey
-import daphnis.core.engine.bricks.Mailboxes
-import daphnis.core.engine.bricks.Outcome
-import daphnis.core.engine.bricks.PathList
+import daphnis.core.cluster.bricks.AttemptKey
+import daphnis.core.cluster.bricks.Mailboxes
+import daphnis.core.cluster.bricks.Outcome
+import daphnis.core.cluster.bricks.PathList
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout

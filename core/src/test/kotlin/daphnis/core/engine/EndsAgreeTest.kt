@@ -8,8 +8,8 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
-import daphnis.core.engine.bricks.BrickDivision
-import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.cluster.bricks.BrickDivision
+import daphnis.core.cluster.bricks.BricksTogether
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.islands.IslandsEngine
@@ -211,7 +211,7 @@ class EndsAgreeTest {
         val broken = Restitution { throw ArithmeticException("on purpose") }
         for (engine in listOf(
             islands(2),
-            BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 1, 1)),
+            BricksTogether(FixedPool(2), BrickDivision(2, 1, 1)),
             ThreadPoolEngine(2),
             horizon(2),
         )) {

@@ -3,7 +3,7 @@ package daphnis.core.engine
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.StepRows
-import daphnis.core.engine.bricks.PathList
+import daphnis.core.cluster.bricks.PathList
 import daphnis.core.engine.horizon.PairList
 import daphnis.core.engine.islands.IslandLimits
 import daphnis.core.engine.islands.Members

@@ -6,8 +6,8 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.engine.bricks.BrickDivision
-import daphnis.core.engine.bricks.BricksEngine
+import daphnis.core.cluster.bricks.BrickDivision
+import daphnis.core.cluster.bricks.BricksTogether
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.islands.IslandsEngine
@@ -32,7 +32,7 @@ class RefusalsAgreeTest {
     private fun engines() = listOf(
         SerialEngine(),
         IslandsEngine(FixedPool(2), fewest = 0),
-        BricksEngine(FixedPool(2), fewest = 0, division = BrickDivision(2, 2, 2)),
+        BricksTogether(FixedPool(2), BrickDivision(2, 2, 2)),
         ThreadPoolEngine(2),
         HorizonEngine(FixedPool(1), fewest = 0, tuning = HorizonTuning(3)),
     )

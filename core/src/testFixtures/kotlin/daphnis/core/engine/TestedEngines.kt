@@ -1,7 +1,5 @@
 package daphnis.core.engine
 
-import daphnis.core.engine.bricks.BrickDivision
-import daphnis.core.engine.bricks.BricksEngine
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.islands.IslandsEngine
@@ -15,14 +13,8 @@ open class TestedEngines(val registry: EngineFactory) {
     /** One engine of [name]. Where an engine may give way to the serial one, it does not. */
     open fun make(name: String, settings: EngineSettings): CollisionEngine = when (name) {
         "islands" -> IslandsEngine(FixedPool(settings.threads()), fewest = 0)
-        "bricks" -> BricksEngine(FixedPool(settings.threads()), fewest = 0, division = division(settings))
         "horizon" -> HorizonEngine(FixedPool(settings.threads()), fewest = 0, tuning = tuning(settings))
         else -> checkNotNull(registry.create(name, settings.threads())) { "$name is registered, but cannot be made" }
-    }
-
-    private fun division(settings: EngineSettings): BrickDivision {
-        fun parts() = 1 + settings.random.nextInt(MOST_PARTS)
-        return BrickDivision(parts(), parts(), parts())
     }
 
     protected fun tuning(settings: EngineSettings): HorizonTuning {
@@ -42,9 +34,6 @@ open class TestedEngines(val registry: EngineFactory) {
         registry.names.filterNot(registry::isSpecification).map { make(it, settings) }
 
     private companion object {
-        /** Into which an engine of bricks cuts space along an axis. */
-        const val MOST_PARTS = 3
-
         /** Of an epoch. */
         const val MOST_STEPS = 6
     }
