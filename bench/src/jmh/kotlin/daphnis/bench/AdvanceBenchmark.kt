@@ -35,7 +35,7 @@ open class AdvanceBenchmark {
     @Param
     lateinit var workload: Workload
 
-    @Param("SERIAL", "HORIZON", "ISLANDS", "BRICKS", "THREAD_POOL", "ACTORS", "PEKKO")
+    @Param("SERIAL", "HORIZON", "ISLANDS", "THREAD_POOL", "ACTORS", "PEKKO")
     lateinit var engine: EngineName
 
     @Param("1", "2")

@@ -54,7 +54,6 @@ fun main(args: Array<String>) {
 private val PARALLEL = listOf(
     EngineName.HORIZON,
     EngineName.ISLANDS,
-    EngineName.BRICKS,
     EngineName.THREAD_POOL,
     EngineName.ACTORS,
     EngineName.PEKKO,

@@ -3,7 +3,6 @@ package daphnis.bench
 import daphnis.actors.ActorEngines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
-import daphnis.core.cluster.bricks.BricksEngine
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
@@ -22,7 +21,6 @@ enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
     HORIZON({ HorizonEngine(it) }),
     ISLANDS({ IslandsEngine(it) }),
-    BRICKS({ BricksEngine(it) }),
 
     /** The reference: the paper's engine on a fixed pool, consecutive chunks, row-locked grid. */
     THREAD_POOL({ ThreadPoolEngine(it) }),

@@ -2,13 +2,13 @@ package daphnis.core
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
+import daphnis.core.cluster.bricks.BrickDivision
+import daphnis.core.cluster.bricks.BricksTogether
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
-import daphnis.core.cluster.bricks.BrickDivision
-import daphnis.core.cluster.bricks.BricksTogether
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force

@@ -1,8 +1,8 @@
 package daphnis.core.cluster
 
-import daphnis.core.engine.CollisionEngine
 import daphnis.core.cluster.bricks.BrickCrew
 import daphnis.core.cluster.bricks.HaloMargins
+import daphnis.core.engine.CollisionEngine
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop

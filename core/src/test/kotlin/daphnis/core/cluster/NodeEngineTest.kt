@@ -1,6 +1,8 @@
 package daphnis.core.cluster
 
 import daphnis.core.boundary.Box
+import daphnis.core.cluster.bricks.HaloMargins
+import daphnis.core.cluster.bricks.LongBox
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.Case
 import daphnis.core.engine.Draw
@@ -8,8 +10,6 @@ import daphnis.core.engine.Draws
 import daphnis.core.engine.OddDraw
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
-import daphnis.core.cluster.bricks.HaloMargins
-import daphnis.core.cluster.bricks.LongBox
 import daphnis.core.engine.failure
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.stateDigest

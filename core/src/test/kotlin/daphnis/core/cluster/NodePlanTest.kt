@@ -4,11 +4,11 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.cluster.bricks.HaloMargins
+import daphnis.core.cluster.bricks.Territory
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.cluster.bricks.HaloMargins
-import daphnis.core.cluster.bricks.Territory
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep

@@ -1,9 +1,9 @@
 package daphnis.core.cluster
 
+import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns

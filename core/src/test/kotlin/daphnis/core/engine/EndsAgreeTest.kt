@@ -6,10 +6,10 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.cluster.bricks.BrickDivision
 import daphnis.core.cluster.bricks.BricksTogether
+import daphnis.core.collision.ConstantRestitution
+import daphnis.core.collision.Restitution
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.islands.IslandsEngine

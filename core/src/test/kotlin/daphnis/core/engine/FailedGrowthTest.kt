@@ -1,9 +1,9 @@
 package daphnis.core.engine
 
+import daphnis.core.cluster.bricks.PathList
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.StepRows
-import daphnis.core.cluster.bricks.PathList
 import daphnis.core.engine.horizon.PairList
 import daphnis.core.engine.islands.IslandLimits
 import daphnis.core.engine.islands.Members

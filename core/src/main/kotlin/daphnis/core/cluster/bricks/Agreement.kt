@@ -9,11 +9,7 @@ import daphnis.core.cluster.bricks.Cuts.Companion.AXES
  *
  * After [GUESSES] attempts, or one after the first that ends with an exception, every brick computes all spheres.
  */
-internal class Agreement(
-    private val bricks: Int,
-    private val margins: HaloMargins,
-    private val post: Post,
-) {
+internal class Agreement(private val bricks: Int, private val margins: HaloMargins, private val post: Post) {
     private var key = NEVER
     private val answered = BooleanArray(bricks)
     private val wrong = BooleanArray(bricks)

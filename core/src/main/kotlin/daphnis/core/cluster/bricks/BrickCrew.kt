@@ -1,8 +1,8 @@
 package daphnis.core.cluster.bricks
 
+import daphnis.core.cluster.bricks.Cuts.Companion.AXES
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.cluster.bricks.Cuts.Companion.AXES
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.search.GridExtent
 import daphnis.core.search.ImageRange

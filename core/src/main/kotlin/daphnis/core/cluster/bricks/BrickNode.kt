@@ -94,8 +94,16 @@ internal class BrickNode(
             own[k].clear()
             near[k].clear()
         }
+        if (bricks == 1) {
+            own[number].addAll(held.from, held.to)
+            return
+        }
+        val x = held.spheres.x
+        val y = held.spheres.y
+        val z = held.spheres.z
+        val radius = held.spheres.radius
         for (k in held.from until held.to) {
-            vicinity.look(held.spheres, k)
+            vicinity.look(x[k], y[k], z[k], radius[k])
             own[vicinity.owner].add(k)
             for (n in 0 until vicinity.size) near[vicinity.others[n]].add(k)
         }
@@ -165,9 +173,13 @@ internal class BrickNode(
         for (list in paths) list.clear()
         val spheres = brick.spheres
         // After a failure others miss what is in their sight.
-        if (failure == null) {
+        if (failure == null && bricks > 1) {
+            val x = spheres.x
+            val y = spheres.y
+            val z = spheres.z
+            val radius = spheres.radius
             spheres.forEachOwn { k ->
-                vicinity.look(spheres, k)
+                vicinity.look(x[k], y[k], z[k], radius[k])
                 if (vicinity.size > 0) {
                     val hash = brick.wholePath(k)
                     for (n in 0 until vicinity.size) paths[vicinity.others[n]].add(spheres.id[k], hash)

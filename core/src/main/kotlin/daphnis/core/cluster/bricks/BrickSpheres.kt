@@ -41,7 +41,7 @@ internal class BrickSpheres :
     override val entered = IntList()
     override val left = IntList()
 
-    /** Where spheres are, by id; in use while they keep their places. */
+    /** Where spheres are, by id; filled when somebody asks for the first time since they have their places. */
     private val places = IdIndex()
     private var isIndexed = false
 
@@ -79,11 +79,6 @@ internal class BrickSpheres :
     /** Begins a step whose spheres are nearly those of the step before, and keep their places. */
     fun goOn() {
         keepsPlaces = true
-        if (!isIndexed) {
-            places.clear(size + size / MOST_GUESTS + 1)
-            for (k in 0 until size) places.put(id[k], k)
-            isIndexed = true
-        }
         start()
     }
 
@@ -111,7 +106,7 @@ internal class BrickSpheres :
     fun add(spheres: SphereColumns, indices: IndexRuns, areOwn: Boolean) {
         for (run in 0 until indices.runs) {
             if (keepsPlaces) {
-                for (k in indices.from(run) until indices.to(run)) put(spheres, k, areOwn)
+                put(spheres, indices.from(run), indices.to(run), areOwn)
             } else {
                 append(spheres, indices.from(run), indices.to(run), areOwn)
             }
@@ -128,20 +123,37 @@ internal class BrickSpheres :
         size = end
     }
 
-    private fun put(spheres: SphereColumns, index: Int, areOwn: Boolean) {
-        val k = placeOf(spheres.id[index])
-        if (k < 0) return
-        for (place in 0 until SphereQuantity.WIDTH) column(place)[k] = spheres.column(place)[index]
-        if (seen[k] != step - 1) entered.add(k)
-        seen[k] = step
-        isOwn[k] = areOwn
-        if (areOwn) own++ else near.add(k)
-        last = k
+    /** Spheres that follow one another there mostly do so here too, and are copied together. */
+    private fun put(spheres: SphereColumns, from: Int, to: Int, areOwn: Boolean) {
+        var index = from
+        while (index < to) {
+            val k = placeOf(spheres.id[index])
+            if (k < 0) return
+            var count = 1
+            while (index + count < to && k + count < size && id[k + count] == spheres.id[index + count]) count++
+            for (place in 0 until SphereQuantity.WIDTH) {
+                spheres.column(place).copyInto(column(place), k, index, index + count)
+            }
+            for (slot in k until k + count) {
+                if (seen[slot] != step - 1) entered.add(slot)
+                if (!areOwn) near.add(slot)
+            }
+            seen.fill(step, k, k + count)
+            isOwn.fill(areOwn, k, k + count)
+            if (areOwn) own += count
+            last = k + count - 1
+            index += count
+        }
     }
 
     /** The place of [sphere], a new one when there is none; −1 when there are too many. */
     private fun placeOf(sphere: Int): Int {
         for (k in last + 1..minOf(last + BESIDE, size - 1)) if (id[k] == sphere) return k
+        if (!isIndexed) {
+            places.clear(size + size / MOST_GUESTS + 1)
+            for (k in 0 until size) places.put(id[k], k)
+            isIndexed = true
+        }
         val known = places.find(sphere)
         if (known >= 0) return known
         if (size == room || guests > size / MOST_GUESTS) {
@@ -161,9 +173,10 @@ internal class BrickSpheres :
         for (k in 0 until size) if (seen[k] == step - 1) left.add(k)
     }
 
-    /** From the next step on spheres are where [columns], of this step, have them; all are there. */
-    fun take(columns: PopulationColumns) {
+    /** From the next step on spheres are where [columns] have them, in another order if [areSorted]. */
+    fun take(columns: PopulationColumns, areSorted: Boolean) {
         sets.take(columns)
+        if (areSorted) isIndexed = false
     }
 
     /** Calls [use] with the place of each sphere that the brick owns. */

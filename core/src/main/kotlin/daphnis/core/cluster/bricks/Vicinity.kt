@@ -1,7 +1,6 @@
 package daphnis.core.cluster.bricks
 
 import daphnis.core.cluster.bricks.Cuts.Companion.AXES
-import daphnis.core.population.SphereColumns
 
 /**
  * Finds which bricks a sphere concerns: its owner and those whose halo it is in. Holds the answer to one question at a
@@ -39,12 +38,8 @@ internal class Vicinity(private val territory: Territory, private val home: Int)
         }
     }
 
-    /** Answers for entry [k] of [spheres]. */
-    fun look(spheres: SphereColumns, k: Int) {
-        val x = spheres.x[k]
-        val y = spheres.y[k]
-        val z = spheres.z[k]
-        val r = spheres.radius[k]
+    /** Answers for a sphere of radius [r] at ([x], [y], [z]). */
+    fun look(x: Double, y: Double, z: Double, r: Double) {
         size = 0
         owner = home
         if (isInner(0, x, r) && isInner(1, y, r) && isInner(2, z, r)) return

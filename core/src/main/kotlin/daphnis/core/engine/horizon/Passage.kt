@@ -134,7 +134,13 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /** @return whether all numbers of these spheres are finite: those of spheres on their lines cannot but be */
-    private fun pass(population: SphereColumns, columns: PopulationColumns, from: Int, to: Int, strays: Strays): Boolean {
+    private fun pass(
+        population: SphereColumns,
+        columns: PopulationColumns,
+        from: Int,
+        to: Int,
+        strays: Strays,
+    ): Boolean {
         val x = population.x
         val y = population.y
         val z = population.z

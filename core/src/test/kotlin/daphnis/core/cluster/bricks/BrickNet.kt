@@ -3,12 +3,12 @@ package daphnis.core.cluster.bricks
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.cluster.bricks.Cuts.Companion.AXES
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.cluster.bricks.Cuts.Companion.AXES
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep

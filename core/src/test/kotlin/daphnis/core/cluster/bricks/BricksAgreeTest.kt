@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 
-
 /** Bricks of every shape and with halos of every width against the serial engine. */
 @Timeout(600)
 class BricksAgreeTest {

@@ -88,7 +88,11 @@ class TerritoryTest {
         assertEquals(1, (0..2).map { t.ownerOf(1.0, 0.0, 0.0) }.distinct().size)
         assertEquals(
             1,
-            Territory(CutPlaces(same, Periodic(box)).choose(BrickDivision(1, 1, 1), Bodies(), DoubleArray(3)), Open, 1).size,
+            Territory(
+                CutPlaces(same, Periodic(box)).choose(BrickDivision(1, 1, 1), Bodies(), DoubleArray(3)),
+                Open,
+                1,
+            ).size,
         )
     }
 
@@ -107,7 +111,7 @@ class TerritoryTest {
                 val vicinity = Vicinity(t, home)
                 vicinity.prepare(widths)
                 for (k in 0 until spheres.size) {
-                    vicinity.look(spheres, k)
+                    vicinity.look(spheres.x[k], spheres.y[k], spheres.z[k], spheres.radius[k])
                     assertEquals(t.ownerOf(spheres.x[k], spheres.y[k], spheres.z[k]), vicinity.owner)
                     val others = List(vicinity.size) { vicinity.others[it] }
                     assertEquals(near(t, widths, spheres, k) - vicinity.owner, others.toSet())
