@@ -149,5 +149,5 @@ internal class BrickAhead(
 
     override fun giveBack(columns: PopulationColumns): Unit = brick.sets.giveBack(columns)
 
-    override fun take(columns: PopulationColumns): Unit = brick.take(columns, areSorted = epoch.order != null)
+    override fun take(columns: PopulationColumns): Unit = brick.sets.take(columns)
 }

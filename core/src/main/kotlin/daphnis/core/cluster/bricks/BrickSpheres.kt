@@ -173,12 +173,6 @@ internal class BrickSpheres :
         for (k in 0 until size) if (seen[k] == step - 1) left.add(k)
     }
 
-    /** From the next step on spheres are where [columns] have them, in another order if [areSorted]. */
-    fun take(columns: PopulationColumns, areSorted: Boolean) {
-        sets.take(columns)
-        if (areSorted) isIndexed = false
-    }
-
     /** Calls [use] with the place of each sphere that the brick owns. */
     inline fun forEachOwn(use: (k: Int) -> Unit) {
         for (k in 0 until size) if (isOwn(k)) use(k)
