@@ -128,8 +128,6 @@ internal class Slide private constructor(
             if (abs(gradient.value) > FLOW * gradient.error) Triple(normal, slide, gradient) else null
         }
 
-        private fun Snapshot.repeats(axis: Int) = periodic[axis] && !lengths[axis].isNaN()
-
         /** The rate that fits the displacements; null when none does, or several do. */
         private fun fitted(states: List<Snapshot>, normal: Int, slide: Int, gradient: Gradient): Double? {
             if (states.size < 2) return null

@@ -202,6 +202,66 @@ class ForeignFileTest {
     }
 
     @Test
+    fun `a frame twice may be wrapped otherwise, but not in another box`() {
+        fun frame(box: String, x: Double) =
+            "1\nLattice=\"$box\" Origin=\"-5 -5 -5\" Time=1 Properties=id:I:1:pos:R:3:radius:R:1\n1 $x 4 4 .1\n"
+        val box = "10 0 0 0 10 0 0 0 10"
+        val again = input(file("a.xyz", frame(box, 4.9) + frame(box, -5.1)))
+        assertEquals(1, again.size)
+        assertTrue(again.notices.any { "frame 1 is frame 0 again" in it }) { "${again.notices}" }
+        refused("frames 0 and 1", "differ") { input(file("b.xyz", frame(box, 4.9) + frame(box, -4.9))) }
+        for (other in listOf("10 0 0 0 10 0 0 0 12", "10 0 0 2 10 0 0 0 10")) {
+            val moved = frame(other, 4.9).replace("-5 -5 -5", if ("12" in other) "-5 -5 -6" else "-5 -5 -5")
+            refused("frames 0 and 1", "differ") { input(file("c.xyz", frame(box, 4.9) + moved)) }
+        }
+    }
+
+    @Test
+    fun `without ids particles are followed only where a format keeps their order and their number`() {
+        val box = "Lattice=\"10 0 0 0 10 0 0 0 10\""
+        fun xyz(k: Int, vararg x: Double) = "${x.size}\n$box Time=$k Properties=pos:R:3:map_shift:I:3\n" +
+            x.joinToString("") { "$it 1 1 0 0 0\n" }
+        assertTrue(input(file("a.xyz", xyz(0, 1.0, 2.0) + xyz(1, 1.0, 2.0))).snapshot(0).image != null)
+        val fewer = input(file("b.xyz", xyz(0, 1.0, 2.0) + xyz(1, 2.0)))
+        assertNull(fewer.snapshot(1).image)
+        assertTrue(fewer.notices.any { "has no ids, and the number of particles changes" in it }) { "${fewer.notices}" }
+        fun dump(k: Int, id: String, value: String) = "ITEM: TIME\n$k\nITEM: TIMESTEP\n$k\nITEM: NUMBER OF ATOMS\n1\n" +
+            "ITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS ${id}xu yu zu\n${value}1 2 ${30 * k}\n"
+        val silent = input(file("a.dump", dump(0, "", "") + dump(1, "", "")))
+        assertNull(silent.snapshot(1).image)
+        assertTrue(silent.notices.any { "has no ids, and LAMMPS changes the order" in it }) { "${silent.notices}" }
+        val known = input(file("b.dump", dump(0, "id ", "7 ") + dump(1, "id ", "7 ")))
+        assertEquals(3, known.snapshot(1).image!![2][0])
+        assertTrue(known.notices.none { "no ids" in it }) { "${known.notices}" }
+        assertTrue(input(file("c.dump", dump(0, "", ""))).notices.none { "no ids" in it })
+    }
+
+    @Test
+    fun `spheres beyond a face that does not repeat are in the box and said`() {
+        fun frame(k: Int, z: Double, faces: String) = "2\nLattice=\"9 0 0 0 9 0 0 0 9\" Time=$k pbc=\"$faces\" " +
+            "Properties=id:I:1:pos:R:3:radius:R:1\n1 1 1 1 .5\n2 4 4 $z .5\n"
+        val slab = input(file("a.xyz", frame(0, -3.0, "T T F") + frame(1, 12.0, "T T F")))
+        for (k in 0..1) {
+            val box = slab.state(k).boundary.box
+            assertEquals(listOf(-8.0, 8.0), listOf(box.lower(2), box.upper(2)))
+            assertEquals(9.0, box.length(0))
+        }
+        assertTrue(
+            slab.notices.any {
+                "particle 2 at z = -3.0 in frame 0 is outside the box" in it
+            },
+        ) { "${slab.notices}" }
+        val inside = input(file("b.xyz", frame(0, 0.0, "T T F") + frame(1, 9.0, "T T F")))
+        assertEquals(4.5, inside.state(1).boundary.box.upper(2))
+        assertTrue(inside.notices.none { "outside" in it })
+        // What has no box ends with the last state, as it does for a run in open space.
+        val head = "2\nProperties=id:I:1:pos:R:3:radius:R:1 Time="
+        val open = input(file("c.xyz", "${head}0\n1 1 1 1 .5\n2 4 4 9 .5\n${head}1\n1 1 1 1 .5\n2 4 4 4 .5\n"))
+        assertEquals(4.5, open.state(0).boundary.box.upper(2))
+        assertTrue(open.notices.any { "frame 0 are outside that around the last state" in it }) { "${open.notices}" }
+    }
+
+    @Test
     fun `frames of one time differ by parts of the box, and by velocities, radii and masses`() {
         fun frame(edge: Double, x: Double, of: String = "3 4 5 1e-8 2") =
             "2\nLattice=\"$edge 0 0 0 $edge 0 0 0 $edge\" Time=0 Properties=pos:R:3:velo:R:3:radius:R:1:mass:R:1\n" +

@@ -26,11 +26,13 @@ internal class XyzReader(
         val commentLine = lines.number
         val rows = ParticleRows(n)
         rows.known += frame.columns.known
+        rows.hasId = XyzColumns.ID in frame.columns
         if (XyzColumns.IMAGE in frame.columns) rows.image = Array(3) { IntArray(n) }
         for (k in 0 until n) {
             val line = lines.next() ?: lines.fail("the file is cut short: $n particles are declared, $k are there")
             val cells = words.split(line)
-            if (cells.size < frame.columns.width) {
+            val tooMany = frame.isNamed && cells.size > frame.columns.width
+            if (tooMany || cells.size < frame.columns.width) {
                 lines.fail("${cells.size} values, Properties has ${frame.columns.width}")
             }
             set(rows, k, cells, frame.columns)
@@ -76,6 +78,8 @@ internal class XyzReader(
 
     /** What the [comment] of a frame says. */
     private inner class Frame(comment: XyzComment, number: Int) {
+        /** Whether the file names its columns; plain XYZ may have more behind the places. */
+        val isNamed = comment["properties"] != null
         val columns = XyzColumns(comment["properties"] ?: "species:S:1:pos:R:3", lines::fail)
         val scale = comment["scale"]?.let { words.number(it) } ?: 1.0
         val time: Double? = comment["time"]?.let { words.number(it) }
