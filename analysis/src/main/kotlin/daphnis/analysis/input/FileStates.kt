@@ -196,8 +196,8 @@ internal class FileStates(
         if (states.size < 2 || states.all { it.hasId }) return true
         val isSameNumber = states.all { it.size == states[0].size }
         if (isSameNumber && SnapshotFormats.of(path).keeps.keepsOrder) return true
-        val why = if (isSameNumber) "and LAMMPS changes the order of particles" else "and the number of particles changes"
-        notices += "$path has no ids, $why: none is followed, so there is no diffusion"
+        val why = if (isSameNumber) "LAMMPS changes the order of particles" else "the number of particles changes"
+        notices += "$path has no ids, and $why: none is followed, so there is no diffusion"
         return false
     }
 
