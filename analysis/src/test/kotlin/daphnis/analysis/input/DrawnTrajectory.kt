@@ -32,7 +32,13 @@ internal class DrawnTrajectory(seed: Long) {
     /** A lean that stands still. */
     private val lean = if (axes != null && rate == 0.0) pick(2.5, -1.5, 6.0) else 0.0
     private val grows = rate == 0.0 && chance(40)
-    val every: Double = pick(0.1, 0.25, 1.0)
+    val every: Double = pick(0.1, 0.25, 1.0, 2.3, 20.0)
+
+    /** Whether the displacement of images goes on beyond a box. */
+    private val goesOn = chance(30)
+
+    /** Velocities around the flow. */
+    val thermal: Double = pick(0.05, 0.2, 1.0)
     val firstStep: Long = pick(0L, 0L, 700L)
     private val edges = doubleArrayOf(10.0, pick(10.0, 14.0), pick(10.0, 12.0))
     private val corner = DoubleArray(3) { pick(0.0, 0.0, -5.0, 3.25, 105.0, -41.5) }
@@ -66,7 +72,7 @@ internal class DrawnTrajectory(seed: Long) {
             Array(3) { axis ->
                 DoubleArray(count) { k ->
                     val flow = if (axes != null && axis == axes.second) rate * boxed[axes.first][k] else 0.0
-                    random.nextGaussian() * 0.2 + flow
+                    random.nextGaussian() * thermal + flow
                 }
             }
         }
@@ -86,7 +92,7 @@ internal class DrawnTrajectory(seed: Long) {
         val (normal, slide) = axes ?: return 0.0
         val length = edge(t, slide)
         val raw = lean + rate * edge(t, normal) * time(t)
-        return if (rate == 0.0) raw else raw - length * Math.rint(raw / length)
+        return if (rate == 0.0 || goesOn) raw else raw - length * Math.rint(raw / length)
     }
 
     /** Edges by row. */

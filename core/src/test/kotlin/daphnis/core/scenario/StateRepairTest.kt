@@ -173,7 +173,10 @@ class StateRepairTest {
     fun `a sphere that sticks into a wall shrinks or is moved off it`() {
         val walls = "{\"type\":\"walls\",\"axes\":\"z\"}"
         val text = dump("pp pp ff\n0 10\n0 10\n0 10", "1 5 5 0.499 0 0 1 0.5 1", "2 5 5 8 0 0 1 0.5 1")
-        refused("particle 1 at z = 0.499 with radius 0.5 reaches out of the box, z from 0.0 to 10.0", "placement.overlaps") {
+        refused(
+            "particle 1 at z = 0.499 with radius 0.5 reaches out of the box, z from 0.0 to 10.0",
+            "placement.overlaps",
+        ) {
             setup(text, "", walls)
         }
         val out = dump("pp pp ff\n0 10\n0 10\n0 10", "1 5 5 -0.2 0 0 1 0.5 1")
