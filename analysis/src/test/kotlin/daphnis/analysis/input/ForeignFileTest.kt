@@ -364,6 +364,55 @@ class ForeignFileTest {
     }
 
     @Test
+    fun `a box that leans more and more slides, also where velocities do not tell how fast`() {
+        fun without(states: List<Snapshot>) = file(
+            "still.xyz",
+            Files.readString(export("xyz", states)).lines().joinToString("\n") { line ->
+                val words = line.split(' ')
+                if ("Lattice" in line) line.replace(":velo:R:3", "") else (words.take(4) + words.drop(7)).joinToString(" ")
+            },
+        )
+        val silent = input(without(sheared(0.3, List(5) { it * 0.5 })))
+        assertFalse(silent.hasVelocities)
+        assertEquals(0.3, silent.state(0).boundary.meanFlow!!.rate, 1e-9)
+        assertTrue(silent.notices.any { "the slowest with which the box leans" in it }) { "${silent.notices}" }
+        // Of two states, or no steady slide, nothing tells how fast; still nothing diffuses along it.
+        for (times in listOf(listOf(0.0, 0.5), listOf(0.0, 0.5, 0.6, 3.9))) {
+            val states = sheared(0.3, times).mapIndexed { k, it ->
+                with(it) { snapshot(step, 0.5 * k, position, velocity, offset = shearOffset) }
+            }
+            val unknown = input(without(states))
+            assertEquals(0.0, unknown.state(0).boundary.meanFlow!!.rate)
+            assertEquals(0, unknown.state(0).boundary.meanFlow!!.flowAxis)
+            assertTrue(unknown.notices.any { "nothing tells how fast" in it }) { "${unknown.notices}" }
+            for ((k, s) in states.withIndex()) {
+                assertEquals(s.shearOffset, unknown.state(k).boundary.shear!!.offset(s.time), 1e-12)
+            }
+        }
+    }
+
+    @Test
+    fun `a cell that leans by more than a box is wrapped, and its places are not taken as unwrapped`() {
+        val walk = walk(12, 0.5)
+        val states = walk.mapIndexed { k, p ->
+            val offset = 4.0 * k
+            val y = DoubleArray(40) { Math.IEEEremainder(p[1][it], 10.0) }
+            // Wrapped along the edges of the cell, as LAMMPS does it.
+            val x = DoubleArray(40) { i ->
+                val start = (y[i] / 10 + 0.5) * offset
+                start + Math.IEEEremainder(p[0][i] - Math.rint(p[1][i] / 10) * offset - start, 10.0)
+            }
+            val z = DoubleArray(40) { Math.IEEEremainder(p[2][it], 10.0) }
+            snapshot(k.toLong(), k.toDouble(), arrayOf(x, y, z), offset = offset)
+        }
+        for (word in listOf("xyz", "h5md", "lammps")) {
+            val input = input(export(word, states))
+            assertNull(input.snapshot(3).image) { word }
+            assertTrue(input.notices.none { "unwrapped" in it }) { "${input.notices}" }
+        }
+    }
+
+    @Test
     fun `a flow in a box that says nothing is doubted in words`() {
         val input = input(export("xyz", sheared(1.0, listOf(0.0))))
         assertNull(input.state(0).boundary.shear)
