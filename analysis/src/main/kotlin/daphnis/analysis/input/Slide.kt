@@ -35,8 +35,9 @@ internal class Slide private constructor(
             From.LEAN -> "$number, from how far the box leans in each state"
             From.UPRIGHT -> "$number, from the velocities of the particles, as the box is upright in every state"
             From.SLOWEST -> "$number, the slowest with which the box leans as it does in each state"
-            From.NOTHING -> return "$path: images slide $way, and nothing tells how fast: temperatures are around the " +
-                "line that fits the velocities, and there is no diffusion along it; ${WayOut.GIVE_SCENARIO.words}"
+            From.NOTHING ->
+                return "$path: images slide $way, and nothing tells how fast: temperatures are around the " +
+                    "line that fits the velocities, and there is no diffusion along it; ${WayOut.GIVE_SCENARIO.words}"
         }
         return "$path: images slide $way, and the file does not say how fast: the shear rate is taken as $from; " +
             WayOut.GIVE_SCENARIO.words

@@ -369,7 +369,13 @@ class ForeignFileTest {
             "still.xyz",
             Files.readString(export("xyz", states)).lines().joinToString("\n") { line ->
                 val words = line.split(' ')
-                if ("Lattice" in line) line.replace(":velo:R:3", "") else (words.take(4) + words.drop(7)).joinToString(" ")
+                if ("Lattice" in
+                    line
+                ) {
+                    line.replace(":velo:R:3", "")
+                } else {
+                    (words.take(4) + words.drop(7)).joinToString(" ")
+                }
             },
         )
         val silent = input(without(sheared(0.3, List(5) { it * 0.5 })))

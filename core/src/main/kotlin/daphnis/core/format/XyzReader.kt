@@ -100,7 +100,10 @@ internal class XyzReader(
                 val origin = comment.list("origin")?.let { numbers("Origin", it, 3) } ?: DoubleArray(3)
                 FileCell(DoubleArray(3) { origin[it] / scale }, edges, periodic(comment))
             }
-            cell.normalAxis { lines.fail("Lattice: $it") }
+            val isLeaning = cell.normalAxis { lines.fail("Lattice: $it") } >= 0
+            if (isLeaning && NESTED.containsMatchIn(comment["lattice"].orEmpty())) {
+                lines.fail("Lattice leans and is a list of lists, by row or by column; write nine numbers, by row")
+            }
         }
 
         private fun step(text: String): Long =
@@ -131,6 +134,9 @@ internal class XyzReader(
 
     private companion object {
         const val CELL = 9
+
+        /** A list of lists, which programs fill by row or by column. */
+        val NESTED = Regex("""[\[{(]\s*+[\[{(]""")
         val TRUE = setOf("t", "true", "1", "yes", "periodic")
         val FALSE = setOf("f", "false", "0", "no", "none")
     }

@@ -60,6 +60,16 @@ class SilentMisreadingTest {
         assertEquals(1.0, read("a.xyz", "1\nwater\nO 1 2 3 0.5\n").single().position[0][0])
     }
 
+    @Test
+    fun `a lattice of lists is read where rows and columns are the same, and refused where it leans`() {
+        val upright = read("a.xyz", "1\nLattice=[[9, 0, 0], [0, 8, 0], [0, 0, 7]]\nX 1 2 3\n").single()
+        assertEquals(listOf(9.0, 8.0, 7.0), upright.lengths.asList())
+        refused("a.xyz:2", "by row or by column") {
+            read("a.xyz", "1\nLattice=[[9, 0, 0], [2, 8, 0], [0, 0, 7]]\nX 1 2 3\n")
+        }
+        assertEquals(2.0, read("a.xyz", "1\nLattice=[9, 0, 0, 2, 8, 0, 0, 0, 7]\nX 1 2 3\n").single().shearOffset)
+    }
+
     private fun data(atoms: String, masses: String = "") =
         "title\n\n1 atoms\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n" +
             "0 9 zlo zhi\n\n${masses}Atoms$atoms\n"
