@@ -34,6 +34,12 @@ internal class DrawnFiles(private val trajectory: DrawnTrajectory, private val h
     private fun says(words: String, frames: List<Int> = (0 until t.frames).toList(), hasTime: Boolean = this.hasTime) =
         Says("$words, $places", places, hasTime, hasVelocity, hasRadius, hasMass, frames)
 
+    /** Frames in the order of the file: a program that goes on from an earlier state writes some again. */
+    private val written: List<Int> = (0 until t.frames).toList().let { all ->
+        val again = t.pick(0, 0, 1, 2)
+        if (t.frames < 3) all else all.take(t.frames - 1) + all.drop(t.frames - 1 - again)
+    }
+
     /** Coordinates as the file has them, and flags. */
     private fun placed(frame: Int): Pair<Array<DoubleArray>, Array<IntArray>?> {
         val (wrapped, boxes) = t.wrapped(frame)
@@ -90,7 +96,7 @@ internal class DrawnFiles(private val trajectory: DrawnTrajectory, private val h
         if (t.chance(40)) columns.sortBy { it.first.hashCode() }
         val gap = t.pick(" ", "\t", "  ")
         val lines = ArrayList<String>()
-        for (f in 0 until t.frames) {
+        for (f in written) {
             if (f == 0 && t.chance(30)) lines += listOf("ITEM: UNITS", "lj")
             if (hasTime) lines += listOf("ITEM: TIME", "${t.time(f)}")
             lines += listOf("ITEM: TIMESTEP", "${t.step(f)}", "ITEM: NUMBER OF ATOMS", "${t.count}")
@@ -161,7 +167,7 @@ internal class DrawnFiles(private val trajectory: DrawnTrajectory, private val h
         if (places == Places.WITH_IMAGES) vector("map_shift:I:3") { f, a, k -> at[f].second!![a][k] }
         if (t.chance(40)) columns.sortBy { it.first.hashCode() }
         val lines = ArrayList<String>()
-        for (f in 0 until t.frames) {
+        for (f in written) {
             val lattice = t.cell(f).joinToString(" ") { row -> row.joinToString(" ") }
             val parts = mutableListOf(
                 "Lattice=" + t.pick("\"$lattice\"", "[${lattice.replace(" ", ", ")}]"),
@@ -180,9 +186,12 @@ internal class DrawnFiles(private val trajectory: DrawnTrajectory, private val h
         return text(t.pick("drawn.xyz", "drawn.extxyz"), lines) to says("xyz of ${columns.map { it.first }}")
     }
 
+    private inline fun <reified A> byFrame(of: (Int) -> A): Array<A> = Array(written.size) { of(written[it]) }
+
     private fun h5(): Pair<Path, Says> {
         val path = home.resolve("drawn.h5")
         Files.deleteIfExists(path)
+        val frames = written
         val orders = List(t.frames) { t.shuffled() }
         val centred = t.chance(50)
 
@@ -201,40 +210,32 @@ internal class DrawnFiles(private val trajectory: DrawnTrajectory, private val h
             val box = group.putGroup("box")
             box.putAttribute("dimension", 3)
             box.putAttribute("boundary", Array(3) { if (t.periodic[it]) "periodic" else "none" })
-            val steps = LongArray(t.frames) { t.step(it) }
+            val steps = LongArray(frames.size) { t.step(frames[it]) }
             fun element(name: String, value: Any) = group.putGroup(name).also {
                 it.putDataset("step", steps)
-                if (hasTime) it.putDataset("time", DoubleArray(t.frames) { f -> t.time(f) })
+                if (hasTime) it.putDataset("time", DoubleArray(frames.size) { t.time(frames[it]) })
                 it.putDataset("value", value)
             }
-            fun vectors(value: (Int, Int, Int) -> Double) = Array(t.frames) { f ->
+            fun vectors(value: (Int, Int, Int) -> Double) = byFrame { f ->
                 Array(t.count) { k -> DoubleArray(3) { a -> value(f, a, orders[f][k]) } }
             }
             val edges = box.putGroup("edges")
             edges.putDataset("step", steps)
             edges.putDataset(
                 "value",
-                if (t.axes ==
-                    null
-                ) {
-                    Array(t.frames) { f -> DoubleArray(3) { t.edge(f, it) } }
-                } else {
-                    Array(t.frames, t::cell)
-                },
+                if (t.axes == null) byFrame { f -> DoubleArray(3) { t.edge(f, it) } } else byFrame(t::cell),
             )
             element("position", vectors { f, a, k -> all[f].first[a][k] })
             if (hasVelocity) element("velocity", vectors { f, a, k -> t.velocity[f][a][k] })
             if (places == Places.WITH_IMAGES) {
-                element(
-                    "image",
-                    Array(t.frames) { f ->
-                        Array(t.count) { k -> IntArray(3) { a -> all[f].second!![a][orders[f][k]] } }
-                    },
-                )
+                val flags = byFrame { f ->
+                    Array(t.count) { k -> IntArray(3) { a -> all[f].second!![a][orders[f][k]] } }
+                }
+                element("image", flags)
             }
-            element("id", Array(t.frames) { f -> IntArray(t.count) { t.id[orders[f][it]] } })
-            if (hasMass) element("mass", Array(t.frames) { f -> DoubleArray(t.count) { t.mass[orders[f][it]] } })
-            if (hasRadius) element("radius", Array(t.frames) { f -> DoubleArray(t.count) { t.radius[orders[f][it]] } })
+            element("id", byFrame { f -> IntArray(t.count) { t.id[orders[f][it]] } })
+            if (hasMass) element("mass", byFrame { f -> DoubleArray(t.count) { t.mass[orders[f][it]] } })
+            if (hasRadius) element("radius", byFrame { f -> DoubleArray(t.count) { t.radius[orders[f][it]] } })
         }
         return path to says("h5, ${if (centred) "centred" else "from 0"}")
     }
