@@ -215,6 +215,9 @@ class StateRepairTest {
         refused("slid by 2.0 along x across y", "leans by 2.0 along y across x") {
             setup(along, ", \"time\": 0.4", sliding)
         }
+        val sheet = "{\"type\":\"hill-sheet\"}, \"frame\": {\"type\":\"hill\",\"angularSpeed\":0.1}"
+        refused("along y across x at time 2.0", "leans by 0.0") { setup(upright(row), ", \"time\": 2", sheet) }
+        setup(upright(row), ", \"time\": 20", sheet)
         refused("slid by 2.0", "leans by 0.0") { setup(upright(row), ", \"time\": 0.4", sliding) }
         setup(upright(row), ", \"time\": 2", sliding)
     }
