@@ -109,7 +109,7 @@ class PlacementFileTest {
 
     @Test
     fun `that a text may be cut within its last number is a notice, and it is taken as it is`() {
-        val whole = "x,y,z,radius,mass\n0,0,0,0.5,1\n3,0,0,0.25,1.5\n"
+        val whole = "x,y,z,vx,vy,vz,radius,mass\n0,0,0,1,0,0,0.5,1\n3,0,0,1,0,0,0.25,1.5\n"
         Files.writeString(home.resolve("a.csv"), whole)
         assertEquals("", daphnis("run", from("a.csv"), "--out", at("c"), "--quiet").err)
         Files.writeString(home.resolve("a.csv"), whole.dropLast(2))

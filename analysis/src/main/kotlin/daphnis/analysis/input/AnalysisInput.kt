@@ -245,7 +245,7 @@ public class AnalysisInput internal constructor(
                 DoubleArray(states.size) { states[it].time }, { states[it] },
                 { k -> boxes?.boundaries?.get(k) ?: around!!.boundary },
                 around?.angularSpeed, null, null, null, null,
-                file.notices + listOfNotNull(boxes?.notice), file.hasTimes, file.common, file.hasVelocities,
+                file.notices + boxes?.notices.orEmpty(), file.hasTimes, file.common, file.hasVelocities,
             )
         }
 

@@ -113,9 +113,14 @@ internal class FileStates(
 
     private fun number(state: Snapshot): Number = if (hasTimes) state.time else state.step
 
-    /** Whether two states are the same but for digits that a file may have lost. */
+    /**
+     * Whether two states are the same but for digits that a file may have lost, and boxes by which a particle was moved.
+     */
     private fun isSame(a: Snapshot, b: Snapshot): Boolean = a.id.contentEquals(b.id) &&
-        (0..2).all { isSame(a.position[it], b.position[it], extent(a, it)) } &&
+        isSame(a.lengths, b.lengths, 0.0) &&
+        a.periodic.contentEquals(b.periodic) &&
+        abs(a.shearOffset - b.shearOffset) <= SAME * extent(a, a.slideAxis) &&
+        (0..2).all { isSamePlace(a, b, it) } &&
         maxOf(largest(a.velocity[0]), largest(a.velocity[1]), largest(a.velocity[2])).let { speed ->
             (0..2).all { isSame(a.velocity[it], b.velocity[it], speed) }
         } &&
@@ -128,9 +133,20 @@ internal class FileStates(
 
     private fun largest(of: DoubleArray) = of.maxOf { abs(it) }
 
+    /** Whether places are the same, or whole boxes apart where the box repeats and is upright. */
+    private fun isSamePlace(a: Snapshot, b: Snapshot, axis: Int): Boolean {
+        val scale = extent(a, axis)
+        val isRound = a.periodic[axis] && a.lengths[axis] > 0 && a.shearOffset == 0.0
+        return a.id.indices.all { k ->
+            val moved = a.position[axis][k] - b.position[axis][k]
+            val rest = if (isRound) Math.IEEEremainder(moved, a.lengths[axis]) else moved
+            abs(rest) <= SAME * maxOf(scale, abs(a.position[axis][k]))
+        }
+    }
+
     /** @param scale of what may have lost digits, where it is more than the number itself */
     private fun isSame(a: DoubleArray, b: DoubleArray, scale: Double) =
-        a.indices.all { abs(a[it] - b[it]) <= SAME * maxOf(scale, abs(a[it])) }
+        a.indices.all { a[it].isNaN() && b[it].isNaN() || abs(a[it] - b[it]) <= SAME * maxOf(scale, abs(a[it])) }
 
     private fun common(states: List<Snapshot>): IntArray {
         val first = states[0].id
@@ -151,13 +167,20 @@ internal class FileStates(
 
     /** Every particle in the box, which is the scenario's where the file has none. */
     private fun placed(states: List<Snapshot>): List<Snapshot> {
-        val isUnwrapped = Unwrapping.isIn(states, common)
+        val canFollow = knowsWho(states)
+        val isUnwrapped = canFollow && Unwrapping.isIn(states, common)
         if (isUnwrapped && states.size > 1) {
             notices +=
                 "$path: places go on outside the box and are taken as unwrapped: displacements are their differences"
         }
         return states.mapIndexed { k, state ->
-            val known = if (isUnwrapped) state.unwrapped() else state
+            val known = if (isUnwrapped) {
+                state.unwrapped()
+            } else if (canFollow) {
+                state
+            } else {
+                state.unknownImages()
+            }
             if (given != null) {
                 val difference = BoxDifference.of(given, state, state.time, "frame $k of $path")
                 if (difference != null) throw InputException(source, difference.key, difference.problem)
@@ -166,6 +189,16 @@ internal class FileStates(
             val hasBox = (0..2).all { given?.repeats(it) != true || state.periodic[it] && !state.lengths[it].isNaN() }
             if (hasBox) known.folded() else known.folded(given)
         }
+    }
+
+    /** Whether a particle of one state is that of the same id in another. */
+    private fun knowsWho(states: List<Snapshot>): Boolean {
+        if (states.size < 2 || states.all { it.hasId }) return true
+        val isSameNumber = states.all { it.size == states[0].size }
+        if (isSameNumber && SnapshotFormats.of(path).keeps.keepsOrder) return true
+        val why = if (isSameNumber) "LAMMPS changes the order of particles" else "the number of particles changes"
+        notices += "$path has no ids, and $why: none is followed, so there is no diffusion"
+        return false
     }
 
     private fun withoutRadii(snapshot: Snapshot): String {

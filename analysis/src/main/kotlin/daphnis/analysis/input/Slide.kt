@@ -11,27 +11,33 @@ import kotlin.math.sqrt
  * the displacements o of images in the states, V (t − t₀) = o − o₀ up to whole boxes. Which whole number of boxes it is,
  * the velocities of the particles tell, whose gradient times the box is about V.
  *
- * @property rate shear rate, V over the box; 0 where images stand still
- * @property isExact whether it follows from the displacements, and not from the velocities alone
+ * @property rate shear rate, V over the box; 0 where images stand still, or where nothing tells it
+ * @property from what it follows from
  */
 internal class Slide private constructor(
     val normalAxis: Int,
     val slideAxis: Int,
     val rate: Double,
-    private val isExact: Boolean,
-    private val leans: Boolean,
+    private val from: From,
 ) {
-    val isMoving: Boolean get() = rate != 0.0
+    private enum class From { LEAN, UPRIGHT, SLOWEST, VELOCITIES, NOTHING }
+
+    /** Whether images slide, at a rate that may not be known. */
+    val isMoving: Boolean get() = rate != 0.0 || from == From.NOTHING
 
     /** One line about the file at [path]. */
     fun words(path: Path): String {
         val way = "along ${"xyz"[slideAxis]} across ${"xyz"[normalAxis]}"
         if (!isMoving) return "$path: the box leans $way, and no flow is seen: images are taken to stand still"
         val number = "%.6g".format(java.util.Locale.ROOT, rate)
-        val from = when {
-            !isExact -> "about $number, from the velocities of the particles"
-            leans -> "$number, from how far the box leans in each state"
-            else -> "$number, from the velocities of the particles, as the box is upright in every state"
+        val from = when (from) {
+            From.VELOCITIES -> "about $number, from the velocities of the particles"
+            From.LEAN -> "$number, from how far the box leans in each state"
+            From.UPRIGHT -> "$number, from the velocities of the particles, as the box is upright in every state"
+            From.SLOWEST -> "$number, the slowest with which the box leans as it does in each state"
+            From.NOTHING ->
+                return "$path: images slide $way, and nothing tells how fast: temperatures are around the " +
+                    "line that fits the velocities, and there is no diffusion along it; ${WayOut.GIVE_SCENARIO.words}"
         }
         return "$path: images slide $way, and the file does not say how fast: the shear rate is taken as $from; " +
             WayOut.GIVE_SCENARIO.words
@@ -92,19 +98,32 @@ internal class Slide private constructor(
         private fun leaning(state: Snapshot, states: List<Snapshot>, hasTimes: Boolean): Slide {
             val normal = state.normalAxis
             val slide = state.slideAxis
+            val knowsFlow = states.all { it.hasVelocity }
             val gradient = Gradient(states, normal, slide)
-            val exact = if (hasTimes) fitted(states, normal, slide, gradient) else null
-            val isFlow = abs(gradient.value) > WITHIN * gradient.error
-            val about = if (isFlow) gradient.value else 0.0
-            return Slide(normal, slide, exact ?: about, exact != null, leans = true)
+            val exact = if (hasTimes && knowsFlow) fitted(states, normal, slide, gradient) else null
+            if (exact != null) return Slide(normal, slide, exact, From.LEAN)
+            val isFlow = knowsFlow && abs(gradient.value) > WITHIN * gradient.error
+            if (isFlow) return Slide(normal, slide, gradient.value, From.VELOCITIES)
+            if (!isChanging(states, normal, slide)) return Slide(normal, slide, 0.0, From.LEAN)
+            // Where velocities are there and do not tell whole boxes apart, the slowest rate may be off by some.
+            val slowest = if (hasTimes && !knowsFlow && states.size > 2) fitted(states, normal, slide, null) else null
+            return Slide(normal, slide, slowest ?: 0.0, if (slowest == null) From.NOTHING else From.SLOWEST)
         }
+
+        /** Whether images are displaced otherwise, by more than whole boxes, in one state than in another. */
+        private fun isChanging(states: List<Snapshot>, normal: Int, slide: Int): Boolean {
+            val first = offset(states[0], normal) / states[0].lengths[slide]
+            return states.any { abs(Math.IEEEremainder(offset(it, normal) / it.lengths[slide] - first, 1.0)) > STEADY }
+        }
+
+        private fun offset(state: Snapshot, normal: Int) = if (state.normalAxis == normal) state.shearOffset else 0.0
 
         /** Images may have slid by whole boxes in every state. */
         private fun upright(states: List<Snapshot>, hasTimes: Boolean): Slide? {
-            if (!hasTimes || states.size < 2) return null
+            if (!hasTimes || states.size < 2 || states.any { !it.hasVelocity }) return null
             return flows(states).firstNotNullOfOrNull { (normal, slide, gradient) ->
                 val rate = fitted(states, normal, slide, gradient)
-                if (rate == null || rate == 0.0) null else Slide(normal, slide, rate, true, leans = false)
+                if (rate == null || rate == 0.0) null else Slide(normal, slide, rate, From.UPRIGHT)
             }
         }
 
@@ -128,21 +147,23 @@ internal class Slide private constructor(
             if (abs(gradient.value) > FLOW * gradient.error) Triple(normal, slide, gradient) else null
         }
 
-        private fun Snapshot.repeats(axis: Int) = periodic[axis] && !lengths[axis].isNaN()
-
-        /** The rate that fits the displacements; null when none does, or several do. */
-        private fun fitted(states: List<Snapshot>, normal: Int, slide: Int, gradient: Gradient): Double? {
+        /**
+         * The rate that fits the displacements; null when none does, or several do.
+         *
+         * @param gradient that of the velocities; null for the slowest rate that fits
+         */
+        private fun fitted(states: List<Snapshot>, normal: Int, slide: Int, gradient: Gradient?): Double? {
             if (states.size < 2) return null
             val height = states[0].lengths[normal]
             val length = states[0].lengths[slide]
             if (states.any { it.lengths[normal] != height || it.lengths[slide] != length }) return null
-            val error = WITHIN * gradient.error * height
+            val error = if (gradient == null) Double.POSITIVE_INFINITY else WITHIN * gradient.error * height
             val base = (1 until states.size).minBy { states[it].time - states[it - 1].time } - 1
-            fun offset(k: Int) = states[k].let { if (it.normalAxis == normal) it.shearOffset else 0.0 }
-            var velocity = gradient.value * height
+            fun offset(k: Int) = offset(states[k], normal)
+            var velocity = (gradient?.value ?: 0.0) * height
             val first = states[base + 1].time - states[base].time
             // Whole boxes between two states must be told apart by the velocities of the particles.
-            if (2.5 * error * first > length) return null
+            if (gradient != null && 2.5 * error * first > length) return null
             var longest = 0.0
             val others = states.indices.filter { it != base }.sortedBy { abs(states[it].time - states[base].time) }
             for (k in others) {

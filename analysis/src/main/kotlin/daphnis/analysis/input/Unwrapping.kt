@@ -40,14 +40,7 @@ internal class Unwrapping private constructor(states: List<Snapshot>, private va
         }
     }
 
-    /** Along the edge that leans, counted from where it is at that height. */
-    private fun place(state: Snapshot, k: Int): Double {
-        val edge = state.lengths[axis]
-        val place = state.position[axis][k] / edge
-        val height = state.lengths[state.normalAxis]
-        if (axis != state.slideAxis || state.shearOffset == 0.0 || !(height > 0)) return place
-        return place - state.shearOffset / edge * state.position[state.normalAxis][k] / height
-    }
+    private fun place(state: Snapshot, k: Int): Double = state.position[axis][k] / state.lengths[axis]
 
     /** Some place is not in a box that is centred. */
     private val isOutside get() = low < -0.5 || high > 0.5
@@ -59,12 +52,17 @@ internal class Unwrapping private constructor(states: List<Snapshot>, private va
         /**
          * Whether places in [states] are unwrapped, where no image says: along some axis they reach over far more than a
          * box, or some are outside and none jumps by more than half a box, so that displacements are their differences.
+         * Along an edge that leans places reach beyond a box, and jump, in any case, so the other axes tell.
          */
         fun isIn(states: List<Snapshot>, ids: IntArray): Boolean {
             if (states.any { it.image != null }) return false
-            val axes = (0..2).map { Unwrapping(states, it, ids) }
+            val axes = (0..2).filter { axis ->
+                states.none { it.slidesAlong(axis) }
+            }.map { Unwrapping(states, it, ids) }
             return axes.any { it.isBeyond } || axes.any { it.isOutside } && axes.all { it.jumps == 0L }
         }
+
+        private fun Snapshot.slidesAlong(axis: Int) = axis == slideAxis && shearOffset != 0.0 && periodic[normalAxis]
 
         /** Edges up to which places that jump may be those of a box and a little beyond. */
         private const val FAR = 1.5

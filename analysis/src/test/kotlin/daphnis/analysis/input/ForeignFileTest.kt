@@ -202,6 +202,66 @@ class ForeignFileTest {
     }
 
     @Test
+    fun `a frame twice may be wrapped otherwise, but not in another box`() {
+        fun frame(box: String, x: Double) =
+            "1\nLattice=\"$box\" Origin=\"-5 -5 -5\" Time=1 Properties=id:I:1:pos:R:3:radius:R:1\n1 $x 4 4 .1\n"
+        val box = "10 0 0 0 10 0 0 0 10"
+        val again = input(file("a.xyz", frame(box, 4.9) + frame(box, -5.1)))
+        assertEquals(1, again.size)
+        assertTrue(again.notices.any { "frame 1 is frame 0 again" in it }) { "${again.notices}" }
+        refused("frames 0 and 1", "differ") { input(file("b.xyz", frame(box, 4.9) + frame(box, -4.9))) }
+        for (other in listOf("10 0 0 0 10 0 0 0 12", "10 0 0 2 10 0 0 0 10")) {
+            val moved = frame(other, 4.9).replace("-5 -5 -5", if ("12" in other) "-5 -5 -6" else "-5 -5 -5")
+            refused("frames 0 and 1", "differ") { input(file("c.xyz", frame(box, 4.9) + moved)) }
+        }
+    }
+
+    @Test
+    fun `without ids particles are followed only where a format keeps their order and their number`() {
+        val box = "Lattice=\"10 0 0 0 10 0 0 0 10\""
+        fun xyz(k: Int, vararg x: Double) = "${x.size}\n$box Time=$k Properties=pos:R:3:map_shift:I:3\n" +
+            x.joinToString("") { "$it 1 1 0 0 0\n" }
+        assertTrue(input(file("a.xyz", xyz(0, 1.0, 2.0) + xyz(1, 1.0, 2.0))).snapshot(0).image != null)
+        val fewer = input(file("b.xyz", xyz(0, 1.0, 2.0) + xyz(1, 2.0)))
+        assertNull(fewer.snapshot(1).image)
+        assertTrue(fewer.notices.any { "has no ids, and the number of particles changes" in it }) { "${fewer.notices}" }
+        fun dump(k: Int, id: String, value: String) = "ITEM: TIME\n$k\nITEM: TIMESTEP\n$k\nITEM: NUMBER OF ATOMS\n1\n" +
+            "ITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS ${id}xu yu zu\n${value}1 2 ${30 * k}\n"
+        val silent = input(file("a.dump", dump(0, "", "") + dump(1, "", "")))
+        assertNull(silent.snapshot(1).image)
+        assertTrue(silent.notices.any { "has no ids, and LAMMPS changes the order" in it }) { "${silent.notices}" }
+        val known = input(file("b.dump", dump(0, "id ", "7 ") + dump(1, "id ", "7 ")))
+        assertEquals(3, known.snapshot(1).image!![2][0])
+        assertTrue(known.notices.none { "no ids" in it }) { "${known.notices}" }
+        assertTrue(input(file("c.dump", dump(0, "", ""))).notices.none { "no ids" in it })
+    }
+
+    @Test
+    fun `spheres beyond a face that does not repeat are in the box and said`() {
+        fun frame(k: Int, z: Double, faces: String) = "2\nLattice=\"9 0 0 0 9 0 0 0 9\" Time=$k pbc=\"$faces\" " +
+            "Properties=id:I:1:pos:R:3:radius:R:1\n1 1 1 1 .5\n2 4 4 $z .5\n"
+        val slab = input(file("a.xyz", frame(0, -3.0, "T T F") + frame(1, 12.0, "T T F")))
+        for (k in 0..1) {
+            val box = slab.state(k).boundary.box
+            assertEquals(listOf(-8.0, 8.0), listOf(box.lower(2), box.upper(2)))
+            assertEquals(9.0, box.length(0))
+        }
+        assertTrue(
+            slab.notices.any {
+                "particle 2 at z = -3.0 in frame 0 is outside the box" in it
+            },
+        ) { "${slab.notices}" }
+        val inside = input(file("b.xyz", frame(0, 0.0, "T T F") + frame(1, 9.0, "T T F")))
+        assertEquals(4.5, inside.state(1).boundary.box.upper(2))
+        assertTrue(inside.notices.none { "outside" in it })
+        // What has no box ends with the last state, as it does for a run in open space.
+        val head = "2\nProperties=id:I:1:pos:R:3:radius:R:1 Time="
+        val open = input(file("c.xyz", "${head}0\n1 1 1 1 .5\n2 4 4 9 .5\n${head}1\n1 1 1 1 .5\n2 4 4 4 .5\n"))
+        assertEquals(4.5, open.state(0).boundary.box.upper(2))
+        assertTrue(open.notices.any { "frame 0 are outside that around the last state" in it }) { "${open.notices}" }
+    }
+
+    @Test
     fun `frames of one time differ by parts of the box, and by velocities, radii and masses`() {
         fun frame(edge: Double, x: Double, of: String = "3 4 5 1e-8 2") =
             "2\nLattice=\"$edge 0 0 0 $edge 0 0 0 $edge\" Time=0 Properties=pos:R:3:velo:R:3:radius:R:1:mass:R:1\n" +
@@ -301,6 +361,61 @@ class ForeignFileTest {
         val gas = input(export("xyz", sheared(0.0, List(5) { it * 1.0 })))
         assertNull(gas.state(0).boundary.shear)
         assertEquals(emptyList<String>(), gas.notices)
+    }
+
+    @Test
+    fun `a box that leans more and more slides, also where velocities do not tell how fast`() {
+        fun without(states: List<Snapshot>) = file(
+            "still.xyz",
+            Files.readString(export("xyz", states)).lines().joinToString("\n") { line ->
+                val words = line.split(' ')
+                if ("Lattice" in
+                    line
+                ) {
+                    line.replace(":velo:R:3", "")
+                } else {
+                    (words.take(4) + words.drop(7)).joinToString(" ")
+                }
+            },
+        )
+        val silent = input(without(sheared(0.3, List(5) { it * 0.5 })))
+        assertFalse(silent.hasVelocities)
+        assertEquals(0.3, silent.state(0).boundary.meanFlow!!.rate, 1e-9)
+        assertTrue(silent.notices.any { "the slowest with which the box leans" in it }) { "${silent.notices}" }
+        // Of two states, or no steady slide, nothing tells how fast; still nothing diffuses along it.
+        for (times in listOf(listOf(0.0, 0.5), listOf(0.0, 0.5, 0.6, 3.9))) {
+            val states = sheared(0.3, times).mapIndexed { k, it ->
+                with(it) { snapshot(step, 0.5 * k, position, velocity, offset = shearOffset) }
+            }
+            val unknown = input(without(states))
+            assertEquals(0.0, unknown.state(0).boundary.meanFlow!!.rate)
+            assertEquals(0, unknown.state(0).boundary.meanFlow!!.flowAxis)
+            assertTrue(unknown.notices.any { "nothing tells how fast" in it }) { "${unknown.notices}" }
+            for ((k, s) in states.withIndex()) {
+                assertEquals(s.shearOffset, unknown.state(k).boundary.shear!!.offset(s.time), 1e-12)
+            }
+        }
+    }
+
+    @Test
+    fun `a cell that leans by more than a box is wrapped, and its places are not taken as unwrapped`() {
+        val walk = walk(12, 0.5)
+        val states = walk.mapIndexed { k, p ->
+            val offset = 4.0 * k
+            val y = DoubleArray(40) { Math.IEEEremainder(p[1][it], 10.0) }
+            // Wrapped along the edges of the cell, as LAMMPS does it.
+            val x = DoubleArray(40) { i ->
+                val start = (y[i] / 10 + 0.5) * offset
+                start + Math.IEEEremainder(p[0][i] - Math.rint(p[1][i] / 10) * offset - start, 10.0)
+            }
+            val z = DoubleArray(40) { Math.IEEEremainder(p[2][it], 10.0) }
+            snapshot(k.toLong(), k.toDouble(), arrayOf(x, y, z), offset = offset)
+        }
+        for (word in listOf("xyz", "h5md", "lammps")) {
+            val input = input(export(word, states))
+            assertNull(input.snapshot(3).image) { word }
+            assertTrue(input.notices.none { "unwrapped" in it }) { "${input.notices}" }
+        }
     }
 
     @Test

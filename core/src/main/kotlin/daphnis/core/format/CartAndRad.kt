@@ -42,7 +42,7 @@ public object CartAndRad : ReadableFormat, WritableFormat {
         if (population.size > 0 && bytes.size.toLong() == size(population.size, true)) {
             notices += "$path has spins, which are not used: spheres here are smooth"
         }
-        val snapshot = Snapshot.of(population, Open, 0, 0.0, hasMass = false).with(hasTime = false)
+        val snapshot = Snapshot.of(population, Open, 0, 0.0, hasMass = false).with(hasTime = false, hasId = false)
         SnapshotCheck.check(snapshot, "$path")
         return listOf(snapshot)
     }

@@ -46,7 +46,8 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
             out.append("Origin=\"${-l[0] / 2} ${-l[1] / 2} ${-l[2] / 2}\" ")
         }
         val properties = SphereQuantity.EXPORTED.joinToString(":") { "${it.xyz[0]}:R:${it.columns.size}" }
-        out.append("Properties=species:S:1:$properties:id:I:1 ")
+        val shift = if (snapshot.image == null) "" else ":${XyzColumns.IMAGE[0]}:I:3"
+        out.append("Properties=species:S:1:$properties:id:I:1$shift ")
         out.append("Time=${snapshot.time} Step=${snapshot.step} Scale=$scale ")
         out.append("pbc=\"${snapshot.periodic.joinToString(" ") { if (it) "T" else "F" }}\"\n")
         val columns = SphereQuantity.EXPORTED.flatMap { quantity ->
@@ -55,7 +56,9 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
         for (k in 0 until snapshot.size) {
             out.append('X')
             for ((column, factor) in columns) out.append(' ').append((column[k] * factor).toString())
-            out.append(' ').append(snapshot.id[k].toString()).append('\n')
+            out.append(' ').append(snapshot.id[k].toString())
+            snapshot.image?.forEach { out.append(' ').append(it[k].toString()) }
+            out.append('\n')
         }
     }
 

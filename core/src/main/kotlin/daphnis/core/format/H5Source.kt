@@ -90,6 +90,14 @@ internal class H5Source(private val path: Path) : AutoCloseable {
     /** Whether [name] is a dataset of one number, without extents. */
     fun isScalar(name: String): Boolean = (find(name) as? Dataset)?.dimensionsAsLong?.isEmpty() == true
 
+    /** The steps of [count] frames in the dataset [name]: listed, or in fixed intervals. */
+    fun steps(name: String, count: Int): LongArray {
+        if (!isScalar(name)) return longs(name, listOf(count.toLong()))
+        val interval = longs(name, emptyList())[0]
+        val offset = offset(name, "offset").toLong()
+        return LongArray(count) { offset + it * interval }
+    }
+
     /** The number in attribute [attribute] of [name], of any type; 0 when it has none. */
     fun offset(name: String, attribute: String): Double =
         (find(name)?.getAttribute(attribute)?.data as? Number)?.toDouble() ?: 0.0

@@ -53,11 +53,7 @@ internal class H5mdBox(private val source: H5Source, all: String, private val pa
         if (isFixed) return IntArray(steps.size)
         val count = source.shape(name)[0]
         val stepName = "$edges/step"
-        val given = if (source.has(stepName) && !source.isScalar(stepName)) {
-            source.longs(stepName, listOf(count))
-        } else {
-            steps
-        }
+        val given = if (source.has(stepName)) source.steps(stepName, Math.toIntExact(count)) else steps
         if (given.size.toLong() != count) {
             throw FormatException("$path: $name has $count frames, positions have ${steps.size}")
         }

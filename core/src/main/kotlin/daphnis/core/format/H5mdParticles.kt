@@ -100,7 +100,7 @@ internal class H5mdParticles(
             SphereQuantity.EXPORTED.flatMap { it.columns.indices.map { c -> column(it, c) } }.toTypedArray(),
             head.lean.normalAxis, head.lean.slideAxis, vectors.keys + numbers.filterValues { it != null }.keys,
             image?.let { data -> Array(3) { axis -> IntArray(count) { data[cube(t, order[it], axis)] } } },
-            head.hasTime, head.shift,
+            head.hasTime, head.shift, id != null,
         )
     }
 

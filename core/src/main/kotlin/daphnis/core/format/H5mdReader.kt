@@ -36,6 +36,7 @@ internal class H5mdReader(
         // HDF5 as it is written here has no datasets of size 0, so a state without particles has no values at all.
         val hasParticles = PARTS.any { source.has("$all/$it") }
         val particles = if (hasParticles) H5mdParticles(source, all, path, count) else null
+        for (part in source.names(all)) if (part in USED) times.requireSame(part, steps)
         val shifts = if (isOwn) null else particles?.centre(cells)
         val snapshots = steps.indices.map { t ->
             val head = H5mdParticles.Head(

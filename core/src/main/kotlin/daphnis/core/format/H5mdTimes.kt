@@ -13,9 +13,16 @@ internal class H5mdTimes(private val source: H5Source, private val all: String, 
         val name = "$all/position/step"
         if (!source.has(name) && hasValues) return LongArray(frames()) { it.toLong() }
         if (!source.isScalar(name)) return source.longs(name, one(name))
-        val interval = source.longs(name, emptyList())[0]
-        val offset = source.offset(name, "offset").toLong()
-        return LongArray(frames()) { offset + it * interval }
+        return source.steps(name, frames())
+    }
+
+    /** Refuses what is stored at other [steps] than positions: it would be of other moments. */
+    fun requireSame(part: String, steps: LongArray) {
+        val name = "$all/$part/step"
+        if (!source.has(name)) return
+        val own = source.steps(name, steps.size)
+        val k = steps.indices.find { own[it] != steps[it] } ?: return
+        fail("$name is ${own[k]} in frame $k, where positions are of step ${steps[k]}")
     }
 
     /** @param steps of the same frames */

@@ -38,7 +38,7 @@ internal class LammpsColumns(private val names: List<String>, fail: (String) -> 
     val position = IntArray(3) { names.indexOf("xyz"[it] + kind[it]) }
 
     /** Boxes crossed; −1 along axes whose positions are those without a box. */
-    val image = IntArray(3) { if (isUnwrapped(it)) -1 else names.indexOf("i" + "xyz"[it]) }
+    val image = IntArray(3) { if (isUnwrapped(it)) -1 else names.indexOf(IMAGE[it]) }
 
     /** Whether the position along [axis] is in units of the box. */
     fun isScaled(axis: Int): Boolean = kind[axis].startsWith("s")
@@ -53,13 +53,16 @@ internal class LammpsColumns(private val names: List<String>, fail: (String) -> 
     /** The names of columns that are not read and mean something to LAMMPS' dynamics. */
     fun unused(): List<String> {
         val read = (position + image).toSet() + places.values.flatMap { it.asList() } + setOf(id, diameter)
-        val others = (0..2).flatMap { axis -> (KINDS + "i").map { "${"xyz"[axis]}$it" } + "i${"xyz"[axis]}" }
+        val others = (0..2).flatMap { axis -> KINDS.map { "${"xyz"[axis]}$it" } } + IMAGE
         return names.filterIndexed { k, name -> k !in read && name !in SILENT && name !in others }
     }
 
     companion object {
         /** A column with the ids of daphnis, which are from 0; named as LAMMPS names one of a user's own. */
         const val OWN_ID = "i_daphnis"
+
+        /** Boxes crossed along each axis. */
+        val IMAGE = listOf("ix", "iy", "iz")
 
         /** What may stand behind x, y and z; what tells most is first. */
         private val KINDS = listOf("u", "su", "", "s")

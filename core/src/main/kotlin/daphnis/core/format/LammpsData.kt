@@ -18,5 +18,5 @@ public object LammpsData : ReadableFormat {
 
     /** Reads [path] as a state at time 0. @throws FormatException that names the line of the error */
     override fun read(path: Path, notices: MutableList<String>): List<Snapshot> =
-        TextLines(path).use { listOf(LammpsDataReader(it, path).snapshot()) }
+        TextLines(path).use { listOf(LammpsDataReader(it, path, notices).snapshot()) }
 }

@@ -3,8 +3,16 @@ package daphnis.core.format
 import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
-/** Reads a LAMMPS data file. */
-internal class LammpsDataReader(private val lines: TextLines, private val path: Path) {
+/**
+ * Reads a LAMMPS data file.
+ *
+ * @param notices receives what is taken where the file does not say it
+ */
+internal class LammpsDataReader(
+    private val lines: TextLines,
+    private val path: Path,
+    private val notices: MutableList<String>,
+) {
     private val words = LineWords(lines)
     private val low = DoubleArray(3)
     private val high = DoubleArray(3)
@@ -75,6 +83,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
         val n = count ?: lines.fail("the header has no line 'N atoms'")
         if (rows != null) lines.fail("a second section Atoms")
         val rows = ParticleRows(n).also { this.rows = it }
+        rows.hasId = true
         for (k in 0 until n) {
             val cells = words.split(row(n, k))
             val widths = STYLES[style]
@@ -85,6 +94,7 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
                     "${cells.size} values; an atom of style ${style ?: "sphere or atomic"} has ${known.sorted()}",
                 )
             }
+            if (style == null && k == 0) guess(isSphere, cells.size)
             isAtomic = !isSphere
             rows.id[k] = words.id(cells[0])
             places[rows.id[k]] = k
@@ -99,6 +109,18 @@ internal class LammpsDataReader(private val lines: TextLines, private val path: 
         }
         if (!isAtomic) rows.known += listOf(SphereQuantity.RADIUS, SphereQuantity.MASS)
         return section()
+    }
+
+    /** Other styles have as many columns, of other meaning, and need masses of types, which spheres do not have. */
+    private fun guess(isSphere: Boolean, width: Int) {
+        if (isSphere && massOfType.isNotEmpty()) {
+            lines.fail(
+                "an atom of $width values in a file with Masses may be of several styles; " +
+                    "write which behind Atoms, such as Atoms # sphere",
+            )
+        }
+        val columns = if (isSphere) "id type diameter density x y z" else "id type x y z"
+        notices += "$path: Atoms does not name its style; $width values are taken as $columns"
     }
 
     private fun sphere(rows: ParticleRows, k: Int, cells: List<String>) {

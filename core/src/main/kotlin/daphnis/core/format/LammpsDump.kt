@@ -9,15 +9,18 @@ import java.nio.file.Path
 
 /**
  * The text format of LAMMPS' `dump custom`, which OVITO and VMD read too: any number of states, each with the box and a
- * table of particles whose columns are named. Sliding images are a tilted box: `xy` when they slide along x, a general
- * triclinic one (`abc origin`) along y.
+ * table of particles whose columns are named, boxes crossed among them (`ix iy iz`) where they are known. Sliding
+ * images are a tilted box: `xy` when they slide along x, a general triclinic one (`abc origin`) along y.
  */
 public object LammpsDump : ReadableFormat, WritableFormat {
     override val title: String = "LAMMPS dump"
     override val extensions: List<String> = listOf("lammpstrj", "dump")
     override val prefix: String = "dump."
     override val isText: Boolean = true
-    override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = true)
+
+    /** LAMMPS writes particles as its processors have them, which changes as they move. */
+    override val keeps: Kept =
+        Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = true, keepsOrder = false)
     override val word: String = "lammps"
     override val programs: String = "LAMMPS, OVITO"
 
@@ -52,10 +55,12 @@ public object LammpsDump : ReadableFormat, WritableFormat {
         val own = if (isFromZero) " ${LammpsColumns.OWN_ID}" else ""
         val names = SphereQuantity.EXPORTED.flatMap { it.columns }.joinToString(" ")
         val columns = SphereQuantity.EXPORTED.flatMap { snapshot.columns(it) }
-        out.append("ITEM: ATOMS id type $names$own\n")
+        val flags = if (snapshot.image == null) "" else " ${LammpsColumns.IMAGE.joinToString(" ")}"
+        out.append("ITEM: ATOMS id type $names$flags$own\n")
         for (k in 0 until snapshot.size) {
             out.append("${snapshot.id[k] + if (isFromZero) 1L else 0L} 1")
             for (column in columns) out.append(' ').append(column[k].toString())
+            snapshot.image?.forEach { out.append(' ').append(it[k].toString()) }
             out.append(if (isFromZero) " ${snapshot.id[k]}\n" else "\n")
         }
     }

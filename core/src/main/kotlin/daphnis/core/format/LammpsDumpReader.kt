@@ -101,6 +101,7 @@ internal class LammpsDumpReader(
         }
         val rows = ParticleRows(n)
         rows.known += columns.known
+        rows.hasId = columns.id >= 0
         val images = if (columns.knowsImages(cell.periodic)) Array(3) { IntArray(n) } else null
         rows.image = images
         val place = DoubleArray(3)

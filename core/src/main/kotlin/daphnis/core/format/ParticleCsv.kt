@@ -121,7 +121,7 @@ public object ParticleCsv : ReadableFormat {
             return Snapshot(
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
-                numbers, NORMAL_AXIS, SLIDE_AXIS, known, hasTime = false,
+                numbers, NORMAL_AXIS, SLIDE_AXIS, known, hasTime = false, hasId = at >= 0,
             )
         }
 

@@ -22,6 +22,9 @@ internal class ParticleRows(private val size: Int) {
     val radius = this[SphereQuantity.RADIUS][0]
     val mass = this[SphereQuantity.MASS][0]
 
+    /** Whether the file tells [id]. */
+    var hasId = false
+
     /** Boxes crossed, `[axis][k]`; null where the file does not tell. */
     var image: Array<IntArray>? = null
 
@@ -49,6 +52,7 @@ internal class ParticleRows(private val size: Int) {
             step, time ?: step.toDouble(), cell.lengths, cell.periodic, lean.offset, IntArray(size) { id[order[it]] },
             Array(numbers.size) { sorted(numbers[it]) }, lean.normalAxis, lean.slideAxis, known,
             image?.let { all -> Array(3) { axis -> IntArray(size) { all[axis][order[it]] } } }, time != null, shift,
+            hasId,
         )
         SnapshotCheck.check(snapshot) { k -> where(if (k < 0) k else order[k]) }
         return snapshot

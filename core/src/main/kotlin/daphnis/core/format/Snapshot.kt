@@ -16,6 +16,7 @@ import daphnis.core.population.SphereQuantity
  * @property shearOffset displacement along [slideAxis] of the image one box up [normalAxis], where images slide; else 0
  * @property hasTime whether [time] is from the file; false when the file had none, and it is the number of the step
  * @property known quantities that are from the file; of others its readers substitute numbers
+ * @property hasId whether [id] is from the file; false where particles are numbered in the order of the file
  * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
 public class Snapshot internal constructor(
@@ -32,6 +33,7 @@ public class Snapshot internal constructor(
     public val image: Array<IntArray>? = null,
     public val hasTime: Boolean = true,
     public val shift: DoubleArray = DoubleArray(3),
+    public val hasId: Boolean = true,
 ) : SphereColumns {
     /**
      * @param hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
@@ -124,6 +126,9 @@ public class Snapshot internal constructor(
     /** The same state, where positions are known to be those without a box: no box was crossed. */
     public fun unwrapped(): Snapshot = with(image = Array(3) { IntArray(size) })
 
+    /** The same state, where it is not known which boxes were crossed. */
+    public fun unknownImages(): Snapshot = with(image = null)
+
     internal fun with(
         time: Double = this.time,
         hasTime: Boolean = this.hasTime,
@@ -133,8 +138,10 @@ public class Snapshot internal constructor(
         lengths: DoubleArray = this.lengths,
         shearOffset: Double = this.shearOffset,
         shift: DoubleArray = this.shift,
+        hasId: Boolean = this.hasId,
     ): Snapshot = Snapshot(
         step, time, lengths, periodic, shearOffset, id, numbers, normalAxis, slideAxis, known, image, hasTime, shift,
+        hasId,
     )
 
     /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */

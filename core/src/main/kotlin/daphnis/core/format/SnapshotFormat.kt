@@ -22,6 +22,7 @@ public interface SnapshotFormat {
  * @property velocities likewise
  * @property ids likewise; without them particles are numbered in the order of the file
  * @property severalStates whether a file can hold more than one state
+ * @property keepsOrder whether particles without ids are in the same order in every state
  * @property changingParticles whether the states of one export may be of different particles
  */
 public class Kept @JvmOverloads constructor(
@@ -30,6 +31,7 @@ public class Kept @JvmOverloads constructor(
     public val ids: Presence,
     public val severalStates: Boolean,
     public val changingParticles: Boolean = true,
+    public val keepsOrder: Boolean = true,
 ) {
     public enum class Presence { ALWAYS, IF_THERE, NEVER }
 }

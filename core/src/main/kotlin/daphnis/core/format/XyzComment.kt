@@ -3,7 +3,7 @@ package daphnis.core.format
 /**
  * The second line of a frame in extended XYZ: `key=value` pairs, as ASE and OVITO write them. Values, and keys too, may
  * stand in quotes, in which `\` takes away the meaning of the next letter; lists may stand in `[]` or `{}`. A key alone
- * is true.
+ * is true. `Timestep: 100`, as LAMMPS writes it into plain XYZ, is a pair as well.
  *
  * @param fail refuses the file
  */
@@ -24,17 +24,25 @@ internal class XyzComment(private val text: String, private val fail: (String) -
                 val form = if (name.equals("pbc", ignoreCase = true)) FORM else "$name=\"ax ay az bx by bz cx cy cz\""
                 fail("the comment line has a ':' behind $name; write $form")
             }
+            val moment = if (isQuoted) null else MOMENT.matchEntire(key)?.groupValues
+            if (moment != null) {
+                skip()
+                put(moment[1], moment[2].ifEmpty { if (at < text.length) word { it.isWhitespace() } else "" })
+                continue
+            }
             skip()
             val isPair = at < text.length && text[at] == '='
             if (wereFaces && !isPair && FACE.matches(key)) fail("pbc has several words without quotes; write $FORM")
             val value = if (isPair) value() else "T"
             wereFaces = isPair && key.equals("pbc", ignoreCase = true) && text[at - 1] !in ENDING
-            val before = values.put(key.lowercase(), value)
-            if (before != null &&
-                !isSame(before, value)
-            ) {
-                fail("'${TextLines.shown(key)}' occurs twice, with other values")
-            }
+            put(key, value)
+        }
+    }
+
+    private fun put(key: String, value: String) {
+        val before = values.put(key.lowercase(), value)
+        if (before != null && !isSame(before, value)) {
+            fail("'${TextLines.shown(key)}' occurs twice, with other values")
         }
     }
 
@@ -63,7 +71,7 @@ internal class XyzComment(private val text: String, private val fail: (String) -
             at == text.length -> ""
             text[at] in QUOTES -> quoted()
             text[at] in OPENING -> bracketed()
-            else -> word { it.isWhitespace() }
+            else -> word { it.isWhitespace() }.trimEnd(',')
         }
     }
 
@@ -111,6 +119,9 @@ internal class XyzComment(private val text: String, private val fail: (String) -
 
         /** One face in a word of its own, which would be taken for a key. */
         val FACE = Regex("""(?i)([tf01]|true|false),?""")
+
+        /** How LAMMPS and i-PI say of which step or time a frame is, without extended XYZ. */
+        val MOMENT = Regex("""(?i)(step|timestep|time):(.*)""")
 
         /** A key that would not be known, with what stands behind it. */
         val COLON = Regex("""(?i)(pbc|lattice):(["'\[{].*)?""")

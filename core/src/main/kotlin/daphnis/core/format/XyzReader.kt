@@ -26,11 +26,13 @@ internal class XyzReader(
         val commentLine = lines.number
         val rows = ParticleRows(n)
         rows.known += frame.columns.known
+        rows.hasId = XyzColumns.ID in frame.columns
         if (XyzColumns.IMAGE in frame.columns) rows.image = Array(3) { IntArray(n) }
         for (k in 0 until n) {
             val line = lines.next() ?: lines.fail("the file is cut short: $n particles are declared, $k are there")
             val cells = words.split(line)
-            if (cells.size < frame.columns.width) {
+            val tooMany = frame.isNamed && cells.size > frame.columns.width
+            if (tooMany || cells.size < frame.columns.width) {
                 lines.fail("${cells.size} values, Properties has ${frame.columns.width}")
             }
             set(rows, k, cells, frame.columns)
@@ -76,6 +78,8 @@ internal class XyzReader(
 
     /** What the [comment] of a frame says. */
     private inner class Frame(comment: XyzComment, number: Int) {
+        /** Whether the file names its columns; plain XYZ may have more behind the places. */
+        val isNamed = comment["properties"] != null
         val columns = XyzColumns(comment["properties"] ?: "species:S:1:pos:R:3", lines::fail)
         val scale = comment["scale"]?.let { words.number(it) } ?: 1.0
         val time: Double? = comment["time"]?.let { words.number(it) }
@@ -96,7 +100,10 @@ internal class XyzReader(
                 val origin = comment.list("origin")?.let { numbers("Origin", it, 3) } ?: DoubleArray(3)
                 FileCell(DoubleArray(3) { origin[it] / scale }, edges, periodic(comment))
             }
-            cell.normalAxis { lines.fail("Lattice: $it") }
+            val isLeaning = cell.normalAxis { lines.fail("Lattice: $it") } >= 0
+            if (isLeaning && NESTED.containsMatchIn(comment["lattice"].orEmpty())) {
+                lines.fail("Lattice leans and is a list of lists, by row or by column; write nine numbers, by row")
+            }
         }
 
         private fun step(text: String): Long =
@@ -127,6 +134,9 @@ internal class XyzReader(
 
     private companion object {
         const val CELL = 9
+
+        /** A list of lists, which programs fill by row or by column. */
+        val NESTED = Regex("""[\[{(]\s*+[\[{(]""")
         val TRUE = setOf("t", "true", "1", "yes", "periodic")
         val FALSE = setOf("f", "false", "0", "no", "none")
     }

@@ -34,6 +34,18 @@ public class BoxDifference private constructor(public val key: String, public va
             return lean(boundary, snapshot, time, file)
         }
 
+        /**
+         * A line where the box that [snapshot] has ends at faces through which spheres of [boundary] touch; null for
+         * nothing. A file may not know better, so it is no difference.
+         */
+        internal fun ofFaces(boundary: BoundaryConditions, snapshot: Snapshot, file: String): String? {
+            if (snapshot.lengths.all { it.isNaN() }) return null
+            val axes = (0..2).filter { boundary.repeats(it) && !snapshot.periodic[it] }
+            if (axes.isEmpty()) return null
+            val names = axes.joinToString(" and ") { "${"xyz"[it]}" }
+            return "$file: the box there does not repeat along $names; here it does, as boundary says"
+        }
+
         private fun lean(
             boundary: BoundaryConditions,
             snapshot: Snapshot,
@@ -55,14 +67,12 @@ public class BoxDifference private constructor(public val key: String, public va
             val slid = "has images that slid by $here along ${"xyz"[shear.slideAxis]} " +
                 "across ${"xyz"[shear.normalAxis]} at time $time"
             if (snapshot.lengths.any { it.isNaN() }) return null
-            if (isOtherWay &&
-                !leans &&
-                isWhole(here, length) ||
+            val isSame = if (isOtherWay) {
+                !leans && isWhole(here, boundary.box.length(shear.slideAxis))
+            } else {
                 isWhole(here - snapshot.shearOffset, length)
-            ) {
-                return null
             }
-            return BoxDifference("boundary", "$slid; $there")
+            return if (isSame) null else BoxDifference("boundary", "$slid; $there")
         }
 
         /** Whether a displacement by [offset] leads from an image to another. */

@@ -38,7 +38,7 @@ internal class FileState(
             val snapshot = start ?: chosen(read(notices))
             requireTime(snapshot)
             // A state of a run has been compared with the other scenario.
-            if (start == null) requireBox(snapshot)
+            if (start == null) requireBox(snapshot, notices)
             StateRepair(scenario, boundary, spec, check, notices).repaired(withMasses(snapshot, notices))
         } catch (e: FormatException) {
             check.fail(KEY, e.message.orEmpty())
@@ -94,14 +94,19 @@ internal class FileState(
     private fun requireTime(snapshot: Snapshot) {
         if (spec.time != null || snapshot.shearOffset == 0.0) return
         check.must("placement.time", boundary.shear == null) {
-            "is missing; images slide, and the state in ${spec.path} is of time ${snapshot.time}"
+            val moment = if (snapshot.hasTime) "is of time ${snapshot.time}" else "does not say of which time it is"
+            "is missing; images slide, and the state in ${spec.path} $moment"
         }
     }
 
-    /** In another box spheres would be elsewhere, or touch other images. */
-    private fun requireBox(snapshot: Snapshot) {
-        val difference = BoxDifference.of(boundary, snapshot, scenario.startTime, spec.path) ?: return
-        check.fail(difference.key, difference.problem)
+    /** Says what the file does not have. In another box spheres would be elsewhere, or touch other images. */
+    private fun requireBox(snapshot: Snapshot, notices: MutableList<String>) {
+        val difference = BoxDifference.of(boundary, snapshot, scenario.startTime, spec.path)
+        if (difference != null) check.fail(difference.key, difference.problem)
+        BoxDifference.ofFaces(boundary, snapshot, spec.path)?.let { notices += it }
+        if (!snapshot.hasVelocity && snapshot.size > 0) {
+            notices += "${spec.path} has no velocities: all spheres start at rest"
+        }
     }
 
     /** A file has all masses or none. */

@@ -69,7 +69,8 @@ internal class StateRepair(
                 val r = population.radius[k]
                 val into = (r + outside(p[k], axis)) / r
                 if (into <= StartCheck.TOLERANCE) continue
-                refuse(population, k, axis, shift, OverlapRepair.WAY_OUT.takeIf { into <= OverlapRepair.DEEPEST })
+                val wayOut = OverlapRepair.WAY_OUT.takeIf { into <= OverlapRepair.DEEPEST }
+                refuse(population, k, axis, shift, wayOut)
             }
         }
     }
@@ -81,7 +82,9 @@ internal class StateRepair(
         val lower = inFile(boundary.box.lower(axis))
         val upper = inFile(boundary.box.upper(axis))
         val place = inFile(population.position(axis)[k])
-        val why = "particle ${population.id[k]} at $name = $place is outside the box, $name from $lower to $upper"
+        val isOut = outside(population.position(axis)[k], axis) > 0
+        val what = if (isOut) "is outside the box," else "with radius ${population.radius[k]} reaches out of the box,"
+        val why = "particle ${population.id[k]} at $name = $place $what $name from $lower to $upper"
         check.fail("placement", listOfNotNull(why, wayOut).joinToString("; "))
     }
 

@@ -173,7 +173,14 @@ class StateRepairTest {
     fun `a sphere that sticks into a wall shrinks or is moved off it`() {
         val walls = "{\"type\":\"walls\",\"axes\":\"z\"}"
         val text = dump("pp pp ff\n0 10\n0 10\n0 10", "1 5 5 0.499 0 0 1 0.5 1", "2 5 5 8 0 0 1 0.5 1")
-        refused("particle 1 at z = 0.499 ", "z from 0.0 to 10.0", "placement.overlaps") { setup(text, "", walls) }
+        refused(
+            "particle 1 at z = 0.499 with radius 0.5 reaches out of the box, z from 0.0 to 10.0",
+            "placement.overlaps",
+        ) {
+            setup(text, "", walls)
+        }
+        val out = dump("pp pp ff\n0 10\n0 10\n0 10", "1 5 5 -0.2 0 0 1 0.5 1")
+        refused("particle 1 at z = -0.2 is outside the box") { setup(out, "", walls) }
         assertEquals(0.499, setup(text, ", \"overlaps\": \"shrink\"", walls).population.radius[1], 1e-12)
         val moved = setup(text, ", \"overlaps\": \"relax\"", walls).population
         assertTrue(moved.z[0] + 5 >= 0.5 && moved.z[0] + 5 < 0.501)
@@ -194,5 +201,40 @@ class StateRepairTest {
         // One box farther is the same place.
         setup(leaning, ", \"time\": 2.4", sliding)
         setup(upright("1 5 5 5 1 0 0 0.5 1"), "", "{\"type\":\"open\"}", length = 12.0)
+    }
+
+    @Test
+    fun `images that slide across another axis are another box, however far they slid`() {
+        val sliding = "{\"type\":\"lees-edwards\",\"shearRate\":0.5}"
+        val row = "1 5 5 5 3 0 0 0.5 1"
+        val across = dump("xy xz yz pp pp pp\n0 12 0\n0 10 2\n0 10 0", row)
+        refused("slid by 2.0 along x across y", "leans by 2.0 along x across z") {
+            setup(across, ", \"time\": 0.4", sliding)
+        }
+        val along = dump("abc origin pp pp pp\n10 2 0 0\n0 10 0 0\n0 0 10 0", row)
+        refused("slid by 2.0 along x across y", "leans by 2.0 along y across x") {
+            setup(along, ", \"time\": 0.4", sliding)
+        }
+        val sheet = "{\"type\":\"hill-sheet\"}, \"frame\": {\"type\":\"hill\",\"angularSpeed\":0.1}"
+        refused("along y across x at time 2.0", "leans by 0.0") { setup(upright(row), ", \"time\": 2", sheet) }
+        setup(upright(row), ", \"time\": 20", sheet)
+        refused("slid by 2.0", "leans by 0.0") { setup(upright(row), ", \"time\": 0.4", sliding) }
+        setup(upright(row), ", \"time\": 2", sliding)
+    }
+
+    @Test
+    fun `what a file does not have is said`() {
+        val silent = "ITEM: TIMESTEP\n70\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp ff\n0 10\n0 10\n0 10\n" +
+            "ITEM: ATOMS id x y z radius mass\n1 5 5 5 0.5 1\n"
+        val notices = setup(silent).notices
+        assertTrue(notices.any { "has no velocities: all spheres start at rest" in it }) { "$notices" }
+        assertTrue(notices.any { "does not repeat along z; here it does" in it }) { "$notices" }
+        val walls = setup(silent, "", "{\"type\":\"walls\",\"axes\":\"z\"}").notices
+        assertTrue(walls.none { "repeat" in it }) { "$walls" }
+        assertEquals(emptyList<String>(), setup(upright("1 5 5 5 1 0 0 0.5 1")).notices)
+        val leaning = silent.replace("pp pp ff\n0 10\n0 10\n0 10", "xy xz yz pp pp pp\n0 12 2\n0 10 0\n0 10 0")
+        refused("placement.time", "does not say of which time it is") {
+            setup(leaning, "", "{\"type\":\"lees-edwards\",\"shearRate\":0.5}")
+        }
     }
 }

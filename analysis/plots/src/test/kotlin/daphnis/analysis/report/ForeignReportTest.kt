@@ -49,6 +49,43 @@ class ForeignReportTest {
         }
     }
 
+    @Test
+    fun `an export has the numbers of its run, diffusion too, in every format that has a box`() {
+        val gas = listOf("particles.count=100", "box.lengths=[7,7,7]", "until=30", "output.snapshotEvery=5")
+        val cell = listOf("particles.count=200", "box.lengths=[7,7,7]", "timeStep.dt=0.05", "until=30")
+        val ring =
+            listOf("box.lengths=[60,60,60]", "untilOrbits=8", "output.snapshotEvery=20")
+        val runs = listOf("elastic-gas" to gas, "shear-cell" to cell + "output.snapshotEvery=17", "ring-patch" to ring)
+        for ((name, settings) in runs) {
+            val scenario = BuiltIn.scenario(name, settings)
+            val path = home.resolve(name)
+            Run.start(scenario, name, path).use { it.execute() }
+            val run = RunDirectory(path)
+            val states = run.snapshotSteps().map { run.readSnapshot(it) }
+            assertTrue(states.last().image!!.any { axis -> axis.any { it != 0 } }) { name }
+            val there = numbers(AnalysisInput.ofRun(path))
+            // With transport.csv a run has averages over more than its snapshots.
+            val ofStates = if (Files.exists(run.transport)) emptyList() else listOf("granular_temperature")
+            val keys = ofStates + listOf("filling_factor", "self_diffusion", "self_diffusion_x", "self_diffusion_y") +
+                "self_diffusion_z" + "guiding_centre_diffusion"
+            val diffusion = keys.filter { "diffusion" in it && it in there }
+            assertTrue(diffusion.isNotEmpty()) { "$name: $there" }
+            for (word in listOf("xyz", "lammps", "h5md")) {
+                val directory = Files.createDirectories(home.resolve("$name-$word"))
+                val file = SnapshotFormats.named(
+                    word,
+                ).export(states.asSequence(), directory, ExportOptions("test")).path
+                // A ring needs its frame.
+                val known = scenario.takeIf { name == "ring-patch" }
+                val here = numbers(AnalysisInput.ofFile(file, known, name))
+                for (key in keys) {
+                    val value = there[key] ?: continue
+                    assertEquals(value, here[key] ?: Double.NaN, 1e-6 * Math.abs(value)) { "$name $word $key" }
+                }
+            }
+        }
+    }
+
     private fun page(input: AnalysisInput, name: String): String {
         val directory = Files.createDirectories(home.resolve(name))
         Analysis(input, AnalysisOptions(from = 0.0)).write(directory)
