@@ -47,7 +47,8 @@ class IndependentStatesTest {
     @Test
     fun `numbers that are slower than the noise of their maps, wholly or in part, are worth what they show`() {
         val wholly = judged(200, 0.0) { noise(200, 0.8) }
-        val inPart = judged(200, 0.0) { noise(200, 0.0).also { a -> noise(200, 0.9).forEachIndexed { k, b -> a[k] += b } } }
+        val inPart =
+            judged(200, 0.0) { noise(200, 0.0).also { a -> noise(200, 0.9).forEachIndexed { k, b -> a[k] += b } } }
         for ((spread, covered) in listOf(wholly, inPart)) {
             assertEquals(1.0, spread, 0.15)
             assertTrue(covered in 0.6..0.75) { "$covered" }

@@ -144,7 +144,9 @@ class TransportTest {
         val unknown = Transport(attracting(DoubleArray(120)), -3.0, DoubleArray(120) { Double.NaN }).energyBalance
         assertEquals(1.0, unknown.mean, 1e-12)
         assertTrue(runs.all { (without, with) -> without.mean == with.mean })
-        assertThrows(IllegalArgumentException::class.java) { Transport(attracting(DoubleArray(9)), -3.0, DoubleArray(8)) }
+        assertThrows(IllegalArgumentException::class.java) {
+            Transport(attracting(DoubleArray(9)), -3.0, DoubleArray(8))
+        }
     }
 
     @Test
