@@ -61,15 +61,25 @@ internal class IndependentStates(maps: List<DoubleArray>) {
         val variance = pseudovalues.sumOf { (it - centre) * (it - centre) } / states
         val isKnown = states >= BlockAverage.FEWEST_NUMBERS && number >= BlockAverage.FEWEST_INDEPENDENT
         if (!isKnown) return BlockAverage(mean, Double.NaN, states, number)
-        val own = maxOf(BlockAverage.of(pseudovalues).independent, BlockAverage.FEWEST_INDEPENDENT)
-        // Only where it is clear: what one series shows is known to a third, and the lower of two is low on average.
+        val own = worth(BlockAverage.of(pseudovalues), variance)
+        // Only where it is clear: what one series shows is known to two fifths, and the lower of two is low on average.
         val worth = if (own < number / CLEARLY) own else number
         return BlockAverage(mean, sqrt(variance / (worth - 1)), states, worth)
     }
 
+    /**
+     * How many numbers of the [variance] have the error of [series]: what is slow in them counts by its part of the
+     * variance, not by its correlation time alone.
+     */
+    private fun worth(series: BlockAverage, variance: Double): Double = when {
+        !series.isLevelled -> BlockAverage.FEWEST_INDEPENDENT
+        series.error == 0.0 -> number
+        else -> variance / (series.error * series.error) + 1
+    }
+
     private companion object {
         const val WINDOW = 2.5
-        const val CLEARLY = 1.5
+        const val CLEARLY = 2.0
         const val ITERATIONS = 4
         const val MOST_SHARE = 0.5
     }

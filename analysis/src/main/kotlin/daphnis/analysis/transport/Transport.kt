@@ -43,9 +43,18 @@ import kotlin.math.sqrt
  * (Wisdom & Tremaine 1988, AJ 95, 925.)
  *
  * @param shearRate γ, the change of the flow a unit of length across it; 0 for none
+ * @param potential energy of the forces at each row of [table], such as that of self-gravity; null where it is not
+ *   known: then [energyBalance] takes what it gives and takes for scatter
  */
-public class Transport(private val table: TransportTable, private val shearRate: Double) {
+public class Transport @JvmOverloads constructor(
+    private val table: TransportTable,
+    private val shearRate: Double,
+    private val potential: DoubleArray? = null,
+) {
     init {
+        require(potential == null || potential.size == table.size) {
+            "there are ${potential?.size} potential energies for ${table.size} rows"
+        }
         require(table.size >= 2) {
             val there = if (table.size == 1) "1 row" else "no row"
             "the transport table has $there in the time that is averaged; two are needed"
@@ -172,17 +181,19 @@ public class Transport(private val table: TransportTable, private val shearRate:
     private fun stresses() = arrayOf(during(carried("xy")), added(virial("xy"), MASS), gravity())
 
     /**
-     * By row, what the energy is made of: that of w, that of heights in Hill's frame, and half a row's work by which the
-     * sum over the ends of intervals differs from the integral.
+     * By row, what the energy is made of: that of w, that of heights in Hill's frame, half a row's work by which the
+     * sum over the ends of intervals differs from the integral, and that of forces.
      */
     private fun energies(): Array<DoubleArray> {
         val (xx, yy, zz) = listOf("xx", "yy", "zz").map { table[carried(it)] }
         val height = table[SCALE_HEIGHT]
-        return arrayOf(
+        return listOfNotNull(
             DoubleArray(table.size) { xx[it] + yy[it] + zz[it] },
             DoubleArray(table.size) { height[it] * height[it] },
             table[carried("xy")],
-        )
+            table[GRAVITY_XY],
+            potential?.takeIf { energies -> energies.all { it.isFinite() } },
+        ).toTypedArray()
     }
 
     private fun gravity() = table[GRAVITY_XY].let { g ->

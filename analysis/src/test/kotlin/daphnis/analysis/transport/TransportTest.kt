@@ -13,6 +13,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.PI
 import kotlin.math.atan
+import kotlin.math.sqrt
 
 class TransportTest {
     @TempDir
@@ -112,6 +113,39 @@ class TransportTest {
             assertTrue(given[k] > 0.95 * REALISATIONS && covered[k].toDouble() / given[k] in 0.60..0.75) {
                 "${quantity.first}: ${covered[k]} of ${given[k]}"
             }
+        }
+    }
+
+    /** Of a flow in which gravity does the work 45 and what is not dissipated is in [potential], γ = −3. */
+    private fun attracting(potential: DoubleArray): TransportTable {
+        val rows = potential.indices.map { t ->
+            "$t,$t,10,10,0.5,0.3,0.2,0.6,0,0,0,0,0,0,1.5,0,${5 * t},${2.5 * t},${45 * t - potential[t]}," +
+                "${8 * t},${8 * t},${8 * t},${6 * t},0,0,3"
+        }
+        return TransportTable.read(file(*rows.toTypedArray()))
+    }
+
+    @Test
+    fun `what changes of the potential energy take from the balance of energies adds up, where it is known`() {
+        val random = SeededRandom(31)
+        val keep = Math.exp(-1 / 3.0)
+        val runs = List(100) {
+            var u = 20 * random.nextGaussian()
+            val potential = DoubleArray(120) {
+                u.also { u = keep * u + 20 * sqrt(1 - keep * keep) * random.nextGaussian() }
+            }
+            val table = attracting(potential)
+            Transport(table, -3.0).energyBalance to Transport(table, -3.0, potential).energyBalance
+        }
+        fun spread(of: List<BlockAverage>) =
+            sqrt(of.sumOf { (it.mean - 1) * (it.mean - 1) } / of.sumOf { it.error * it.error })
+        assertTrue(spread(runs.map { it.first }) < 0.7) { "${spread(runs.map { it.first })}" }
+        assertEquals(1.0, spread(runs.map { it.second }), 0.2)
+        val unknown = Transport(attracting(DoubleArray(120)), -3.0, DoubleArray(120) { Double.NaN }).energyBalance
+        assertEquals(1.0, unknown.mean, 1e-12)
+        assertTrue(runs.all { (without, with) -> without.mean == with.mean })
+        assertThrows(IllegalArgumentException::class.java) {
+            Transport(attracting(DoubleArray(9)), -3.0, DoubleArray(8))
         }
     }
 

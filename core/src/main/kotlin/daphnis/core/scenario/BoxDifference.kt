@@ -67,8 +67,9 @@ public class BoxDifference private constructor(public val key: String, public va
             val slid = "has images that slid by $here along ${"xyz"[shear.slideAxis]} " +
                 "across ${"xyz"[shear.normalAxis]} at time $time"
             if (snapshot.lengths.any { it.isNaN() }) return null
+            // An upright box says no axes of a slide: it is whole by the edge along which images slide.
             val isSame = if (isOtherWay) {
-                !leans && isWhole(here, boundary.box.length(shear.slideAxis))
+                !leans && isWhole(here, snapshot.lengths[shear.slideAxis])
             } else {
                 isWhole(here - snapshot.shearOffset, length)
             }

@@ -73,7 +73,7 @@ public class Analysis @JvmOverloads constructor(
      * @throws daphnis.core.format.FormatException when a state cannot be read
      */
     public fun numbers(): List<ReportNumber> {
-        val sections = withNumbers()
+        val sections = sections(Sections.WITH_NUMBERS)
         return sections.numbers().map {
             val isSteady = it.unknown != Unknown.UNSTEADY
             val isJudged = !(sections.isUnjudged && it.isAverage)
@@ -81,10 +81,10 @@ public class Analysis @JvmOverloads constructor(
         }
     }
 
-    /** The same rows as the page shows them, with their errors. */
-    internal fun rows(): List<NumberRow> = withNumbers().numbers()
+    /** All rows of the page's tables of numbers as it shows them, with their errors. */
+    internal fun rows(): List<NumberRow> = sections(Sections.WITH_OWN_NUMBERS).allNumbers()
 
-    private fun withNumbers() = Sections(study(Path.of("")), Sections.WITH_NUMBERS).also {
+    private fun sections(list: List<(Study) -> Section>) = Sections(study(Path.of("")), list).also {
         for (k in it.states) it.add(k)
     }
 

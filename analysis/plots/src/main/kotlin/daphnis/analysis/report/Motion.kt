@@ -10,6 +10,8 @@ import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.transport.Transport
 import daphnis.core.population.VelocityMoments
+import daphnis.core.run.SeriesColumns
+import daphnis.core.run.TransportColumns
 
 /** How the particles move on average: from the rows of transport.csv where there are any, else from the states. */
 internal class Motion(private val input: AnalysisInput, from: Double, last: State) {
@@ -22,7 +24,9 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
 
     /** What the rows from the time of averages on tell; null without two of them. */
     val transport: Transport? =
-        input.transport?.from(from)?.takeIf { it.size >= 2 }?.let { Transport(it, last.boundary.meanFlow?.rate ?: 0.0) }
+        input.transport?.from(from)?.takeIf { it.size >= 2 }?.let {
+            Transport(it, last.boundary.meanFlow?.rate ?: 0.0, potential(it[TransportColumns.TIME]))
+        }
 
     /** Number of states so far. */
     val size: Int get() = states.size
@@ -63,6 +67,15 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
             input.omega != null -> History("scale height", times, of(OfState.SCALE_HEIGHT))
             else -> null
         }
+    }
+
+    /** Energy of the forces at [times], from series.csv; null unless it has a row at each of them. */
+    private fun potential(times: DoubleArray): DoubleArray? {
+        val series = input.series?.takeIf { SeriesColumns.POTENTIAL_ENERGY in it } ?: return null
+        val energy = series[SeriesColumns.TIME].indices.associate {
+            series[SeriesColumns.TIME][it] to series[SeriesColumns.POTENTIAL_ENERGY][it]
+        }
+        return DoubleArray(times.size) { energy[times[it]] ?: return null }
     }
 
     private fun average(number: OfState) = states.average(column(number))

@@ -10,6 +10,7 @@ import daphnis.analysis.statistics.BlockAverage
  * @property unknown why an average has no error; null when it has one, or is no average
  * @property key what it is called in `tables/numbers.csv` and among the [References]: lower case, and the same in every
  *   version, whatever the [name]; null for a number that stands on the page only
+ * @property longer how many times the time averaged an error takes as a rule; NaN where there is one, or nothing tells
  */
 internal class NumberRow(
     val name: String,
@@ -20,6 +21,7 @@ internal class NumberRow(
     val note: String = "",
     val unknown: Unknown? = null,
     val key: String? = null,
+    val longer: Double = Double.NaN,
 ) {
     /** Whether it is an average, not a number that follows from the particles themselves. */
     val isAverage: Boolean get() = !error.isNaN() || unknown != null
@@ -43,7 +45,7 @@ internal enum class Unknown(val remark: String, val mark: String, val sentence: 
     TOO_FEW(
         "too few independent states",
         "?",
-        "No error can be given: the states or rows that are averaged are worth fewer than eight independent ones.",
+        "No error can be given: it takes 16 states or rows, which are worth eight independent ones.",
     ),
     SHORT_TIME(
         "too short for its lags",
@@ -60,7 +62,8 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
     /** The average [a] in [unit]; without a [key] it stands on the page only. */
     fun average(key: String?, name: String, a: BlockAverage, unit: String, note: String = "") {
         val unknown = if (!a.isLevelled && !a.mean.isNaN()) Unknown.TOO_FEW else null
-        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key)
+        val longer = if (unknown == null) Double.NaN else AMPLE / a.independent
+        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key, longer)
     }
 
     /** A [value] without error, which follows from the particles themselves. */
@@ -69,4 +72,9 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
     }
 
     fun list(): List<NumberRow> = rows
+
+    private companion object {
+        /** Independent numbers of which nearly every series gets an error, though it shows them roughly only. */
+        const val AMPLE = 3 * BlockAverage.FEWEST_INDEPENDENT
+    }
 }

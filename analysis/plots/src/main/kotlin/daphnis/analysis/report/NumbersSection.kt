@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.core.format.WholeFile
+import daphnis.core.scenario.SizesSpec
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -22,6 +23,7 @@ internal class NumbersSection(private val study: Study, private val others: List
         if (rows.any { !it.error.isNaN() }) {
             notes +=
                 "± is one standard error; numbers without it and without a mark follow from the particles themselves."
+            if (areSizesDrawn()) notes += DRAWN
         }
         val source = if (study.input.scenario == null) "file" else "scenario"
         if (rows.any { "unit" in it.unit }) notes += "Units without a name are those of the $source."
@@ -43,6 +45,11 @@ internal class NumbersSection(private val study: Study, private val others: List
         )
     }
 
+    private fun areSizesDrawn() = when (study.physics?.particles?.sizes) {
+        is SizesSpec.PowerLaw, is SizesSpec.LogNormal -> true
+        is SizesSpec.Equal, is SizesSpec.Listed, null -> false
+    }
+
     /** Whether the averages are over a steady time, in sentences. */
     private fun steadiness(): List<String> {
         val orbit = study.input.omega?.let { 2 * PI / it }
@@ -50,5 +57,9 @@ internal class NumbersSection(private val study: Study, private val others: List
         val text =
             SteadinessText(study.from, unit, orbit ?: 1.0, FreeCooling.isSeen(study.input), Unsteady.advice(study))
         return listOfNotNull(if (study.isStartFound) text.found() else null) + text.of(study.judgement.histories)
+    }
+
+    private companion object {
+        const val DRAWN = "It is for the radii of this run: another seed draws others, so numbers of runs scatter more."
     }
 }

@@ -4,6 +4,7 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.format.oneLine
 import java.util.Base64
 import java.util.Locale
+import kotlin.math.ceil
 
 /**
  * One HTML page with everything inside: pictures as data, style in the head, no script. Sections are numbered in their
@@ -70,9 +71,17 @@ internal class ReportPage(private val title: String) {
         body.append(scrolling("numbers", table)).append('\n')
         if (compared) body.append("<p><small>${escape(COMPARED)}</small></p>\n")
         for (why in Unknown.entries) {
-            if (rows.none { it.unknown == why }) continue
-            body.append("<p><small><sup>${why.mark}</sup> ${escape(why.sentence)}</small></p>\n")
+            val without = rows.filter { it.unknown == why }
+            if (without.isEmpty()) continue
+            val sentence = why.sentence + longer(without)
+            body.append("<p><small><sup>${why.mark}</sup> ${escape(sentence)}</small></p>\n")
         }
+    }
+
+    /** How much longer a time gives all [rows] an error, where that is known. */
+    private fun longer(rows: List<NumberRow>): String {
+        val most = rows.map { it.longer }.filter { it.isFinite() }.maxOrNull() ?: return ""
+        return " About ${ceil(most).toLong()} times the time averaged would do."
     }
 
     private fun cells(row: NumberRow): String {

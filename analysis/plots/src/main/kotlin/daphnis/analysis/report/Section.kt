@@ -33,4 +33,7 @@ internal interface Section : Part {
 
     /** Its rows in the table of numbers. */
     fun numbers(): List<NumberRow> = emptyList()
+
+    /** Rows of a table of numbers of its own; asked for at the end. */
+    fun ownNumbers(): List<NumberRow> = emptyList()
 }

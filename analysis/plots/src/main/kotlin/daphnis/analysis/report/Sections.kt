@@ -34,6 +34,9 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     /** The rows of the table of numbers. */
     fun numbers(): List<NumberRow> = numbers.rows()
 
+    /** The rows of that table, and those of the tables that sections have of their own. */
+    fun allNumbers(): List<NumberRow> = numbers() + further.flatMap { it.ownNumbers() }
+
     /** Writes all onto [page]; [next] is told the heading of each before. */
     fun write(page: ReportPage, next: (String) -> Unit = {}) {
         val missing = ArrayList<String>()
@@ -55,6 +58,9 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     companion object {
         /** Those that have numbers: all that it takes where nothing is written. */
         val WITH_NUMBERS: List<(Study) -> Section> = listOf(::DiffusionSection)
+
+        /** Those that have numbers in tables of their own, too. */
+        val WITH_OWN_NUMBERS: List<(Study) -> Section> = WITH_NUMBERS + ::StructureSection
 
         private val LIST: List<(Study) -> Section> = listOf(
             ::PictureSection,

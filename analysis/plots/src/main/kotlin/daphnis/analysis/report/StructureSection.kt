@@ -4,7 +4,8 @@ import daphnis.analysis.insitu.State
 
 /** Correlations of particle positions: pairs, waves, the surface density and its wakes. */
 internal class StructureSection(study: Study) : Section {
-    private val parts = listOf(PairPart(study), StructureFactorPart(study), SurfacePart(study))
+    private val surface = SurfacePart(study)
+    private val parts = listOf(PairPart(study), StructureFactorPart(study), surface)
 
     override val heading = "Structure"
     override val over = "Correlations of particle positions. ${study.overAverages}"
@@ -14,6 +15,8 @@ internal class StructureSection(study: Study) : Section {
     override fun add(state: State) {
         if (leftOut == null) for (part in parts) part.add(state)
     }
+
+    override fun ownNumbers() = surface.rows()
 
     override fun write(page: ReportPage) {
         for (part in parts) part.write(page)

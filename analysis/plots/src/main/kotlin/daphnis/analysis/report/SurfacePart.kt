@@ -28,6 +28,10 @@ internal class SurfacePart(private val study: Study) : Part {
     private val dx = box.length(0) / nx
     private val dy = box.length(1) / ny
     private val autocorrelations = ArrayList<DoubleArray>()
+    private val pattern by lazy { WavePattern.of(autocorrelations, lagX, lagY, dx, dy) }
+    private val ridge by lazy {
+        if (pattern == null) CentralRidge.of(autocorrelations, lagX, lagY, dx, dy) else null
+    }
 
     private fun cells(axis: Int) = Math.rint(box.length(axis) / cell).toInt().coerceAtLeast(1)
 
@@ -70,44 +74,41 @@ internal class SurfacePart(private val study: Study) : Part {
     }
 
     private fun wakes(page: ReportPage) {
-        val pattern = WavePattern.of(autocorrelations, lagX, lagY, dx, dy)
-        val ridge = if (pattern == null) CentralRidge.of(autocorrelations, lagX, lagY, dx, dy) else null
-        table(pattern, ridge)
+        table()
         if (pattern == null) {
             page.paragraph(
                 "No pitch angle and no spacing of wakes: no single wave of the surface density is stronger than " +
                     "waves of the same length in other directions.",
             )
-            if (ridge != null) ridge(page, ridge)
-            smallPatch()?.let { page.paragraph(it) }
-            return
         }
-        val rows = NumberRows()
-        val (pitch, spacing) = pattern.pitch to pattern.spacing
-        rows.average(
-            null,
-            "pitch angle of the wakes",
-            pitch * (180 / PI),
-            "degrees",
-            "from the orbit, trailing positive",
-        )
-        rows.average(null, "radial spacing of the wakes", spacing, units.length)
-        val critical = study.bulk.criticalWavelength
-        if (!critical.isNaN()) {
-            val name = "radial spacing over Toomre's critical wavelength"
-            rows.average(null, name, spacing * (1 / critical), "", "4π² G Σ/Ω²")
+        val rows = rows()
+        if (rows.isNotEmpty()) {
+            page.numbers(rows)
+            page.paragraph(ASSUMED)
         }
-        page.numbers(study.judgement.shown(rows.list()))
-        page.paragraph(ASSUMED)
         smallPatch()?.let { page.paragraph(it) }
     }
 
-    private fun ridge(page: ReportPage, ridge: CentralRidge) {
+    /** Of the wakes, or of the central ridge where they are no wave; none in a box, or where neither is seen. */
+    fun rows(): List<NumberRow> {
+        if (!study.isRing || autocorrelations.isEmpty()) return emptyList()
         val rows = NumberRows()
-        val note = "from the orbit, trailing positive; where A falls off most slowly"
-        rows.average(null, "pitch angle of the central ridge of A", ridge.pitch * (180 / PI), "degrees", note)
-        page.numbers(study.judgement.shown(rows.list()))
-        page.paragraph(ASSUMED)
+        pattern?.let { ofWave(rows, it) } ?: ridge?.let {
+            val note = "from the orbit, trailing positive; where A falls off most slowly"
+            rows.average(null, "pitch angle of the central ridge of A", it.pitch * (180 / PI), "degrees", note)
+        }
+        return study.judgement.shown(rows.list())
+    }
+
+    private fun ofWave(rows: NumberRows, wave: WavePattern) {
+        val (pitch, spacing) = wave.pitch to wave.spacing
+        val note = "from the orbit, trailing positive"
+        rows.average(null, "pitch angle of the wakes", pitch * (180 / PI), "degrees", note)
+        rows.average(null, "radial spacing of the wakes", spacing, units.length)
+        val critical = study.bulk.criticalWavelength
+        if (critical.isNaN()) return
+        val name = "radial spacing over Toomre's critical wavelength"
+        rows.average(null, name, spacing * (1 / critical), "", "4π² G Σ/Ω²")
     }
 
     /** How many critical wavelengths the patch is long, with self-gravity. */
@@ -123,7 +124,7 @@ internal class SurfacePart(private val study: Study) : Part {
         }
     }
 
-    private fun table(pattern: WavePattern?, ridge: CentralRidge?) {
+    private fun table() {
         fun one(value: Double?) = doubleArrayOf(value ?: Double.NaN)
         Table(
             "wakes",

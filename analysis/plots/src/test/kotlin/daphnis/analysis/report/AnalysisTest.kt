@@ -135,6 +135,20 @@ class AnalysisTest {
     }
 
     @Test
+    fun `errors of a run whose sizes are drawn are said to be for its own radii`() {
+        val said = "± is one standard error; numbers without it and without a mark follow from the particles " +
+            "themselves. It is for the radii of this run: another seed draws others"
+        val drawn = "{\"type\":\"power-law\",\"minimum\":0.3,\"maximum\":0.6,\"exponent\":3}"
+        for ((sizes, isSaid) in listOf(drawn to true, "{\"type\":\"list\",\"radii\":[0.3,0.6]}" to false)) {
+            val box = listOf("particles.sizes=$sizes", "particles.count=100", "box.lengths=[9,9,9]")
+            val gas = run("elastic-gas", *box.toTypedArray(), "until=30", "output.transportEvery=4")
+            Analysis(AnalysisInput.ofRun(gas)).write(gas)
+            assertEquals(isSaid, said in Files.readString(gas.resolve("report.html"))) { sizes }
+            directory.resolve("elastic-gas").toFile().deleteRecursively()
+        }
+    }
+
+    @Test
     fun `a sheared box has its mean flow, an open gas what an open gas has`() {
         val sheared = run("shear-cell", "until=1", "output.snapshotEvery=10", "output.transportEvery=2")
         Analysis(AnalysisInput.ofRun(sheared)).write(sheared)

@@ -16,6 +16,9 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Random
+import kotlin.math.PI
+import kotlin.math.atan2
+import kotlin.math.cos
 
 /** What reports say of files of other programs. */
 @Tag("jdk-neutral")
@@ -131,6 +134,45 @@ class ForeignReportTest {
             Triple(0.9, Double.NaN, false),
         )) {
             assertEquals(isOff, RunWarnings.isOff(balance, error)) { "$balance ± $error" }
+        }
+    }
+
+    @Test
+    fun `wakes have their pitch and spacing with errors, on the page and where errors are held against seeds`() {
+        val hill = "frame={\"type\":\"hill\",\"angularSpeed\":1}"
+        val scenario = BuiltIn.scenario("ring-patch", listOf(hill, "box.lengths=[60,72,20]"))
+        val file = SnapshotFormats.named("xyz").export(waves().asSequence(), home, ExportOptions("test")).path
+        val input = AnalysisInput.ofFile(file, scenario, "waves")
+        val rows = Analysis(input, AnalysisOptions(from = 0.0)).rows().associateBy { it.name }
+        val pitch = rows.getValue("pitch angle of the wakes")
+        val spacing = rows.getValue("radial spacing of the wakes")
+        assertEquals(Math.toDegrees(atan2(2 / 72.0, 4 / 60.0)), pitch.value, 4 * pitch.error)
+        assertEquals(15.0, spacing.value, 4 * spacing.error)
+        assertTrue(pitch.error < 2 && spacing.error < 1) { "${pitch.error} ${spacing.error}" }
+        val html = page(input, "waves")
+        assertTrue("<td>radial spacing of the wakes</td>" in html && "correlation of their autocorrelations" in html)
+        assertTrue("No pitch angle" !in html)
+    }
+
+    /** 20 states of 800 particles with the density 1 + 0.7 cos(k·r + some phase), each when images stand upright. */
+    private fun waves(): List<Snapshot> {
+        val random = Random(3)
+        val rest = DoubleArray(800)
+        return List(20) { k ->
+            val phase = random.nextDouble()
+            val at = Array(3) { DoubleArray(800) }
+            for (i in 0 until 800) {
+                do {
+                    at[0][i] = 60 * (random.nextDouble() - 0.5)
+                    at[1][i] = 72 * (random.nextDouble() - 0.5)
+                    val turns = 4 * at[0][i] / 60 + 2 * at[1][i] / 72 + phase
+                } while (random.nextDouble() * 1.7 > 1 + 0.7 * cos(2 * PI * turns))
+            }
+            Snapshot(
+                k.toLong(), 0.8 * k, doubleArrayOf(60.0, 72.0, 20.0), booleanArrayOf(true, true, false), 0.0,
+                IntArray(800) { it }, at, arrayOf(rest, rest, rest), DoubleArray(800) { 1.25 },
+                DoubleArray(800) { 1.0 },
+            )
         }
     }
 

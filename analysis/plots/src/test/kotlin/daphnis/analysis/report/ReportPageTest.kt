@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.statistics.BlockAverage
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -57,6 +58,18 @@ class ReportPageTest {
         }
         assertTrue("alt=\"a chart\"" in html && "m²/s" in html && "1.00 ± 0.10" in html)
         assertFalse("<script" in html)
+    }
+
+    @Test
+    fun `a number without an error says how much longer a time would do, where that is known`() {
+        fun said(vararg independent: Double): String {
+            val rows = NumberRows()
+            for (m in independent) rows.average("a", "a number", BlockAverage(2.0, Double.NaN, 30, m), "")
+            return ReportPage("run").also { it.numbers(rows.list()) }.html("")
+        }
+        assertTrue("worth eight independent ones. About 5 times the time averaged would do.<" in said(7.9, 5.0, 6.0))
+        assertTrue("worth eight independent ones.<" in said(Double.NaN))
+        assertTrue("About 4 times" in said(Double.NaN, 7.0))
     }
 
     @Test
