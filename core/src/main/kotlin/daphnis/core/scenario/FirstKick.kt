@@ -1,7 +1,9 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.force.Drift
 import daphnis.core.force.Force
+import daphnis.core.force.UniformAcceleration
 import daphnis.core.parallel.onThreads
 import daphnis.core.population.Population
 import daphnis.core.search.Reach
@@ -18,12 +20,17 @@ internal class FirstKick(
     private val boundary: BoundaryConditions,
     private val check: ValueCheck,
 ) {
-    /** @throws InputException that names the first force after which the step cannot be made */
-    fun check(population: Population, duration: Double) {
+    /**
+     * @param isPlaced false where spheres placed at random are not where they will be: then only what acts alike
+     *   everywhere is tried
+     * @throws InputException that names the first force after which the step cannot be made
+     */
+    fun check(population: Population, duration: Double, isPlaced: Boolean) {
         if (forces.isEmpty() || population.size == 0) return
         val spheres = population.copy()
         onThreads(scenario.engine.threadsAtStart, spheres.size) { loop ->
             for ((k, force) in forces.withIndex()) {
+                if (!isPlaced && force !is UniformAcceleration && force !is Drift) continue
                 force.useLoop(loop)
                 try {
                     force.beforeDrift(spheres, scenario.startTime, duration)
