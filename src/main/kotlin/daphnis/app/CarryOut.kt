@@ -84,9 +84,12 @@ private fun originOf(run: Run): String {
 /** A run of a program has no scenario that tells its units. */
 private fun timesOf(run: Run): TimesInWords = run.scenario?.let { TimesInWords.of(it) } ?: TimesInWords(null, null)
 
+/** Why a run has no plot, in one line. */
+internal fun noPlot(e: Throwable): String = "no plot: ${reasonInWords(e)}; the run is complete"
+
 /** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */
 internal fun drawPlot(directory: RunDirectory, scenario: ResolvedScenario, population: Population) {
-    fun none(e: Throwable) = warn("no plot: ${e.message ?: e.javaClass.simpleName}; the run is complete")
+    fun none(e: Throwable) = warn(noPlot(e))
     try {
         RunPlot.write(directory.series, directory.plots, scenario.name, PlotScale.of(scenario, population))
     } catch (e: Exception) {

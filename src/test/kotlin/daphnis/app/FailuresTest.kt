@@ -119,6 +119,8 @@ class FailuresTest {
         assertTrue("no plot" in result.err && "complete" in result.err && result.err.trim().lines().size == 1) {
             result.err
         }
+        val small = noPlot(OutOfMemoryError("Java heap space"))
+        assertTrue("not enough memory (the JVM has" in small && "-Xmx" in small && "heap space" !in small) { small }
     }
 
     @Test

@@ -2,7 +2,7 @@ package daphnis.analysis.correlation
 
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
-import daphnis.analysis.insitu.nearPairs
+import daphnis.analysis.insitu.forEachPair
 import daphnis.core.boundary.BoundaryConditions
 import kotlin.math.PI
 import kotlin.math.sqrt
@@ -63,29 +63,19 @@ public class PairCorrelation @JvmOverloads constructor(
 
     /** Counts pairs by bin; the number of particles. */
     private fun count(state: State, inPlane: Boolean, counts: DoubleArray): Int {
-        // In the plane, spheres one above the other are as near as if they lay at one height.
-        val pairs = nearPairs(state, inPlane)
-        val runs = pairs.runs()
-        val bodies = state.firstBody != Int.MAX_VALUE
         // Most that are looked at are farther away: they need no root.
         val far = farthest * farthest * (1 + ROUNDING)
-        var n = 0
-        for (slot in 0 until state.population.size) {
-            if (!state.isParticle(pairs.index(slot))) continue
-            n++
-            // A sphere of that size touches every sphere that is near enough.
-            pairs.forEach(runs, slot, farthest) { _, j, dx, dy, dz ->
-                val square = dx * dx + dy * dy + dz * dz
-                if (square < far && (!bodies || state.isParticle(j))) {
-                    val distance = sqrt(square)
-                    if (distance >= nearest) {
-                        val bin = ((distance - nearest) / width).toInt()
-                        if (bin < bins) counts[bin]++
-                    }
+        // In the plane, spheres one above the other are as near as if they lay at one height.
+        forEachPair(state, farthest, inPlane) { _, _, square ->
+            if (square < far) {
+                val distance = sqrt(square)
+                if (distance >= nearest) {
+                    val bin = ((distance - nearest) / width).toInt()
+                    if (bin < bins) counts[bin]++
                 }
             }
         }
-        return n
+        return (0 until state.population.size).count(state::isParticle)
     }
 
     public companion object {

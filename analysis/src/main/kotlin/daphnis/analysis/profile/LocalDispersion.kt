@@ -2,7 +2,7 @@ package daphnis.analysis.profile
 
 import daphnis.analysis.insitu.PooledMeasure
 import daphnis.analysis.insitu.State
-import daphnis.analysis.insitu.nearPairs
+import daphnis.analysis.insitu.forEachPair
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -39,21 +39,15 @@ public class LocalDispersion(public val reach: Double) : PooledMeasure {
         if (p.size == 0) return sums
         val w = Array(3) { axis -> DoubleArray(p.size) { state.againstFlow(it, axis) } }
         // All spheres above and below are near, unless space goes on there.
-        val pairs = nearPairs(state, inPlane = !state.boundary.hasImages(2))
-        val runs = pairs.runs()
-        for (slot in 0 until p.size) {
-            if (!state.isParticle(pairs.index(slot))) continue
-            pairs.forEach(runs, slot, reach) { i, j, dx, dy, dz ->
-                val square = dx * dx + dy * dy + dz * dz
-                val bin = (square / (reach * reach) * BINS).toInt()
-                if (bin < BINS && state.isParticle(j)) {
-                    val weight = p.mass[i] * p.mass[j]
-                    sums[bin * WIDTH]++
-                    sums[bin * WIDTH + WEIGHT] += weight
-                    for (axis in 0..2) {
-                        val d = w[axis][i] - w[axis][j]
-                        sums[bin * WIDTH + SQUARE + axis] += weight * d * d / 2
-                    }
+        forEachPair(state, reach, inPlane = !state.boundary.hasImages(2)) { i, j, square ->
+            val bin = (square / (reach * reach) * BINS).toInt()
+            if (bin < BINS) {
+                val weight = p.mass[i] * p.mass[j]
+                sums[bin * WIDTH]++
+                sums[bin * WIDTH + WEIGHT] += weight
+                for (axis in 0..2) {
+                    val d = w[axis][i] - w[axis][j]
+                    sums[bin * WIDTH + SQUARE + axis] += weight * d * d / 2
                 }
             }
         }

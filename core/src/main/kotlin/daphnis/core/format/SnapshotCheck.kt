@@ -24,10 +24,8 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
 
     private fun ids() {
         for ((k, id) in snapshot.id.withIndex()) must(id >= 0, k) { "id $id must be at least 0" }
-        val sorted = snapshot.id.copyOf().apply { sort() }
-        // Where it occurs is looked for only if it does: a search for each would take the square of their number.
-        val twice = (1 until sorted.size).firstOrNull { sorted[it] == sorted[it - 1] } ?: return
-        must(false, snapshot.id.lastIndexOf(sorted[twice])) { "id ${sorted[twice]} occurs twice" }
+        val twice = lastRepeated(snapshot.size) { snapshot.id[it] }
+        must(twice < 0, twice) { "id ${snapshot.id[twice]} occurs twice" }
     }
 
     private fun sizes() {
@@ -117,6 +115,16 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
 
         /** The part of a radius that must be resolved. */
         private const val VISIBLE = 0.01
+
+        /**
+         * The last place of the least of the numbers [at] the places before [size] that occur more than once; −1 when
+         * all differ. Reads each number twice at most: a search for each would take the square of their number.
+         */
+        inline fun lastRepeated(size: Int, at: (Int) -> Int): Int {
+            val sorted = IntArray(size) { at(it) }.apply { sort() }
+            val k = (1 until size).firstOrNull { sorted[it] == sorted[it - 1] } ?: return -1
+            return (size - 1 downTo 0).first { at(it) == sorted[k] }
+        }
 
         /** @throws FormatException for the first number that is wrong */
         fun check(snapshot: Snapshot, where: String) {

@@ -127,6 +127,10 @@ public class ScenarioSetup private constructor(
             val timeStep = timeStep(resolved, boundary, check)
             checkSteps(resolved, timeStep.next(population), check)
             if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep, isPlaced)
+            if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
+                val likeThem = forceSetup.forces(around.boundary, firstBody)
+                FirstKick(scenario, likeThem, boundary, check).check(population, timeStep.next(population), isPlaced)
+            }
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
                 resolved, population, boundary, restitution, guard, forces, timeStep, around.angularSpeed,

@@ -82,11 +82,17 @@ internal class StartCheck(
             val margin = if (wall) population.radius[k] * (1 - TOLERANCE) else 0.0
             val inside = p[k] - margin >= box.lower(axis) && p[k] + margin <= box.upper(axis)
             val name = "xyz"[axis]
-            check.must("placement", inside) {
+            check.must(placedBy(k), inside) {
                 "particle ${population.id[k]} at $name = ${p[k]} is outside the box, " +
                     "$name from ${box.lower(axis)} to ${box.upper(axis)}"
             }
         }
+    }
+
+    /** The key that says where sphere [k] is at the start: bodies are the last. */
+    private fun placedBy(k: Int): String {
+        val body = k - (population.size - scenario.bodies.size)
+        return if (body >= 0) "bodies[$body].position" else "placement"
     }
 
     private fun checkCrossings(axis: Int, largest: Double, timeStep: TimeStep) {

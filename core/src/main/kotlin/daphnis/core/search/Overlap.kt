@@ -1,11 +1,8 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.parallel.FixedPool
-import daphnis.core.parallel.InlineLoop
-import daphnis.core.parallel.LoopStrategy
-import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.parallel.onThreads
 import daphnis.core.population.Population
 import kotlin.math.sqrt
 
@@ -29,11 +26,7 @@ public class Overlap private constructor(public val first: Int, public val secon
             boundary: BoundaryConditions,
             time: Double,
             threads: Int = 1,
-        ): Overlap = if (threads == 1 || population.size < LEAST_FOR_THREADS) {
-            deepest(population, boundary, time, InlineLoop)
-        } else {
-            FixedPool(threads).use { deepest(population, boundary, time, ParallelLoop(it, LoopStrategy.DYNAMIC)) }
-        }
+        ): Overlap = onThreads(threads, population.size) { deepest(population, boundary, time, it) }
 
         /** @throws IllegalArgumentException when two spheres overlap by more than [TOLERANCE] */
         internal fun requireNone(population: Population, boundary: BoundaryConditions, time: Double) {
@@ -88,8 +81,5 @@ public class Overlap private constructor(public val first: Int, public val secon
 
         /** Depth up to which spheres count as touching at the start. */
         internal const val TOLERANCE = 1e-9
-
-        /** With less than some milliseconds of work, threads are not worth starting. */
-        private const val LEAST_FOR_THREADS = 20_000
     }
 }

@@ -70,6 +70,17 @@ class LinksTest {
     }
 
     @Test
+    fun `a file of the name of the lock that holds more than the number of a process is not overwritten`() {
+        for (text in listOf("precious", "12 precious", "123456789012345678901")) {
+            val directory = Files.createDirectories(home.resolve(text))
+            val file = Files.writeString(directory.resolve(".lock"), text)
+            val message = refusal { start(directory).close() }
+            assertTrue("$file: holds no number of a process" in message) { message }
+            assertEquals(text, Files.readString(file))
+        }
+    }
+
+    @Test
     fun `a hard link in the place of the lock is refused, and one in that of a file to come is replaced`() {
         val precious = Files.writeString(home.resolve("precious"), "precious")
         for ((k, name) in listOf(".lock", "scenario.json.tmp").withIndex()) {

@@ -42,6 +42,30 @@ class HostileScenarioTest {
     private val powerLaw = """{"type":"power-law","minimum":0.1,"maximum":1,"exponent":3}"""
 
     @Test
+    fun `a force or a frame with which no step can begin is refused by key, before and after spheres are placed`() {
+        fun pull(a: String) = """{"type":"uniform-acceleration","acceleration":[0,$a,0]}"""
+        assertWrong(listOf("forces=[${pull("1")},${pull("1e300")}]"), "forces[1]: cannot act in the first step")
+        for ((factor, key) in listOf("1e9" to "frame.verticalFactor", "0.5" to "frame")) {
+            val ring = listOf(
+                """frame={"type":"hill","angularSpeed":1,"verticalFactor":$factor}""",
+                """boundary={"type":"hill-sheet"}""",
+                """timeStep={"type":"orbit-fraction","steps":3}""",
+                """velocities={"type":"rest"}""",
+            )
+            assertWrong(ring, "$key: cannot act in the first step", "at most a quarter")
+        }
+    }
+
+    @Test
+    fun `a body outside the box is refused by its own key`() {
+        val second = """{"radius":0.1,"position":[0,1e9,0]}"""
+        val e = assertThrows(InputException::class.java) {
+            setup("""bodies=[{"radius":0.1,"position":[0,0,0]},$second]""")
+        }
+        assertTrue("bodies[1].position: particle" in e.message.orEmpty()) { e.message.orEmpty() }
+    }
+
+    @Test
     fun `edges and radii whose cubes no double holds are refused by key`() {
         for (edge in listOf("5e-324", "1e-300", "1e300")) {
             assertWrong(listOf("box.lengths=[10,$edge,10]"), "box.lengths[1]", "> 0")

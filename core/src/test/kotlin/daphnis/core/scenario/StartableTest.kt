@@ -37,6 +37,18 @@ class StartableTest {
         assertTrue("particles.count: is 60" in e.message!!) { e.message!! }
     }
 
+    @Test
+    fun `what forces would do in the first step is tried on a copy of the state`() {
+        val settings = listOf(
+            "particles.count=50",
+            "velocities={\"type\":\"rest\"}",
+            "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[1,2,3]}]",
+            "timeStep={\"type\":\"fixed\",\"dt\":0.1}",
+        )
+        val start = ScenarioSetup.of(BuiltIn.scenario("cooling-gas", settings), "gas").population
+        for (axis in 0..2) assertTrue(start.velocity(axis).all { it == 0.0 })
+    }
+
     private companion object {
         @JvmStatic
         fun names() = BuiltIn.names
