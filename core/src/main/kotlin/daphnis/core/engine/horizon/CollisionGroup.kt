@@ -13,7 +13,6 @@ import daphnis.core.step.PreparedStep
  *
  * @param number the number of the group, by which versions of lines differ from those of others
  * @param numbers how many groups there are
- * @param witness see [Impact]
  */
 internal class CollisionGroup(
     private val prepared: PreparedStep,

@@ -82,10 +82,7 @@ internal class Epoch(
         private set
     private var spheres = 0
 
-    /** Collisions, and spheres found off their lines, in this epoch. */
-    private var collisions = 0L
-    private var strayed = 0L
-    private var listed = 0L
+    val tally = EpochTally()
 
     /** Whether the step after the present one may belong to this epoch. */
     private var isOpen = false
@@ -93,21 +90,6 @@ internal class Epoch(
     /** Whether groups process the collisions of the present step, and whether the last attempt of theirs failed. */
     private var isShared = false
     var hasFailed = false
-        private set
-
-    /** Epochs begun since the start. */
-    var begun = 0L
-        private set
-
-    /**
-     * Since the start: windows begun within a step, apart from the first of each; spheres that were found off their
-     * lines; and spheres that were too large for cells, at the starts of epochs.
-     */
-    var windows = 0L
-        private set
-    var strays = 0L
-        private set
-    var giants = 0L
         private set
 
     /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
@@ -143,7 +125,7 @@ internal class Epoch(
         if (columns == null) {
             if (!mayGoOn) carried.measure(along = null)
             prepared.prepareWithoutGrid()
-            if (wasOpen) ended(isBroken = mayGoOn)
+            if (wasOpen) tally.end(plan, frame.step, spheres, searches.listed, isBroken = mayGoOn)
             // Those that are away have no place in a new epoch.
             if (mayGoOn && carried.visits != null || !layOut(step, carried.spheres, fixed)) return null
             columns = carried.columnsToWrite(tracks, keepsOrder = false)
@@ -158,7 +140,7 @@ internal class Epoch(
             takeStep(step, carried, columns, tracks)
         }
         if (isDone) return columns
-        if (space.limits.isExceeded) plan.abandoned((listed + searches.listed) / (spheres * (frame.step + 1.0)))
+        if (space.limits.isExceeded) plan.abandoned((tally.listed + searches.listed) / (spheres * (frame.step + 1.0)))
         return null
     }
 
@@ -172,7 +154,7 @@ internal class Epoch(
     fun addTo(counters: CollisionCounters) {
         val before = counters.collisions
         if (isShared) shared.addTo(counters) else counters.add(whole.impact.counted)
-        collisions += counters.collisions - before
+        tally.collisions += counters.collisions - before
     }
 
     /** Measures the next step of the epoch and writes where spheres fly. @return null when there is none */
@@ -207,10 +189,7 @@ internal class Epoch(
     private fun begin(carried: Carried, columns: PopulationColumns) {
         frame.step = 0
         searches.begin()
-        begun++
-        collisions = 0
-        strayed = 0
-        listed = 0
+        tally.begin()
         spheres = carried.spheres.size
         space.open(carried.visits)
         wholePlaces.reserve(spheres)
@@ -229,23 +208,15 @@ internal class Epoch(
         for (group in groups) group.beginEpoch(filter)
     }
 
-    /** The epoch ends before the present step. */
-    private fun ended(isBroken: Boolean) {
-        val sphereSteps = spheres.toDouble() * frame.step
-        listed += searches.listed
-        plan.ended(frame.step, collisions / sphereSteps, strayed / sphereSteps, listed / sphereSteps, isBroken)
-    }
-
     private fun searchAll() {
         searches.all()
         plan.searched(searches.tested.toDouble() / spheres)
-        giants += space.giants.size
+        tally.giants += space.giants.size
     }
 
     private fun searchChanged(carried: Carried) {
         val off = passage.changed.size - (carried.visits?.entered?.size ?: 0)
-        strays += off
-        strayed += off
+        tally.addStrays(off)
         searches.changed(carried.spheres, passage, whole)
     }
 
@@ -267,13 +238,13 @@ internal class Epoch(
         for (window in 0 until frame.windows) {
             if (window > 0) {
                 // Entries of roamers that searches have looked at are counted by window.
-                listed += searches.listed
+                tally.listed += searches.listed
                 frame.openWindow(window)
                 cells.sort(written, tuning, frame.duration)
                 cells.invert(spheres)
                 passage.again(written, cells)
                 beginWindow()
-                windows++
+                tally.windows++
             }
             searchAll()
             if (space.isOver) return false

@@ -88,20 +88,20 @@ public class HorizonEngine internal constructor(
     internal val lists: ListSteps get() = steps.lists
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
-    public val epochs: Long get() = epoch.begun
+    public val epochs: Long get() = epoch.tally.begun
     public val epochSteps: Long get() = steps.steps
 
     /** Windows begun within a step, apart from the first of each, since the start. */
-    internal val windows: Long get() = epoch.windows
+    internal val windows: Long get() = epoch.tally.windows
 
     /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
     internal val work: Double get() = epoch.work
 
     /** Spheres that were found off their lines, at the starts of steps, since the start. */
-    internal val strays: Long get() = epoch.strays
+    internal val strays: Long get() = epoch.tally.strays
 
     /** Spheres that were too large for cells, at the starts of epochs, since the start. */
-    internal val giants: Long get() = epoch.giants
+    internal val giants: Long get() = epoch.tally.giants
 
     /** How threads have shared collisions. */
     internal val shared: SharedCollisions get() = epoch.shared

@@ -84,7 +84,7 @@ public class HorizonSteps internal constructor(
     @JvmOverloads
     public fun take(step: CollisionStep, beforeWriting: Runnable = Runnable {}): Boolean {
         before = step.counters.collisions
-        begun = epoch.begun
+        begun = epoch.tally.begun
         val size = step.population.size
         judge = if (size < SHARED_SPHERES.toLong() * loop.workers) trial else null
         loop.isAlone = judge?.isAlone == true
@@ -105,7 +105,7 @@ public class HorizonSteps internal constructor(
         step.record?.sort()
         epoch.addTo(step.counters)
         steps++
-        judge?.finish(beganEpoch = epoch.begun > begun)
+        judge?.finish(beganEpoch = epoch.tally.begun > begun)
         return true
     }
 
