@@ -88,8 +88,13 @@ private fun timesOf(run: Run): TimesInWords = run.scenario?.let { TimesInWords.o
 internal fun noPlot(e: Throwable): String = "no plot: ${reasonInWords(e)}; the run is complete"
 
 /** The numbers are safe when it comes to this; a missing plot is no reason to call the run failed. */
-internal fun drawPlot(directory: RunDirectory, scenario: ResolvedScenario, population: Population) {
-    fun none(e: Throwable) = warn(noPlot(e))
+internal fun drawPlot(
+    directory: RunDirectory,
+    scenario: ResolvedScenario,
+    population: Population,
+    tell: (String) -> Unit = ::warn,
+) {
+    fun none(e: Throwable) = tell(noPlot(e))
     try {
         RunPlot.write(directory.series, directory.plots, scenario.name, PlotScale.of(scenario, population))
     } catch (e: Exception) {

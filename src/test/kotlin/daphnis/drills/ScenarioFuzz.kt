@@ -136,7 +136,7 @@ private val ODD = listOf(
         "position":[0,0,0],"density":0.5,"velocity":[0,0,0]}],
         "velocities":{"type":"gaussian","sigma":0.1,"shearProfile":true},"restitution":{"type":"constant",
         "coefficient":0.5},"guard":{"type":"floor-speed","relative":1e-5},
-        "forces":[{"type":"body-gravity","constant":1,"softening":0.1},{"type":"satellite","massRatio":1e-9,"x":50,
+        "forces":[{"type":"body-gravity","constant":1,"softening":0.1},{"type":"satellite","massRatio":1e-18,"x":50,
         "y":-10,"e":1,"phase":0,"softening":0.1,"radius":1}],
         "timeStep":{"type":"orbit-fraction","steps":1000},"untilOrbits":0.01,"engine":{"name":"actors","threads":2},
         "output":{"seriesEvery":1,"snapshotEvery":1,"checkpointEvery":1,"collisionLog":true,"transportEvery":1}}""",

@@ -42,7 +42,7 @@ internal interface SweepTeller {
  * @param source what to call the scenario in messages
  * @param from averages begin at this time; null for three eighths of the run
  * @param words what went wrong, in a line
- * @param plot draws what is at the end of a run with a series, whose spheres began as given
+ * @param plot draws what is at the end of a run with a series, whose spheres began as given, or tells why not
  */
 internal class SweepWork(
     private val directory: SweepDirectory,
@@ -52,7 +52,7 @@ internal class SweepWork(
     private val from: Double?,
     private val teller: SweepTeller,
     private val words: (Throwable) -> String,
-    private val plot: (RunDirectory, ResolvedScenario, Population) -> Unit,
+    private val plot: (RunDirectory, ResolvedScenario, Population, tell: (String) -> Unit) -> Unit,
     private val cancelled: () -> Boolean,
 ) {
     /** The [run] with its numbers, or with why it failed; null when it is cancelled before its end. */
@@ -117,7 +117,9 @@ internal class SweepWork(
             val watcher = Output { s -> teller.at(run.name, part(s.time - start, it.until - start)) }
             val summary = it.execute(watcher) { cancelled() }
             val scenario = it.scenario
-            if (summary.finished && it.hasSeries && scenario != null) plot(place, scenario, it.simulation.population)
+            if (summary.finished && it.hasSeries && scenario != null) {
+                plot(place, scenario, it.simulation.population) { why -> teller.notice(run.name, why) }
+            }
             return summary.finished
         }
     }
@@ -127,7 +129,7 @@ internal class SweepWork(
         if (!Files.exists(place.series) || Files.exists(place.plots.resolve(LAST_PLOT))) return
         try {
             val setup = ScenarioSetup.of(scenarioOf(run), source)
-            plot(place, setup.scenario, setup.population)
+            plot(place, setup.scenario, setup.population) { teller.notice(run.name, it) }
         } catch (e: Exception) {
             teller.notice(run.name, "no plot: ${words(e)}; the run is complete")
         }

@@ -59,7 +59,7 @@ class ForceConstantTest {
 
     @Test
     fun `a mass ratio has its pull from the planet and takes no constant`() {
-        val moon = """{"type":"satellite","massRatio":1e-9,"x":30,"y":0"""
+        val moon = """{"type":"satellite","massRatio":1e-24,"x":30,"y":0"""
         setup("$moon}", "units.lengthInMetres=1")
         assertTrue("goes with mass" in refused("$moon,\"constant\":1}", "units.lengthInMetres=1"))
     }

@@ -2,6 +2,7 @@ package daphnis.analysis.plot
 
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
+import daphnis.core.format.FormatException
 import daphnis.core.format.WholeFile
 import daphnis.core.run.SeriesColumns
 import java.io.IOException
@@ -18,17 +19,18 @@ public object RunPlot {
      *
      * @param title what stands above, such as the name of the scenario
      * @param scale what the axes count in
-     * @throws IllegalArgumentException when the series has fewer than two rows
-     * @throws daphnis.core.format.FormatException when the file is no time series
+     * @throws FormatException when the file is no time series, or has too little to draw, such as one row
      */
     @JvmStatic
     @Throws(IOException::class)
     public fun write(series: Path, directory: Path, title: String, scale: PlotScale) {
         val table = SeriesTable.read(series)
-        require(table.size >= 2) { "the time series has ${if (table.size == 1) "1 row" else "no row"}; two are needed" }
+        if (table.size < 2) {
+            throw FormatException("the time series has ${if (table.size == 1) "1 row" else "no row"}; two are needed")
+        }
         val charts = charts(table, title, scale)
-        require(charts.isNotEmpty()) {
-            "the time series has no granular temperature and no two rows at different times"
+        if (charts.isEmpty()) {
+            throw FormatException("the time series has no granular temperature and no two rows at different times")
         }
         Files.createDirectories(directory)
         WholeFile.write(directory.resolve("run.svg"), svg(charts))
@@ -38,7 +40,7 @@ public object RunPlot {
     /**
      * The plot of the file [series] as an SVG; null while there is not enough to draw.
      *
-     * @throws daphnis.core.format.FormatException when the file is no time series
+     * @throws FormatException when the file is no time series
      */
     @JvmStatic
     public fun svg(series: Path, title: String, scale: PlotScale): String? {

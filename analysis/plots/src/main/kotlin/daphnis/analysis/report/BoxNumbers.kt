@@ -47,7 +47,8 @@ internal class BoxNumbers(private val study: Study) {
         val stress =
             mass / study.last.boundary.box.volume /
                 (population.mass.average() / (PI / 6 * diameter * diameter * diameter) * gamma2)
-        rows.average("reduced_temperature", "temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "")
+        val note = "γ: shear rate; σ in T*, p*, τ*: mean diameter; ρ_p: density of a sphere"
+        rows.average("reduced_temperature", "temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "", note)
         rows.average("reduced_pressure", "pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
         val shearStress = transport.pressure("xy") * (-stress * Math.signum(rate))
         rows.average("reduced_shear_stress", "shear stress τ* = −P_xy/(ρ_p σ²γ²)", shearStress, "")

@@ -32,6 +32,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     override val heading = "Diffusion"
     override val over get() = "Mean square displacements over all origins, without images " +
         "and relative to the centre of mass. " +
+        (if (omega == null && coordinates.size > 1) "D is the mean of those along the axes. " else "") +
         "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on." +
         study.judgement.bars(" $ASSUMED").takeIf { it == " $ASSUMED" }.orEmpty()
     override val leftOut get() = when {

@@ -39,12 +39,12 @@ internal class EllipsoidSection(private val study: Study) : Section {
             return "in the plane its axes are equal within their errors, so they have no direction"
         }
         val degrees = study.motion.orientation * Math.toDegrees(1.0)
-        // The same number as in the table, and marked as there.
+        // The same number as in the table, where it stands, and judged as there.
         val rows = NumberRows()
         rows.average("ellipsoid_orientation", "", degrees, "degrees")
         val row = study.judgement.shown(rows.list()).single()
         val turned = ReportText.withError(row.value, row.error)
-        val mark = row.unknown?.let { " (${it.mark}, see Numbers)" }.orEmpty()
+        val mark = row.unknown?.let { " (${it.remark})" }.orEmpty()
         return "in the plane its long axis is turned by $turned degrees$mark from x toward y"
     }
 

@@ -109,7 +109,7 @@ class RunPlotTest {
 
     @Test
     fun `a series of one row is refused, a damaged one is named`() {
-        assertThrows(IllegalArgumentException::class.java) { RunPlot.write(series(1) { 1.0 }, home, "short", gas) }
+        assertThrows(FormatException::class.java) { RunPlot.write(series(1) { 1.0 }, home, "short", gas) }
         val damaged = Files.writeString(home.resolve("bad.csv"), "time,particles,collisions\n0,1,0\nx,1,0\n")
         assertTrue(
             "bad.csv:3" in
