@@ -90,7 +90,10 @@ class BrickAheadTest {
 
     @Test
     fun `a sphere that has grown while it was away is met as large as it is`() {
-        val collisions = assertSame(populationOf(Sphere(x = 10.0, r = 0.5), Sphere(x = 12.51, r = 0.5))) { step, p ->
+        // So many at rest beside that cells are small.
+        val rest = Array(160) { Sphere(x = 0.5 + it / 4, y = -3.0, z = -3.0 + 1.5 * (it % 4), r = 0.45) }
+        val start = populationOf(Sphere(x = 10.0, r = 0.5), Sphere(x = 12.51, r = 0.5), *rest)
+        val collisions = assertSame(start) { step, p ->
             if (step == 3) p.put(1, 30.0, 2.0, 0.0)
             if (step == 5) p.put(1, 12.51, 0.0, 0.0)
             if (step == 5) p.radius[p.indexOf(1)] = 2.0
@@ -122,8 +125,11 @@ class BrickAheadTest {
         }
         advance(0, 0, 1)
         assertThrows<OutOfMemoryError> { advance(1, 0) { throw OutOfMemoryError("a test") } }
-        for (number in 1..9) advance(number, 0)
-        assertEquals(0L, brick.counted.collisions)
+        for (number in 1..9) {
+            advance(number, 0)
+            assertEquals(0L, brick.counted.collisions)
+        }
+        assertEquals(10L, brick.stepsAhead)
     }
 
     @Test
