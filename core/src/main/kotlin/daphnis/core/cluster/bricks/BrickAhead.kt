@@ -69,7 +69,7 @@ internal class BrickAhead(
         val step = whole.step
         filters.passed(gather.count)
         val rests = gather.count < maxOf(choice.fewest, 1) || choice.tuning == null && epoch.plan.rests()
-        if (!rests && epoch.mayGoOn(step)) {
+        if (!rests && brick.isSettled && epoch.mayGoOn(step)) {
             brick.goOn()
             gather.into(brick)
             brick.settle()

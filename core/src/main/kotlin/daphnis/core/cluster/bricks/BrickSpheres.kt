@@ -45,6 +45,10 @@ internal class BrickSpheres :
     private val places = IdIndex()
     private var isIndexed = false
 
+    /** Whether all spheres of the last step that was begun have been added. */
+    var isSettled = false
+        private set
+
     /** Whether spheres have the places that they had in the step before. */
     var keepsPlaces = false
         private set
@@ -68,6 +72,7 @@ internal class BrickSpheres :
 
     /** Begins a step of [count] spheres, which get places in the order in which they are added. */
     fun begin(count: Int) {
+        isSettled = false
         if (room < count) enlarge(count)
         size = 0
         keepsPlaces = false
@@ -76,13 +81,14 @@ internal class BrickSpheres :
         start()
     }
 
-    /** Begins a step whose spheres are nearly those of the step before, and keep their places. */
+    /** Begins a step whose spheres are nearly those of the step before, which is settled, and keep their places. */
     fun goOn() {
         keepsPlaces = true
         start()
     }
 
     private fun start() {
+        isSettled = false
         step++
         own = 0
         near.clear()
@@ -169,8 +175,8 @@ internal class BrickSpheres :
 
     /** All have been added. */
     fun settle() {
-        if (!keepsPlaces) return
-        for (k in 0 until size) if (seen[k] == step - 1) left.add(k)
+        if (keepsPlaces) for (k in 0 until size) if (seen[k] == step - 1) left.add(k)
+        isSettled = true
     }
 
     /** Calls [use] with the place of each sphere that the brick owns. */

@@ -41,7 +41,9 @@ internal class EpochSpace(private val loop: RangeLoop) {
         lines.grow(count)
         cells.admit(spheres, count)
         for (k in 0 until visits.left.size) newLines.outdate(visits.left[k])
-        for (k in 0 until visits.entered.size) visits.entered[k].let { lines.forget(it, all.radius[it]) }
+        for (k in 0 until visits.entered.size) lines.forget(visits.entered[k])
+        // A sphere that is larger than all were when the epoch began is seen as one that has grown.
+        for (slot in spheres until count) lines.putRadius(slot, minOf(all.radius[slot], frame.largestRadius))
         spheres = count
     }
 

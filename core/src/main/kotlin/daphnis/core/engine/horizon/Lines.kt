@@ -97,11 +97,10 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
         if (!isWithin) isLost = true
     }
 
-    /** Nobody is on the line in slot [i] any more, whose sphere has this [radius]. */
-    fun forget(i: Int, radius: Double) {
+    /** Nobody is on the line in slot [i] any more, which keeps its radius. */
+    fun forget(i: Int) {
         state[place(i)] = Float.NaN
         image[i] = 0
-        putRadius(i, radius)
     }
 
     /** Gives slot [i] a radius of at least [radius]. */

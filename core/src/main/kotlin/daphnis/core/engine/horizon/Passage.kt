@@ -192,7 +192,8 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
 
     /** Looks closer at the sphere in slot [k]: it may be at another image than before. */
     private fun look(p: SphereColumns, k: Int, t: Double, strays: Strays) {
-        if (isOn(p, k, lines.image[k], t)) return
+        // Whoever is away gets no line, so that nobody is searched for along it.
+        if (space.isAway(k) || isOn(p, k, lines.image[k], t)) return
         val code = imageAt(p, k, t)
         if (code != lines.image[k] && isOn(p, k, code, t)) {
             lines.image[k] = code
