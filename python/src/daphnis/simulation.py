@@ -14,7 +14,7 @@ from ._errors import InputError, PythonFailure, RunError, noted, translated
 from ._interrupts import CtrlC
 from ._jvm import java
 from .laws import Force, Law
-from .program import guarded, setup_of, simulation_of
+from .program import engines, guarded, setup_of, simulation_of
 from .scenarios import ScenarioLike, Settings
 from .scenarios import scenario as as_scenario
 from .states import State
@@ -83,7 +83,7 @@ class Simulation:
         settings.setdefault("engine.name", "serial")
         if engine is not None:
             settings["engine.name"] = engine
-        if threads is not None or settings["engine.name"] == "serial":
+        if threads is not None or engines().isSpecification(str(settings["engine.name"])):
             settings["engine.threads"] = 0 if threads is None else threads
         if law is not None:
             settings = guarded(scenario, settings)
