@@ -39,7 +39,7 @@ class SweepWorkTest {
         null,
         teller,
         { it.message.orEmpty() },
-        { _, _, _ -> },
+        { _, _, _, _ -> },
         cancelled,
     )
 

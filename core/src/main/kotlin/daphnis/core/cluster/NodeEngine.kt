@@ -1,5 +1,6 @@
 package daphnis.core.cluster
 
+import daphnis.core.cluster.bricks.BrickAhead
 import daphnis.core.cluster.bricks.BrickCrew
 import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.engine.CollisionEngine
@@ -21,12 +22,14 @@ import daphnis.core.step.PreparedStep
  * serial engine's computation, so its exception is the step's.
  *
  * @param threads by rank
+ * @param ahead when bricks look ahead
  */
 internal class NodeEngine(
     private val turns: Turns,
     threads: IntArray,
     private val handler: ThreadHandler,
     private val margins: HaloMargins = HaloMargins(),
+    ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST,
 ) : CollisionEngine {
     override val name: String get() = "node"
     override val threads: Int get() = handler.threads
@@ -35,7 +38,7 @@ internal class NodeEngine(
 
     private val whole = PreparedStep()
     private val places = RemoteBricks(turns, threads)
-    internal val crew = BrickCrew(whole, margins, places)
+    internal val crew = BrickCrew(whole, margins, places, ahead)
     private val plan = NodePlan(turns, whole, margins, threads)
 
     /** Number of spheres of all nodes in the last step. */

@@ -1,6 +1,7 @@
 package daphnis.core.cluster
 
 import daphnis.core.boundary.Box
+import daphnis.core.cluster.bricks.BrickAhead
 import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.cluster.bricks.LongBox
 import daphnis.core.collision.ConstantRestitution
@@ -11,6 +12,7 @@ import daphnis.core.engine.OddDraw
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
@@ -32,7 +34,9 @@ class NodeEngineTest {
         val random = case.random
         val threads = IntArray(1 + random.nextInt(4)) { 1 + random.nextInt(3) }
         val width = WIDTHS[random.nextInt(WIDTHS.size)]
-        return NodesTogether(Random(random.nextInt(1 shl 30).toLong()), threads) { HaloMargins(width, 0.0) }
+        val tuning = HorizonTuning(1 + random.nextInt(20), deviation = random.nextInt(3) * 0.1)
+        val ahead = if (random.nextInt(3) == 0) BrickAhead.Choice.QUICKEST else BrickAhead.Choice(0, tuning)
+        return NodesTogether(Random(random.nextInt(1 shl 30).toLong()), threads, ahead) { HaloMargins(width, 0.0) }
     }
 
     @Test
@@ -45,7 +49,7 @@ class NodeEngineTest {
             val serial = case.simulation(SerialEngine())
             val engine = nodes(case)
             case.simulation(engine).use { nodes ->
-                for (step in 1..3) {
+                for (step in 1..5) {
                     val expected = failure(serial)
                     val story = "$case, step $step, nodes with ${engine.threads} bricks"
                     assertEquals(expected, failure(nodes)) { story }

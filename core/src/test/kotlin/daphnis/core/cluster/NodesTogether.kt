@@ -1,5 +1,6 @@
 package daphnis.core.cluster
 
+import daphnis.core.cluster.bricks.BrickAhead
 import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
@@ -16,11 +17,13 @@ import java.util.random.RandomGenerator
  * Nodes on threads as one engine: before each step every sphere is given to any node, after it the nodes' spheres are
  * put together.
  *
- * @param threads by node
+ * @param perNode threads by node
+ * @param ahead when bricks look ahead
  */
 internal class NodesTogether(
     private val random: RandomGenerator,
     private val perNode: IntArray,
+    private val ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST,
     private val margins: () -> HaloMargins = { HaloMargins() },
 ) : CollisionEngine {
     override val name: String get() = "nodes"
@@ -33,7 +36,7 @@ internal class NodesTogether(
     private var redoneBefore = 0L
 
     private fun engines() = List(perNode.size) {
-        NodeEngine(Turns(room.mail(it)), perNode, FixedPool(perNode[it]), margins())
+        NodeEngine(Turns(room.mail(it)), perNode, FixedPool(perNode[it]), margins(), ahead)
     }
 
     override fun advance(step: CollisionStep) {
