@@ -13,5 +13,6 @@ kotlin {
 }
 dependencies {
     api(project(":core"))
+    testImplementation(libs.jhdf)
     testRuntimeOnly(libs.slf4j.nop)
 }
