@@ -8,6 +8,7 @@ internal fun firstDifference(a: Snapshot, b: Snapshot): String? = ofWhole(a, b)
 
 private fun ofWhole(a: Snapshot, b: Snapshot): String? {
     if (!a.id.contentEquals(b.id)) return "the particles are not the same (${a.size} and ${b.size})"
+    if (a.hasSpin != b.hasSpin) return "the particles of one have angular velocities, those of the other have none"
     if (a.step != b.step) return "step ${a.step} against ${b.step}"
     if ((a.image == null) != (b.image == null)) {
         return "one knows the boxes that particles have crossed, the other does not"

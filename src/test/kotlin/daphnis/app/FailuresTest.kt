@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.core.boundary.Open
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
 import daphnis.core.run.RunException
@@ -258,6 +259,19 @@ class FailuresTest {
             assertTrue(word in said) { "$word: $said" }
         }
         assertTrue("boxes crossed along x = 0 against 1" in firstDifference(state(), state(12)).orEmpty())
+    }
+
+    @Test
+    fun `two states differ in a spin, or in that there is any`() {
+        val p = state().population()
+        fun spun(w: Double) =
+            Snapshot.of(p.withSpin(DoubleArray(2), DoubleArray(2) { w }, DoubleArray(2)), Open, 3, 1.5)
+        val smooth = Snapshot.of(p, Open, 3, 1.5)
+        assertNull(firstDifference(spun(1.0), spun(1.0)))
+        assertEquals("particle 0, omegay = 1.0 against 2.0", firstDifference(spun(1.0), spun(2.0)))
+        for ((a, b) in listOf(spun(1.0) to smooth, smooth to spun(1.0))) {
+            assertTrue("angular velocities" in firstDifference(a, b).orEmpty())
+        }
     }
 
     private class Failing(private val message: String) : OutputStream() {

@@ -5,6 +5,7 @@ import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.keepsFinite
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EndsFinite
+import daphnis.core.force.Drift
 import daphnis.core.force.Force
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
@@ -29,6 +30,10 @@ public class StepPhases(
     private val forces: List<Force>,
     private val loop: RangeLoop,
 ) {
+    init {
+        forces.firstNotNullOfOrNull { it as? Drift }?.let { collisions?.turning = it.turning }
+    }
+
     private val undo = StepUndo(population, collisions?.counters)
 
     /** Whether the state at the end of the step is known to be finite. */

@@ -11,7 +11,10 @@ import daphnis.core.population.SphereQuantity
  * to be kept. Taking back allocates nothing, calls no other object's code and uses no other thread.
  */
 internal class StepUndo(private val population: Population, private val counters: CollisionCounters?) {
-    private val kept = Array(KICKED.size) { DoubleArray(0) }
+    /** Places of the columns that forces change. */
+    private val kicked = SphereQuantity.present(population.hasSpin)
+        .filter { SphereQuantity.at(it).change == SphereQuantity.Change.KICKED }.toIntArray()
+    private val kept = Array(kicked.size) { DoubleArray(0) }
     private var hasVelocities = false
     private val counted = CollisionCounters()
 
@@ -30,7 +33,7 @@ internal class StepUndo(private val population: Population, private val counters
         val size = population.size
         for (k in kept.indices) if (kept[k].size != size) kept[k] = DoubleArray(size)
         loop.runLight(size) { _, from, to ->
-            for (k in kept.indices) population.column(KICKED[k]).copyInto(kept[k], from, from, to)
+            for (k in kept.indices) population.column(kicked[k]).copyInto(kept[k], from, from, to)
         }
         hasVelocities = true
     }
@@ -44,12 +47,7 @@ internal class StepUndo(private val population: Population, private val counters
     fun takeBack() {
         population.takeStepBack()
         // Indexed as before the step, since the arrays are those from before the step.
-        if (hasVelocities) for (k in kept.indices) kept[k].copyInto(population.column(KICKED[k]))
+        if (hasVelocities) for (k in kept.indices) kept[k].copyInto(population.column(kicked[k]))
         counters?.set(counted)
-    }
-
-    private companion object {
-        /** Places of the columns that forces change. */
-        val KICKED = SphereQuantity.places { it.change == SphereQuantity.Change.KICKED }
     }
 }

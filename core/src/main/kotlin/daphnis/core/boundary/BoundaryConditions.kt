@@ -1,5 +1,6 @@
 package daphnis.core.boundary
 
+import daphnis.core.collision.Roughness
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 
@@ -41,6 +42,12 @@ public interface BoundaryConditions {
 
     /** Coefficient of restitution of walls, in [0, 1]; used where [contactFaces] says [ContactFaces.WALL]. */
     public val wallRestitution: Double get() = 1.0
+
+    /**
+     * Roughness of the wall at [face], numbered −x, +x, −y, +y, −z, +z from 0, or null where it is smooth; used where
+     * [contactFaces] says [ContactFaces.WALL]. Spheres need spins where there is any.
+     */
+    public fun wallRoughness(face: Int): Roughness? = null
 
     /**
      * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and

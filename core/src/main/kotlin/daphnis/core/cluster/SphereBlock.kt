@@ -5,14 +5,18 @@ import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
 import java.nio.ByteBuffer
 
-/** Spheres in a message: their columns one after the other in the order of places, then the ids. */
+/** Spheres in a message: whether they have spins, their columns one after the other in the order of places, the ids. */
 internal object SphereBlock {
-    /** Bytes of a sphere. */
-    val BYTES: Int = SphereQuantity.WIDTH * Double.SIZE_BYTES + Int.SIZE_BYTES
+    /** Bytes of [count] of these [spheres], with their number. */
+    fun bytes(spheres: SphereColumns, count: Int): Int =
+        count * (SphereQuantity.present(spheres.hasSpin).size * Double.SIZE_BYTES + Int.SIZE_BYTES) + HEAD
 
     /** Reads [count] spheres. */
-    fun read(from: ByteBuffer, count: Int): PopulationColumns =
-        PopulationColumns(Array(SphereQuantity.WIDTH) { from.doubles(count) }, from.ints(count))
+    fun read(from: ByteBuffer, count: Int): PopulationColumns {
+        val columns = Array(SphereQuantity.WIDTH) { SphereQuantity.NONE }
+        for (place in SphereQuantity.present(from.get() != SMOOTH)) columns[place] = from.doubles(count)
+        return PopulationColumns(columns, from.ints(count))
+    }
 
     /** Reads what [write] of one range of entries has written, with their number. */
     fun read(from: ByteBuffer): PopulationColumns = read(from, from.int)
@@ -25,10 +29,15 @@ internal object SphereBlock {
 
     /** Writes the entries of all ranges that [eachRange] goes through. */
     inline fun write(to: MessageWriter, spheres: SphereColumns, eachRange: ((from: Int, until: Int) -> Unit) -> Unit) {
-        for (place in 0 until SphereQuantity.WIDTH) {
+        to.byte(if (spheres.hasSpin) SPINNING else SMOOTH.toInt())
+        for (place in SphereQuantity.present(spheres.hasSpin)) {
             val column = spheres.column(place)
             eachRange { from, until -> to.doubles(column, from, until) }
         }
         eachRange { from, until -> to.ints(spheres.id, from, until) }
     }
+
+    const val SMOOTH: Byte = 0
+    const val SPINNING: Int = 1
+    private const val HEAD = Int.SIZE_BYTES + Byte.SIZE_BYTES
 }

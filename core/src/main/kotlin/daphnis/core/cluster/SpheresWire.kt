@@ -8,11 +8,12 @@ import daphnis.core.population.SphereColumns
 internal object SpheresWire {
     /** Sends the entries [from] until [until] of [spheres]. */
     fun send(mail: Mail, to: Int, spheres: SphereColumns, from: Int, until: Int) {
-        mail.send(to, MessageWriter().int(until - from).message())
+        val head = MessageWriter().int(until - from).byte(if (spheres.hasSpin) 1 else 0)
+        mail.send(to, head.message())
         var at = from
         while (at < until) {
             val end = minOf(until, at + BLOCK)
-            val message = MessageWriter((end - at) * SphereBlock.BYTES + Int.SIZE_BYTES)
+            val message = MessageWriter(SphereBlock.bytes(spheres, end - at))
             SphereBlock.write(message, spheres, at, end)
             mail.send(to, message.message())
             at = end
@@ -21,10 +22,13 @@ internal object SpheresWire {
 
     /** Receives what [send] has sent. */
     fun receive(mail: Mail, from: Int): PopulationColumns {
-        val count = mail.receive(from).int
+        val head = mail.receive(from)
+        val count = head.int
+        // Told apart from the blocks, of which there may be none.
+        val hasSpin = head.get() != SphereBlock.SMOOTH
         val blocks = ArrayList<PopulationColumns>()
         receive(mail, from, count) { blocks += it }
-        return blocks.singleOrNull() ?: PopulationColumns.joined(blocks)
+        return blocks.singleOrNull() ?: PopulationColumns.joined(blocks, hasSpin)
     }
 
     /** Receives the [count] spheres that follow their number, and hands each message of them to [take]. */

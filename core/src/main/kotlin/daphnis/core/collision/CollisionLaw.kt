@@ -9,15 +9,32 @@ import kotlin.math.sqrt
 
 /**
  * What a collision does: brings both spheres to the moment of contact and exchanges momentum along the line of centres,
- * with coefficient ε of [restitution] unless [guard] makes the collision elastic. Spheres are smooth, so tangential
- * velocities do not change.
+ * with coefficient ε of [restitution] unless [guard] makes the collision elastic. Tangential velocities and spins change
+ * where there is a [roughness], also in a collision that the guard makes elastic: what ends collapse is ε = 1, and
+ * friction alone leads to none.
  *
  * A law is immutable, and the outcome is a pure function of the two states, so any number of workers can share one law.
+ *
+ * @property roughness null for smooth spheres, whose spins, if they have any, stay
+ * @property momentFactor moment of inertia of spheres over mass · radius²
+ * @param turning angular speed about z of the axes in which spins are given: Ω in Hill's frame, else 0
  */
 public class CollisionLaw @JvmOverloads constructor(
     public val restitution: Restitution,
     public val guard: CollapseGuard = NoGuard,
+    public val roughness: Roughness? = null,
+    public val momentFactor: Double = SurfaceContact.SOLID,
+    turning: Double = 0.0,
 ) {
+    init {
+        require(momentFactor > 0 && momentFactor <= HOLLOW) {
+            "the moment of inertia is $momentFactor m r²; the factor must be > 0 and at most 2/3, that of a hollow sphere"
+        }
+    }
+
+    /** For spheres and walls. */
+    internal val spins = SpinExchange(momentFactor, turning)
+
     /**
      * Processes the collision of slots [first] and [second] at [time] (from the start of the step) and describes it in
      * [outcome].
@@ -55,6 +72,7 @@ public class CollisionLaw @JvmOverloads constructor(
             // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
             // energy.
             exchange(rows, first, second, (1.0 + outcome.coefficient) * b / d2, outcome)
+            if (roughness != null) spins.collide(rows, roughness, first, second, ux, uy, uz, b, d2, time, outcome)
             // From the reduced mass, so that it is the same to the last bit from either side.
             val m1 = rows.mass[first]
             val m2 = rows.mass[second]
@@ -165,6 +183,9 @@ public class CollisionLaw @JvmOverloads constructor(
         return outcome.separationX * ux + outcome.separationY * uy + outcome.separationZ * uz
     }
 }
+
+/** [CollisionLaw.momentFactor] of a sphere whose mass is all in its surface. */
+private const val HOLLOW = 2.0 / 3.0
 
 /** Of a velocity and of what is computed from it, relative to it. */
 private const val VELOCITY_ROUNDING = 1e-15

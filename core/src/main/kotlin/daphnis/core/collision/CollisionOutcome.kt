@@ -35,6 +35,9 @@ public class CollisionOutcome {
     public var rank: Int = 0
         internal set
 
+    /** What a law of roughness is asked about. */
+    internal val contact = SurfaceContact()
+
     /** Whether the guard made the collision elastic. */
     public var guarded: Boolean = false
         internal set

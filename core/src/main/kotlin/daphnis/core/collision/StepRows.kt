@@ -29,12 +29,20 @@ public class StepRows : GrowingTable() {
     /** Columns by place that are not in [state]. */
     private val sides = Array(SphereQuantity.WIDTH) { DoubleArray(0) }
 
+    /** Whether this step carries the times of collisions. */
+    internal var tracksLastCollision: Boolean = false
+        private set
+
+    /** Whether spheres have angular velocities. */
+    public var hasSpin: Boolean = false
+        private set
+
     /** Places of the columns besides [state] that this step carries. */
-    internal var carried: IntArray = RowColumns.UNNOTED
+    internal var carried: IntArray = RowColumns.LEAST
         private set
 
     /** Places of those that collisions change. */
-    internal val changing: IntArray get() = RowColumns.changing(tracksLastCollision)
+    internal val changing: IntArray get() = RowColumns.changing(tracksLastCollision, hasSpin)
 
     /** The column at [place], which is not in [state], by slot. */
     internal fun side(place: Int): DoubleArray = sides[place]
@@ -56,11 +64,14 @@ public class StepRows : GrowingTable() {
      */
     public val lastCollision: DoubleArray get() = sides[LAST_COLLISION]
 
+    /** Angular velocities by slot, in the axes of the start of the step; likewise [wy], [wz]. */
+    internal val wx: DoubleArray get() = sides[SPIN]
+    internal val wy: DoubleArray get() = sides[SPIN + 1]
+    internal val wz: DoubleArray get() = sides[SPIN + 2]
+
     /** Two numbers per slot, [rank] and [streak], which lie side by side since a collision changes both. */
     internal var marks: IntArray = IntArray(0)
         private set
-
-    internal val tracksLastCollision: Boolean get() = carried !== RowColumns.UNNOTED
 
     /** Consecutive collisions of one sphere which are no farther apart in time than this belong to one [streak]. */
     private var resolution = 0.0
@@ -94,8 +105,20 @@ public class StepRows : GrowingTable() {
         reserve(population.size)
         size = population.size
         resolution = duration * RESOLUTION
-        carried = if (tracksLastCollision) RowColumns.SIDES else RowColumns.UNNOTED
+        carry(tracksLastCollision, population.hasSpin)
         loop.run(size) { _, from, to -> loadRange(population, order, from, to) }
+    }
+
+    /** From now on columns are carried for notes of collisions and for spins, or not. */
+    private fun carry(tracks: Boolean, spins: Boolean) {
+        if (spins) reserveSpins(room)
+        tracksLastCollision = tracks
+        hasSpin = spins
+        carried = RowColumns.carried(tracks, spins)
+    }
+
+    private fun reserveSpins(room: Int) {
+        for (side in SphereQuantity.SPIN.places) if (sides[side].size < room) sides[side] = sides[side].copyOf(room)
     }
 
     private fun loadRange(population: SphereColumns, order: IntArray, from: Int, to: Int) {
@@ -147,10 +170,10 @@ public class StepRows : GrowingTable() {
     }
 
     /** Removes all rows, for a step of [duration] of which some spheres are to be [included][include]. */
-    internal fun begin(duration: Double, tracksLastCollision: Boolean) {
+    internal fun begin(duration: Double, tracksLastCollision: Boolean, hasSpin: Boolean) {
         size = 0
         resolution = duration * RESOLUTION
-        carried = if (tracksLastCollision) RowColumns.SIDES else RowColumns.UNNOTED
+        carry(tracksLastCollision, hasSpin)
     }
 
     /** Appends the sphere at [index] of [population], at the start of the step, and returns its slot. */
@@ -170,7 +193,7 @@ public class StepRows : GrowingTable() {
      */
     public fun take(rows: StepRows, slot: Int): Int {
         val k = append()
-        carried = rows.carried
+        if (carried !== rows.carried) carry(rows.tracksLastCollision, rows.hasSpin)
         resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
         for (side in carried) sides[side][k] = rows.sides[side][slot]
@@ -201,14 +224,18 @@ public class StepRows : GrowingTable() {
 
     override fun resize(room: Int) {
         state = state.copyOf(room * STRIDE)
-        for (side in RowColumns.SIDES) sides[side] = sides[side].copyOf(room)
+        for (side in NEEDED) sides[side] = sides[side].copyOf(room)
+        if (hasSpin) reserveSpins(room)
         id = id.copyOf(room)
         origin = origin.copyOf(room)
         marks = marks.copyOf(room * MARKS)
     }
 
     public companion object {
+        /** Places of the columns that all rows have room for. */
+        private val NEEDED = RowColumns.carried(tracks = true, hasSpin = false)
         private val MASS = SphereQuantity.MASS.place
+        private val SPIN = SphereQuantity.SPIN.place
         private val LAST_COLLISION = SphereQuantity.LAST_COLLISION.place
 
         /** Numbers per sphere in [marks]. */

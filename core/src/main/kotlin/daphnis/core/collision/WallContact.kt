@@ -7,6 +7,7 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
+import kotlin.math.abs
 
 /**
  * Reflecting walls. A wall is a partner with a negative number, −1 − face; faces are numbered −x, +x, −y, +y, −z, +z
@@ -18,13 +19,15 @@ public class WallContact {
     private val upper = DoubleArray(3)
     private val walled = BooleanArray(3)
     private var restitution = 1.0
+    private val roughness = arrayOfNulls<Roughness>(FACES)
+    private var spins: SpinExchange? = null
 
     /** Whether there is any wall. */
     public var present: Boolean = false
         private set
 
-    /** Takes over the walls of [boundary]. */
-    public fun prepare(boundary: BoundaryConditions) {
+    /** Takes over the walls of [boundary] for spheres whose collisions have a [law]. */
+    public fun prepare(boundary: BoundaryConditions, law: CollisionLaw) {
         present = false
         for (axis in 0..2) {
             walled[axis] = boundary.contactFaces(axis) == ContactFaces.WALL
@@ -33,6 +36,8 @@ public class WallContact {
             present = present || walled[axis]
         }
         restitution = boundary.wallRestitution
+        for (face in 0 until FACES) roughness[face] = boundary.wallRoughness(face)
+        spins = law.spins
     }
 
     /**
@@ -52,10 +57,13 @@ public class WallContact {
         return rows.state[p + TIME] + if (gap <= 0.0) 0.0 else gap / outward
     }
 
-    /** Reflects sphere [slot] at wall [face] at [time]. */
-    public fun reflect(rows: StepRows, slot: Int, face: Int, time: Double) {
+    /** Reflects sphere [slot] at wall [face] at [time]; the caller does not read [outcome]. */
+    public fun reflect(rows: StepRows, slot: Int, face: Int, time: Double, outcome: CollisionOutcome) {
         rows.advance(slot, time)
         val v = slot * STRIDE + VX + (face shr 1)
+        roughness[face]?.let {
+            spins!!.reflect(rows, it, slot, face, abs(rows.state[v]), restitution, time, outcome.contact)
+        }
         // +0.0 from a wall that absorbs all of the speed, whichever way the sphere came.
         rows.state[v] = rows.state[v] * -restitution + 0.0
     }

@@ -7,6 +7,9 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
+import daphnis.core.collision.Roughness
+import daphnis.core.collision.SurfaceContact
+import daphnis.core.collision.WallContact
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
@@ -19,6 +22,8 @@ import daphnis.core.step.CollisionStep
  * @property engine moves the spheres; not asked in a run whose steps nodes compute
  * @param search how neighbours are found; affects only the time it takes
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
+ * @param roughness what surfaces do to one another in a collision; null for smooth spheres
+ * @param momentFactor moment of inertia of spheres over mass · radius²
  */
 public class CollisionForcing @JvmOverloads constructor(
     restitution: Restitution,
@@ -26,9 +31,19 @@ public class CollisionForcing @JvmOverloads constructor(
     public val engine: CollisionEngine = SerialEngine(),
     recordCollisions: Boolean = false,
     private val search: SearchStructure = SearchStructure.AUTO,
+    private val roughness: Roughness? = null,
+    momentFactor: Double = SurfaceContact.SOLID,
 ) : AutoCloseable {
-    private val law = CollisionLaw(restitution, guard)
+    private var law = CollisionLaw(restitution, guard, roughness, momentFactor)
     private var step: CollisionStep? = null
+
+    /** See [daphnis.core.force.Drift.turning]; to be set before the first step. */
+    internal var turning = 0.0
+        set(value) {
+            law = CollisionLaw(law.restitution, law.guard, roughness, law.momentFactor, value)
+            step = null
+            field = value
+        }
 
     /** Whether the next step is the first of spheres of which nobody has seen that they do not overlap. */
     internal var isStartUnchecked = false
@@ -42,10 +57,12 @@ public class CollisionForcing @JvmOverloads constructor(
     /**
      * Moves [population] from [start] over [duration]; applying boundaries at the end is the caller's task. See
      * [CollisionEngine.advance].
+     *
+     * @throws IllegalArgumentException also when spheres or walls are rough and the population has no spins
      */
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
         val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
-            ?: CollisionStep(population, boundary, law, counters, search).also { step = it }
+            ?: newStep(population, boundary).also { step = it }
         if (isStartUnchecked) {
             // What no engine takes is refused first, as they do it: pairs are not searched for among such spheres.
             Reach().measure(population, boundary, duration)
@@ -55,6 +72,14 @@ public class CollisionForcing @JvmOverloads constructor(
         step.duration = duration
         step.record = record
         engine.advance(step)
+    }
+
+    private fun newStep(population: Population, boundary: BoundaryConditions): CollisionStep {
+        val isRough = roughness != null || (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
+        require(!isRough || population.hasSpin) {
+            "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
+        }
+        return CollisionStep(population, boundary, law, counters, search)
     }
 
     /** @throws IllegalArgumentException when spheres overlap at the time [start] */

@@ -3,6 +3,8 @@ package daphnis.core.engine
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
+import daphnis.core.collision.Roughness
+import daphnis.core.collision.SurfaceContact
 import daphnis.core.search.SearchStructure
 
 /**
@@ -21,6 +23,8 @@ public class CollisionForcingBuilder internal constructor(private val restitutio
     private var makeEngine: () -> CollisionEngine = { SerialEngine() }
     private var recordCollisions = false
     private var search = SearchStructure.AUTO
+    private var roughness: Roughness? = null
+    private var momentFactor = SurfaceContact.SOLID
 
     /** What ends inelastic collapse; nothing unless given. */
     public fun guard(guard: CollapseGuard): CollisionForcingBuilder = apply { this.guard = guard }
@@ -47,6 +51,13 @@ public class CollisionForcingBuilder internal constructor(private val restitutio
     /** How neighbours are found; affects only the time it takes. */
     public fun search(search: SearchStructure): CollisionForcingBuilder = apply { this.search = search }
 
+    /** Makes spheres rough; they are smooth unless it is given. The population needs spins. */
+    public fun roughness(roughness: Roughness): CollisionForcingBuilder = apply { this.roughness = roughness }
+
+    /** Moment of inertia of spheres over mass · radius², > 0; 2/5 unless given. */
+    public fun momentFactor(factor: Double): CollisionForcingBuilder = apply { momentFactor = factor }
+
     /** The forcing; it is closed with the simulation. */
-    public fun build(): CollisionForcing = CollisionForcing(restitution, guard, makeEngine(), recordCollisions, search)
+    public fun build(): CollisionForcing =
+        CollisionForcing(restitution, guard, makeEngine(), recordCollisions, search, roughness, momentFactor)
 }

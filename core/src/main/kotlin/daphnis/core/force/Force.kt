@@ -54,4 +54,10 @@ public fun interface Kick : Force {
  * ones. A simulation has at most one, and it acts last before the drift and first after it, whatever its place in the
  * list of forces. Its potential energy is that of the frame.
  */
-public interface Drift : Force
+public interface Drift : Force {
+    /**
+     * Angular speed about z of the axes in which spins are given. Within a step spins are kept in the axes of its
+     * start; [afterDrift] is to turn them to those of its end, as seen from there by −[turning] times the duration.
+     */
+    public val turning: Double get() = 0.0
+}

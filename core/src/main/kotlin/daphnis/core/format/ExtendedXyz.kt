@@ -1,7 +1,6 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
-import daphnis.core.population.SphereQuantity
 import java.io.IOException
 import java.io.Writer
 import java.nio.file.Files
@@ -45,12 +44,12 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
             out.append("Lattice=\"$edges\" ")
             out.append("Origin=\"${-l[0] / 2} ${-l[1] / 2} ${-l[2] / 2}\" ")
         }
-        val properties = SphereQuantity.EXPORTED.joinToString(":") { "${it.xyz[0]}:R:${it.columns.size}" }
+        val properties = snapshot.quantities.joinToString(":") { "${it.xyz[0]}:R:${it.columns.size}" }
         val shift = if (snapshot.image == null) "" else ":${XyzColumns.IMAGE[0]}:I:3"
         out.append("Properties=species:S:1:$properties:id:I:1$shift ")
         out.append("Time=${snapshot.time} Step=${snapshot.step} Scale=$scale ")
         out.append("pbc=\"${snapshot.periodic.joinToString(" ") { if (it) "T" else "F" }}\"\n")
-        val columns = SphereQuantity.EXPORTED.flatMap { quantity ->
+        val columns = snapshot.quantities.flatMap { quantity ->
             snapshot.columns(quantity).map { it to quantity.dimension.of(scale, 1.0, 1.0) }
         }
         for (k in 0 until snapshot.size) {

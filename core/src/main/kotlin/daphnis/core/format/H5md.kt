@@ -93,7 +93,7 @@ public object H5md : ReadableFormat, WritableFormat {
 
     private fun particles(all: WritableGroup, snapshots: List<Snapshot>, names: UnitNames?) {
         val first = snapshots.first()
-        for (quantity in CHANGING) element(all, quantity, snapshots, names)
+        for (quantity in CHANGING) if (quantity in first.quantities) element(all, quantity, snapshots, names)
         if (snapshots.all { it.image != null }) images(all, snapshots, names?.time)
         all.putDataset("id", first.id)
         for (quantity in FIXED) all.putDataset(quantity.title, first.columns(quantity)[0]).unit(names?.of(quantity))

@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
@@ -77,7 +78,11 @@ internal class H5mdParticles(
         /** The state without a particle. */
         fun empty(): Snapshot = Snapshot(
             step, time, lengths, periodic, lean.offset, IntArray(0), Array(SphereQuantity.EXPORTED_WIDTH) { NONE },
-            lean.normalAxis, lean.slideAxis, SphereQuantity.EXPORTED.toSet(), hasTime = hasTime,
+            lean.normalAxis, lean.slideAxis,
+            SphereQuantity.EXPORTED.filterTo(HashSet()) {
+                !it.isOptional
+            },
+            hasTime = hasTime,
         )
     }
 
@@ -92,7 +97,7 @@ internal class H5mdParticles(
             return when {
                 vector != null -> DoubleArray(count) { vector[quantity.columns.size * (t * count + order[it]) + c] }
                 number != null -> DoubleArray(count) { number.data[at(number.isByFrame, t, order[it])] }
-                else -> DoubleArray(count) { quantity.absent }
+                else -> PopulationColumns.absent(quantity.place + c, count)
             }
         }
         return Snapshot(

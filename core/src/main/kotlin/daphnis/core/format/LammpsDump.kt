@@ -1,7 +1,6 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
-import daphnis.core.population.SphereQuantity
 import java.io.IOException
 import java.io.Writer
 import java.nio.file.Files
@@ -53,8 +52,8 @@ public object LammpsDump : ReadableFormat, WritableFormat {
         out.append("ITEM: NUMBER OF ATOMS\n${snapshot.size}\n")
         bounds(snapshot, out)
         val own = if (isFromZero) " ${LammpsColumns.OWN_ID}" else ""
-        val names = SphereQuantity.EXPORTED.flatMap { it.columns }.joinToString(" ")
-        val columns = SphereQuantity.EXPORTED.flatMap { snapshot.columns(it) }
+        val names = snapshot.quantities.flatMap { it.columns }.joinToString(" ")
+        val columns = snapshot.quantities.flatMap { snapshot.columns(it) }
         val flags = if (snapshot.image == null) "" else " ${LammpsColumns.IMAGE.joinToString(" ")}"
         out.append("ITEM: ATOMS id type $names$flags$own\n")
         for (k in 0 until snapshot.size) {

@@ -1,13 +1,14 @@
 package daphnis.core.format
 
-import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereQuantity
 import java.util.EnumSet
 
 /** The particles of a state in a text file, with substitutes for what the file does not have. */
 internal class ParticleRows(private val size: Int) {
     val id = IntArray(size) { it }
-    private val numbers = Array(SphereQuantity.EXPORTED_WIDTH) { PopulationColumns.absent(it, size) }
+    private val numbers = Array(SphereQuantity.EXPORTED_WIDTH) { place ->
+        SphereQuantity.at(place).absent.let { value -> DoubleArray(size) { value } }
+    }
 
     /** Quantities that the file tells. */
     val known: MutableSet<SphereQuantity> = EnumSet.of(SphereQuantity.POSITION)

@@ -69,7 +69,7 @@ public class Snapshot internal constructor(
                 SphereQuantity.VELOCITY -> hasVelocity
                 SphereQuantity.RADIUS -> hasRadius
                 SphereQuantity.MASS -> hasMass
-                else -> true
+                else -> !it.isOptional
             }
         },
         image, hasTime, shift,
@@ -78,8 +78,14 @@ public class Snapshot internal constructor(
     /** Number of spheres. */
     override val size: Int get() = id.size
 
-    override fun column(place: Int): DoubleArray =
-        if (place < numbers.size) numbers[place] else PopulationColumns.absent(place, size)
+    /** Whether spheres have angular velocities. */
+    override val hasSpin: Boolean get() = SphereQuantity.SPIN in known
+
+    override fun column(place: Int): DoubleArray = when {
+        !hasSpin && place in SphereQuantity.SPIN.places -> SphereQuantity.NONE
+        place < numbers.size -> numbers[place]
+        else -> PopulationColumns.absent(place, size)
+    }
 
     /** Positions, `position[axis][k]`. */
     public val position: Array<DoubleArray> = Array(3) { numbers[it] }
@@ -96,8 +102,12 @@ public class Snapshot internal constructor(
     /** The same for [velocity]; false when the file had none along some axis. */
     public val hasVelocity: Boolean get() = SphereQuantity.VELOCITY in known
 
+    /** What spheres have, other than what no file but a checkpoint has. */
+    internal val quantities: List<SphereQuantity>
+        get() = SphereQuantity.EXPORTED.filter { !it.isOptional || it in known }
+
     /** Names of the columns of numbers, as tables have them; column `k` is at place k. */
-    public val columnNames: List<String> get() = SphereQuantity.EXPORTED.flatMap { it.columns }
+    public val columnNames: List<String> get() = quantities.flatMap { it.columns }
 
     /** Dimension of the column at [place], in the words of [daphnis.core.table.Dimension]. */
     public fun dimension(place: Int): String = SphereQuantity.at(place).dimension.words()
@@ -181,11 +191,13 @@ public class Snapshot internal constructor(
                 IntArray(order.size) { population.id[order[it]] },
                 Array(SphereQuantity.EXPORTED_WIDTH) { place ->
                     val column = population.column(place)
-                    DoubleArray(order.size) { column[order[it]] }
+                    if (column === SphereQuantity.NONE) column else DoubleArray(order.size) { column[order[it]] }
                 },
                 boundary.shear?.normalAxis ?: 1,
                 boundary.shear?.slideAxis ?: 0,
-                if (hasMass) SphereQuantity.EXPORTED.toSet() else SphereQuantity.EXPORTED.toSet() - SphereQuantity.MASS,
+                SphereQuantity.EXPORTED.filterTo(HashSet()) {
+                    (hasMass || it != SphereQuantity.MASS) && (population.hasSpin || !it.isOptional)
+                },
                 image(population, boundary, time, order),
             )
         }

@@ -55,7 +55,7 @@ public object Vtp : WritableFormat {
             for (k in 0 until n) for (column in of) b.putDouble(column[k])
         }
         val points = numbers(snapshot.columns(SphereQuantity.POSITION))
-        val data = POINT_DATA.joinToString("\n") { quantity ->
+        val data = (snapshot.quantities - SphereQuantity.POSITION).joinToString("\n") { quantity ->
             val count = if (quantity.columns.size > 1) " NumberOfComponents=\"${quantity.columns.size}\"" else ""
             val at = numbers(snapshot.columns(quantity))
             """<DataArray type="Float64" Name="${quantity.title}"$count format="appended" offset="$at"/>"""
@@ -118,6 +118,5 @@ public object Vtp : WritableFormat {
         out.write(text.toByteArray(Charsets.UTF_8))
     }
 
-    private val POINT_DATA = SphereQuantity.EXPORTED - SphereQuantity.POSITION
     private const val HEADER = 8
 }

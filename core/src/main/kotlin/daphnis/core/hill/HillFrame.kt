@@ -23,6 +23,9 @@ import kotlin.math.abs
  * m v₁ are the same as without any collision. Σ m X and Σ m Y are those of free motion, to round-off, for any length of
  * the step.
  *
+ * **Spins** are relative to the frame. One that rests among the stars turns backwards in it, so [afterDrift] turns its
+ * horizontal part by −Ω h.
+ *
  * Images of the shearing sheet stay images: the chord of a path displaced by L_x in x and −(3/2)Ω L_x t in y is
  * displaced likewise. (Free motion: Hill 1878; kick–drift–kick in this frame: Quinn, Perrine, Richardson & Barnes 2010,
  * AJ 139, 803; Rein & Tremaine 2011, MNRAS 415, 3168.)
@@ -46,12 +49,18 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     private var bz = 1.0
     private var q = 0.0
 
+    /** Of Ω times the duration. */
+    private var cosine = 1.0
+    private var sine = 0.0
+
     init {
         require(omega > 0 && omega.isFinite()) { "angular speed is $omega; it must be > 0" }
         require(verticalFactor >= 0 && verticalFactor.isFinite()) {
             "vertical factor is $verticalFactor; it must be at least 0"
         }
     }
+
+    override val turning: Double get() = omega
 
     override fun useLoop(loop: RangeLoop) {
         this.loop = loop
@@ -66,6 +75,7 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     override fun afterDrift(population: Population, end: Double, duration: Double) {
         prepare(duration)
         loop.runLight(population.size) { _, from, to -> fromChord(population, from, to) }
+        if (population.hasSpin) loop.runLight(population.size) { _, from, to -> turn(population, from, to) }
     }
 
     /**
@@ -117,6 +127,17 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
         }
     }
 
+    private fun turn(p: Population, from: Int, to: Int) {
+        val wx = p.wx
+        val wy = p.wy
+        for (k in from until to) {
+            val u = wx[k]
+            val v = wy[k]
+            wx[k] = cosine * u + sine * v
+            wy[k] = cosine * v - sine * u
+        }
+    }
+
     private fun prepare(duration: Double) {
         if (duration == this.duration) return
         val h = omega * duration
@@ -136,6 +157,8 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
         byy = 1 + 4 * lag / h
         q = 2 * versine / h
         az = if (hz == 0.0) 0.0 else -versine(hz) / duration
+        cosine = StrictMath.cos(h)
+        sine = StrictMath.sin(h)
         bz = if (hz == 0.0) 1.0 else 1 + sineMinusArgument(hz) / hz
         this.duration = duration
     }

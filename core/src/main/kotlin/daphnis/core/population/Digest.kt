@@ -8,6 +8,7 @@ import java.util.HexFormat
 
 /**
  * The state digest: SHA-256 over x y z vx vy vz of all spheres in the order of their ids, as big-endian IEEE doubles.
+ * Where spheres have spins, ωx ωy ωz of all follow, in the same order.
  *
  * Two runs with the same digest have the same trajectory to the last bit. The digest does not depend on the order in
  * which the arrays are kept.
@@ -16,20 +17,26 @@ import java.util.HexFormat
  */
 public fun stateDigest(population: Population): String {
     val sha = MessageDigest.getInstance("SHA-256")
-    val block = ByteBuffer.allocate(BYTES_PER_SPHERE * SPHERES_PER_BLOCK)
-    for (place in 0 until population.places) {
-        val k = population.indexAt(place)
-        if (k < 0) continue
-        for (place in DIGESTED) block.putDouble(population.column(place)[k])
-        if (!block.hasRemaining()) {
-            sha.update(block.array())
-            block.clear()
-        }
-    }
-    sha.update(block.array(), 0, block.position())
+    sha.update(population, MOTION)
+    if (population.hasSpin) sha.update(population, SPIN)
     return HexFormat.of().formatHex(sha.digest())
 }
 
-private val DIGESTED = SphereQuantity.places { it.isDigested }
-private val BYTES_PER_SPHERE = DIGESTED.size * Double.SIZE_BYTES
+/** Takes in the columns of all spheres at these [places]. */
+private fun MessageDigest.update(population: Population, places: IntArray) {
+    val block = ByteBuffer.allocate(places.size * Double.SIZE_BYTES * SPHERES_PER_BLOCK)
+    for (sphere in 0 until population.places) {
+        val k = population.indexAt(sphere)
+        if (k < 0) continue
+        for (place in places) block.putDouble(population.column(place)[k])
+        if (!block.hasRemaining()) {
+            update(block.array())
+            block.clear()
+        }
+    }
+    update(block.array(), 0, block.position())
+}
+
+private val MOTION = SphereQuantity.places { it.isDigested && !it.isOptional }
+private val SPIN = SphereQuantity.places { it.isDigested && it.isOptional }
 private const val SPHERES_PER_BLOCK = 512

@@ -8,7 +8,7 @@ import java.util.concurrent.atomic.AtomicBoolean
 
 /**
  * A number that is infinite or NaN, such as "vx of particle 3 is NaN": that of the lowest id in the first column with
- * any. Null when there is none. Looks at positions, velocities, radii and masses. One sum over everything, which is not
+ * any. Null when there is none. Looks at positions, velocities, radii and masses, and at spins where there are any. One sum over everything, which is not
  * 0 as soon as one number is not finite: cheap compared with a step.
  */
 @JvmOverloads
@@ -37,6 +37,7 @@ internal fun SphereColumns.isFinite(from: Int, to: Int): Boolean {
     }
     for (place in OTHERS) {
         val column = column(place)
+        if (column === SphereQuantity.NONE) continue
         for (k in from until to) sum += column[k] * 0.0
     }
     return sum == 0.0
@@ -47,6 +48,7 @@ internal fun SphereColumns.nameNotFinite(): String? {
     for (quantity in SphereQuantity.EXPORTED) {
         for ((c, name) in quantity.columns.withIndex()) {
             val column = column(quantity.place + c)
+            if (column === SphereQuantity.NONE) continue
             // The lowest id: the order of the arrays is up to the engine.
             var first = -1
             for (k in 0 until size) if (!column[k].isFinite() && (first < 0 || id[k] < id[first])) first = k

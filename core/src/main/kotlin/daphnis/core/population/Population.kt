@@ -63,11 +63,13 @@ public class Population internal constructor(columns: PopulationColumns) : Spher
 
     init {
         val n = x.size
-        for (place in 1 until SphereQuantity.WIDTH) {
+        for (place in SphereQuantity.present(hasSpin)) {
             require(column(place).size == n) { "${nameOf(place)} has ${column(place).size} entries, x has $n" }
         }
         require(id.size == n) { "id has ${id.size} entries, x has $n" }
-        for (quantity in SphereQuantity.EXPORTED) for (place in quantity.places) check(quantity, place)
+        for (quantity in SphereQuantity.EXPORTED) {
+            if (hasSpin || !quantity.isOptional) for (place in quantity.places) check(quantity, place)
+        }
         for (k in 0 until n) require(id[k] >= 0) { "id ${id[k]} is negative; ids must be at least 0" }
         val sorted = id.copyOf().apply { sort() }
         for (k in 1 until n) require(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
@@ -159,11 +161,13 @@ public class Population internal constructor(columns: PopulationColumns) : Spher
      * [others] does not change. It costs a copy of all arrays, so add many spheres at once. Within a step only the
      * boundary may call it, and it is taken back with the step. Allocates.
      *
-     * @throws IllegalArgumentException when a sphere that is there has one of the ids; then nothing is changed
+     * @throws IllegalArgumentException when a sphere that is there has one of the ids, or only [others] have spins; then
+     *   nothing is changed. When only those that are there have them, those of [others] are 0
      */
     public fun add(others: Population) {
         if (others.size == 0) return
         for (id in others.id) require(indexOf(id) < 0) { "id $id is taken; a sphere that is added needs a new one" }
+        require(hasSpin || !others.hasSpin) { "spheres to be added have spins, those that are there none" }
         val all = PopulationColumns.joined(listOf(now, others.now))
         val places = IdPlaces(all.id.copyOf().apply { sort() })
         val counts = Crossings(places)
@@ -200,6 +204,12 @@ public class Population internal constructor(columns: PopulationColumns) : Spher
     /** Adds to [boxesCrossed] of the sphere [id], which may be elsewhere now. */
     internal fun addCrossingOf(id: Int, axis: Int, boxes: Int) {
         crossings.add(id, axis, boxes)
+    }
+
+    /** A deep copy with these angular velocities by index, see [SphereColumns.wx]; of the length of the others, finite. */
+    public fun withSpin(wx: DoubleArray, wy: DoubleArray, wz: DoubleArray): Population {
+        val columns = PopulationColumns.joined(listOf(this)).withSpin(listOf(wx.copyOf(), wy.copyOf(), wz.copyOf()))
+        return Population(columns).also { copy -> crossings.copyInto(copy.crossings, id) }
     }
 
     /** A deep copy. */

@@ -18,6 +18,7 @@ public class PopulationBuilder internal constructor() {
     private var velocities: Array<DoubleArray>? = null
     private var radii: Column? = null
     private var masses: Column? = null
+    private var spins: Array<DoubleArray>? = null
     private var ids: IntArray? = null
 
     /** A column of [n] numbers. */
@@ -45,6 +46,10 @@ public class PopulationBuilder internal constructor() {
     /** A mass for each sphere. */
     public fun masses(masses: DoubleArray): PopulationBuilder = apply { this.masses = Column { masses.copyOf() } }
 
+    /** Angular velocities, radians per unit of time, for rough spheres; none unless given. */
+    public fun spins(wx: DoubleArray, wy: DoubleArray, wz: DoubleArray): PopulationBuilder =
+        apply { spins = arrayOf(wx, wy, wz) }
+
     /** Distinct ids, ≥ 0; 0, 1, 2, … unless given. */
     public fun ids(ids: IntArray): PopulationBuilder = apply { this.ids = ids }
 
@@ -59,7 +64,8 @@ public class PopulationBuilder internal constructor() {
         val (vx, vy, vz) = velocities?.let(::copied) ?: Array(AXES) { DoubleArray(n) }
         val radius = requireNotNull(radii) { "the spheres have no radii; give radius(…) or radii(…)" }.of(n)
         val mass = requireNotNull(masses) { "the spheres have no masses; give mass(…) or masses(…)" }.of(n)
-        return Population(x, y, z, vx, vy, vz, radius, mass, ids?.copyOf() ?: IntArray(n) { it })
+        val smooth = Population(x, y, z, vx, vy, vz, radius, mass, ids?.copyOf() ?: IntArray(n) { it })
+        return spins?.let { (wx, wy, wz) -> smooth.withSpin(wx, wy, wz) } ?: smooth
     }
 
     private fun copied(columns: Array<DoubleArray>) = Array(AXES) { columns[it].copyOf() }

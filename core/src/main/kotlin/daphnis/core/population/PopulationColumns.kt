@@ -2,6 +2,7 @@ package daphnis.core.population
 
 import daphnis.core.population.SphereQuantity.Change.NEVER
 import daphnis.core.population.SphereQuantity.Change.NOTED
+import daphnis.core.population.SphereQuantity.Companion.NONE
 
 /**
  * Columns of one length. A [Population] has two sets of them, which take turns: a step is written to one and leaves the
@@ -11,11 +12,22 @@ import daphnis.core.population.SphereQuantity.Change.NOTED
  */
 internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: IntArray) : SphereColumns {
     /** An empty set for [size] spheres. */
-    constructor(size: Int) : this(Array(SphereQuantity.WIDTH) { DoubleArray(size) }, IntArray(size))
+    constructor(size: Int, hasSpin: Boolean = false) : this(
+        Array(SphereQuantity.WIDTH) { if (isThere(it, hasSpin)) DoubleArray(size) else NONE },
+        IntArray(size),
+    )
 
-    /** An empty set for [size] spheres, with the notes of collisions of [other]. */
+    /** An empty set for [size] spheres that have what those of [other] have, with its notes of collisions. */
     constructor(size: Int, other: PopulationColumns) : this(
-        Array(SphereQuantity.WIDTH) { if (it in NOTES) other.numbers[it] else DoubleArray(size) },
+        Array(SphereQuantity.WIDTH) {
+            if (it in NOTES) {
+                other.numbers[it]
+            } else if (isThere(it, other.hasSpin)) {
+                DoubleArray(size)
+            } else {
+                NONE
+            }
+        },
         IntArray(size),
     )
 
@@ -53,13 +65,21 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
         to.shareNotes(this)
     }
 
+    /** The same columns with [spins], one array for each of x, y, z. */
+    fun withSpin(spins: List<DoubleArray>): PopulationColumns =
+        PopulationColumns(Array(numbers.size) { if (it in SPINS) spins[it - SPINS.first] else numbers[it] }, id)
+
     /** Copies all spheres to entries [at] and following of [to]. */
     fun copyInto(to: PopulationColumns, at: Int) {
-        for (place in numbers.indices) numbers[place].copyInto(to.numbers[place], at)
+        for (place in SphereQuantity.present(hasSpin)) numbers[place].copyInto(to.numbers[place], at)
         id.copyInto(to.id, at)
     }
 
     companion object {
+        private val SPINS = SphereQuantity.SPIN.places
+
+        private fun isThere(place: Int, hasSpin: Boolean) = hasSpin || place !in SPINS
+
         private val BODIES = SphereQuantity.places { it.change == NEVER }
         private val NOTES = SphereQuantity.places { it.change == NOTED }
 
@@ -75,24 +95,29 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
         )
 
         /** A column of spheres of which nothing is said. */
-        fun absent(place: Int, size: Int): DoubleArray =
-            SphereQuantity.at(place).absent.let { value -> DoubleArray(size) { value } }
+        fun absent(place: Int, size: Int): DoubleArray = SphereQuantity.at(place).let { quantity ->
+            if (quantity.isOptional) NONE else DoubleArray(size) { quantity.absent }
+        }
 
         /** New columns of the [spheres] at the indices [kept]. */
         fun picked(spheres: SphereColumns, kept: IntArray): PopulationColumns = PopulationColumns(
             Array(SphereQuantity.WIDTH) { place ->
                 val all = spheres.column(place)
-                DoubleArray(kept.size) { all[kept[it]] }
+                if (isThere(place, spheres.hasSpin)) DoubleArray(kept.size) { all[kept[it]] } else NONE
             },
             IntArray(kept.size) { spheres.id[kept[it]] },
         )
 
-        /** New columns of the spheres of all [parts], one after the other. */
-        fun joined(parts: List<SphereColumns>): PopulationColumns {
-            val all = PopulationColumns(parts.sumOf { it.size })
+        /**
+         * New columns of the spheres of all [parts], one after the other. When any have spins, those of others are 0.
+         */
+        fun joined(parts: List<SphereColumns>, hasSpin: Boolean = parts.any { it.hasSpin }): PopulationColumns {
+            val all = PopulationColumns(parts.sumOf { it.size }, hasSpin)
             var at = 0
             for (part in parts) {
-                for (place in all.numbers.indices) part.column(place).copyInto(all.numbers[place], at, 0, part.size)
+                for (place in SphereQuantity.present(part.hasSpin)) {
+                    part.column(place).copyInto(all.numbers[place], at, 0, part.size)
+                }
                 part.id.copyInto(all.id, at, 0, part.size)
                 at += part.size
             }

@@ -15,7 +15,10 @@ public interface SphereColumns {
     /** Number of columns of numbers. */
     public val columnCount: Int get() = SphereQuantity.WIDTH
 
-    /** The column at [place]: 0, 1, 2 positions, 3, 4, 5 velocities, 6 radii, 7 masses, then what else is known. */
+    /**
+     * The column at [place]: 0, 1, 2 positions, 3, 4, 5 velocities, 6 radii, 7 masses, 8, 9, 10 angular velocities,
+     * then what else is known. It is empty where spheres do not have what it is of.
+     */
     public fun column(place: Int): DoubleArray
 
     /** Positions, in the scenario's unit of length; likewise [y], [z]. */
@@ -34,6 +37,19 @@ public interface SphereColumns {
     /** Masses, > 0. */
     public val mass: DoubleArray get() = column(7)
 
+    /**
+     * Whether spheres have angular velocities, which only rough ones need. All of a population have them or none.
+     */
+    public val hasSpin: Boolean get() = column(SPIN) !== SphereQuantity.NONE
+
+    /**
+     * Angular velocities, radians per unit of time, in Hill's frame relative to the frame; likewise [wy], [wz]. Empty
+     * unless [hasSpin].
+     */
+    public val wx: DoubleArray get() = column(SPIN)
+    public val wy: DoubleArray get() = column(SPIN + 1)
+    public val wz: DoubleArray get() = column(SPIN + 2)
+
     /** See [Population.lastCollision]. */
     public val lastCollision: DoubleArray get() = column(SphereQuantity.LAST_COLLISION.place)
 
@@ -43,3 +59,5 @@ public interface SphereColumns {
     /** Velocities along [axis]. */
     public fun velocity(axis: Int): DoubleArray = column(3 + axis)
 }
+
+private val SPIN = SphereQuantity.SPIN.place

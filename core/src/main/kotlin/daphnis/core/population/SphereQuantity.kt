@@ -16,6 +16,7 @@ package daphnis.core.population
  * @property isPositive whether its numbers are sizes, > 0
  * @property isDigested whether the digest takes it in; all that a trajectory is compared by
  * @property isExported whether files other than checkpoints have it
+ * @property isOptional whether there are spheres without it, whose columns of it are [NONE]
  */
 internal enum class SphereQuantity(
     val title: String,
@@ -28,6 +29,7 @@ internal enum class SphereQuantity(
     val isPositive: Boolean = false,
     val isDigested: Boolean = false,
     val isExported: Boolean = true,
+    val isOptional: Boolean = false,
 ) {
     POSITION(
         "position",
@@ -66,6 +68,18 @@ internal enum class SphereQuantity(
         Change.NEVER,
         absent = 1.0,
         isPositive = true,
+    ),
+
+    /** Angular velocity, which rough spheres have. In Hill's frame it is relative to the frame. */
+    SPIN(
+        "angular_velocity",
+        words("omegax omegay omegaz"),
+        words("angular_velocity omega spin"),
+        words("SPNX SPNY SPNZ"),
+        Powers(time = -1),
+        Change.KICKED,
+        isDigested = true,
+        isOptional = true,
     ),
 
     /** See [Population.lastCollision]. */
@@ -143,6 +157,16 @@ internal enum class SphereQuantity(
         /** Number of their columns, which are the first. */
         @JvmField
         val EXPORTED_WIDTH: Int = EXPORTED.sumOf { it.columns.size }
+
+        /** The column of a quantity that spheres do not have. There is no other of it, so it is known by reference. */
+        @JvmField
+        val NONE: DoubleArray = DoubleArray(0)
+
+        private val ALL = places { true }
+        private val SMOOTH = places { !it.isOptional }
+
+        /** The places of all columns that spheres have, with spins or without. */
+        fun present(hasSpin: Boolean): IntArray = if (hasSpin) ALL else SMOOTH
 
         private val OF_PLACE = entries.flatMap { quantity -> quantity.columns.map { quantity } }
 

@@ -15,8 +15,8 @@ import java.nio.file.Path
  * The file, of format 4: the eight bytes `DAPHNIS\n`, an int with the version of the format, then records, each a
  * four-letter name, a long with the length of what follows, that many bytes, and their CRC-32C as an int; all
  * big-endian. `META` is JSON ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are
- * arrays in the order of ids; `OUTS` is what outputs keep ([SavedOutputs]); `END.` is empty and last. A file that was
- * cut short, lacks a record or has flipped bytes is refused. In the run of a [Program] `SCEN` is `run.json`. Formats 2
+ * arrays in the order of ids; `OUTS` is what outputs keep ([SavedOutputs]); `END.` is empty and last. Only
+ * spheres with spins have `SPNX` … `SPNZ`. A file that was cut short, lacks a record or has flipped bytes is refused. In the run of a [Program] `SCEN` is `run.json`. Formats 2
  * and 3 are read, see [OlderMeta].
  *
  * @property outputs what outputs have saved, by name
@@ -56,7 +56,7 @@ internal class Checkpoint(val head: Head, val population: Population, val output
                 records.text(META, json.encodeToString(CheckpointMeta.FILED, meta))
                 records.text(SCENARIO, scenario)
                 records.integers(IDS, spheres.ids)
-                for ((name, column) in COLUMNS.zip(spheres.columns)) records.doubles(name, column)
+                for ((place, column) in spheres.columns) records.doubles(COLUMNS[place], column)
                 for ((name, boxes) in IMAGES.zip(spheres.boxes)) records.integers(name, boxes)
                 records.write(OUTPUTS, SavedOutputs.bytes(outputs))
                 records.write(Records.END, ByteArray(0))
@@ -103,7 +103,9 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         }
 
         private fun population(records: Records): Population {
-            val columns = Array(COLUMNS.size) { records.doubles(COLUMNS[it]) }
+            val hasSpin = SphereQuantity.SPIN.records.any { it in records }
+            val columns = Array(COLUMNS.size) { SphereQuantity.NONE }
+            for (place in SphereQuantity.present(hasSpin)) columns[place] = records.doubles(COLUMNS[place])
             val population = Population(PopulationColumns(columns, records.integers(IDS)))
             for ((axis, name) in IMAGES.withIndex()) {
                 records.integers(name).forEachIndexed { k, boxes ->

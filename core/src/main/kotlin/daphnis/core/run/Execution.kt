@@ -119,7 +119,7 @@ internal class Execution(
             losses = from?.losses.orEmpty(),
         )
         val population = simulation.population
-        files.writer.state(population.size * SpheresById.BYTES, { SpheresById(population) }) { spheres ->
+        files.writer.state(SpheresById.bytes(population), { SpheresById(population) }) { spheres ->
             write(meta, last, spheres, saved)
         }
     }

@@ -41,7 +41,7 @@ internal class Snapshots(private val times: OutputTimes, private val files: RunF
         val step = simulation.step
         val population = simulation.population
         val copy = { Snapshot.of(population, simulation.boundary, step, simulation.time) }
-        files.writer.state(population.size * SpheresById.BYTES, copy) {
+        files.writer.state(SpheresById.bytes(population), copy) {
             named(titleOf(SnapshotsOutput.name), step) { write(it) }
         }
         lastWritten = step

@@ -8,8 +8,8 @@ internal class SpheresById(population: Population) {
     private val order = population.indicesById()
     val ids: IntArray = IntArray(order.size) { population.id[order[it]] }
 
-    /** In the order of their places. */
-    val columns: List<DoubleArray> = List(SphereQuantity.WIDTH) { place ->
+    /** By place, those that spheres have. */
+    val columns: Map<Int, DoubleArray> = SphereQuantity.present(population.hasSpin).associateWith { place ->
         val column = population.column(place)
         DoubleArray(order.size) { column[order[it]] }
     }
@@ -18,8 +18,9 @@ internal class SpheresById(population: Population) {
     val boxes: List<IntArray> = List(3) { axis -> IntArray(order.size) { population.boxesCrossed(ids[it], axis) } }
 
     companion object {
-        /** Bytes for each sphere. */
-        val BYTES: Long = SphereQuantity.WIDTH * 8L + INTEGERS * 4L
+        /** Bytes of a copy of [population]. */
+        fun bytes(population: Population): Long =
+            population.size * (SphereQuantity.present(population.hasSpin).size * 8L + INTEGERS * 4L)
 
         /** Of each sphere: its index, its id and boxes crossed along three axes. */
         private const val INTEGERS = 5

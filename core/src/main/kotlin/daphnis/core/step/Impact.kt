@@ -80,7 +80,7 @@ internal open class Impact(
     fun process(time: Double, first: Int, second: Int, image: Int): End {
         val isWall = second < 0
         if (isWall) {
-            prepared.walls.reflect(rows, first, WallContact.face(second), time)
+            prepared.walls.reflect(rows, first, WallContact.face(second), time, outcome)
             if (isCounted(first, first)) counted.wallCollisions++
         } else {
             collide(time, first, second, image)

@@ -12,7 +12,9 @@ import org.junit.jupiter.api.Test
 class WallContactTest {
     private val box = Box(0.0, 1.0, 0.0, 10.0, 8.0, 6.0)
 
-    private fun walls(e: Double, vararg walled: Boolean) = WallContact().apply { prepare(Walls(box, e, walled)) }
+    private val law = CollisionLaw(ConstantRestitution(1.0))
+
+    private fun walls(e: Double, vararg walled: Boolean) = WallContact().apply { prepare(Walls(box, e, walled), law) }
 
     /** In slot 1, behind one that is elsewhere. */
     private fun rows(s: Sphere) = StepRows().apply {
@@ -32,9 +34,9 @@ class WallContactTest {
         val contact = WallContact()
         assertEquals(false, contact.present)
         for (axis in 0..2) {
-            contact.prepare(Walls(box, walled = BooleanArray(3) { it == axis }))
+            contact.prepare(Walls(box, walled = BooleanArray(3) { it == axis }), law)
             assertEquals(true, contact.present) { "axis $axis" }
-            contact.prepare(Open)
+            contact.prepare(Open, law)
             assertEquals(false, contact.present)
         }
     }
@@ -64,7 +66,7 @@ class WallContactTest {
     fun `a wall that takes all leaves no sign`() {
         for (v in listOf(-1.0, 1.0)) {
             val rows = rows(Sphere(vy = v))
-            walls(0.0, true, true, true).reflect(rows, 1, if (v < 0) 2 else 3, 0.5)
+            walls(0.0, true, true, true).reflect(rows, 1, if (v < 0) 2 else 3, 0.5, CollisionOutcome())
             val p = StepRows.STRIDE
             assertEquals(0.0.toRawBits(), rows.state[p + StepRows.VX + 1].toRawBits()) { "$v" }
             assertEquals(listOf(0.5 * v, 0.5), listOf(rows.state[p + 1], rows.state[p + StepRows.TIME]))

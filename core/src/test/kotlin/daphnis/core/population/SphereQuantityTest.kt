@@ -10,8 +10,9 @@ class SphereQuantityTest {
     fun `columns that have a name are at the place of their quantity`() {
         val given = List(8) { DoubleArray(2) { k -> 1.0 + it + k } }
         val p = Population(given[0], given[1], given[2], given[3], given[4], given[5], given[6], given[7])
-        val named = listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.lastCollision)
-        val quantities = listOf("POSITION", "VELOCITY", "RADIUS", "MASS", "LAST_COLLISION").map {
+            .withSpin(given[5], given[6], given[7])
+        val named = listOf(p.x, p.y, p.z, p.vx, p.vy, p.vz, p.radius, p.mass, p.wx, p.wy, p.wz, p.lastCollision)
+        val quantities = listOf("POSITION", "VELOCITY", "RADIUS", "MASS", "SPIN", "LAST_COLLISION").map {
             SphereQuantity.valueOf(it)
         }
         val places = quantities.flatMap { it.places }

@@ -3,6 +3,9 @@ package daphnis.core.step
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Walls
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.CollisionOutcome
+import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.populationOf
@@ -13,14 +16,15 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class StepLimitsTest {
-    private val walls = WallContact().apply { prepare(Walls(Box.centred(9.0, 9.0, 9.0))) }
+    private val law = CollisionLaw(ConstantRestitution(1.0))
+    private val walls = WallContact().apply { prepare(Walls(Box.centred(9.0, 9.0, 9.0)), law) }
     private val rows = StepRows().apply {
         load(populationOf(Sphere(), Sphere(x = 3.0)), IntArray(2) { it }, 2.0, false)
     }
     private val limits = StepLimits().apply { start(2, 5.0) }
 
     private fun hit(slot: Int, time: Double) {
-        walls.reflect(rows, slot, 0, time)
+        walls.reflect(rows, slot, 0, time, CollisionOutcome())
         limits.checkProgress(rows, slot, WallContact.partner(0), time)
     }
 

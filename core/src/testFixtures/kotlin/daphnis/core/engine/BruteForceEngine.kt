@@ -35,7 +35,7 @@ class BruteForceEngine : CollisionEngine {
         step.record?.clear()
         rows.load(step.population, IntArray(n) { it }, step.duration, step.law.guard.needsLastCollision)
         images.prepare(step.boundary, step.start)
-        walls.prepare(step.boundary)
+        walls.prepare(step.boundary, step.law)
         codes = imageCodes(step.population, step.boundary, step.duration)
         queue.reset(step.duration, rows.id, n)
         for (a in 0 until n) {
@@ -48,7 +48,7 @@ class BruteForceEngine : CollisionEngine {
             val b = queue.second
             queue.removeAllOf(a)
             if (b < 0) {
-                walls.reflect(rows, a, WallContact.face(b), time)
+                walls.reflect(rows, a, WallContact.face(b), time, outcome)
                 step.counters.wallCollisions++
             } else {
                 queue.removeAllOf(b)

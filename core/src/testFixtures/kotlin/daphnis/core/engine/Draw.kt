@@ -32,6 +32,7 @@ import daphnis.core.search.SearchStructure
 /** A random gas for engines: everything follows from [seed]. */
 class Draw(override val seed: Long) : Case {
     override val random = SeededRandom(seed)
+    private val surface = SurfaceDraw(seed)
     private val filling = Math.exp(random.nextDouble(Math.log(0.01), Math.log(0.5)))
     private val clumped = random.nextInt(4) == 0
     private val flat = random.nextInt(3) == 0
@@ -96,8 +97,8 @@ class Draw(override val seed: Long) : Case {
     private fun drawBoundary(): BoundaryConditions = when (random.nextInt(10)) {
         0 -> Open
         1 -> Periodic(box, random.nextInt(2) == 0, true, random.nextInt(2) == 0)
-        2 -> Walls(box, random.nextDouble(0.5, 1.0))
-        3 -> Walls(box, 1.0, booleanArrayOf(false, true, false))
+        2 -> Walls(box, random.nextDouble(0.5, 1.0), roughness = surface.walls)
+        3 -> Walls(box, 1.0, booleanArrayOf(false, true, false), surface.walls)
         4 -> ShearedPeriodic(box, random.nextDouble(-1.0, 1.0))
         5, 6 -> LeesEdwards(box, random.nextDouble(-0.3, 0.3))
         7, 8 -> HillSheet(box, omega, radiallyOpen = random.nextInt(4) == 0)
@@ -140,13 +141,21 @@ class Draw(override val seed: Long) : Case {
         val n = x.size
         fun gauss() = DoubleArray(n) { random.nextGaussian() }
         val masses = DoubleArray(n) { radii[it] * radii[it] * radii[it] }
-        return Population(x, y, z, gauss(), gauss(), gauss(), radii, masses)
+        return surface.of(Population(x, y, z, gauss(), gauss(), gauss(), radii, masses))
     }
 
     override fun simulation(engine: CollisionEngine) = Simulation(
         population.copy(),
         boundary,
-        CollisionForcing(restitution, guard, engine, recordCollisions = true, search = search),
+        CollisionForcing(
+            restitution,
+            guard,
+            engine,
+            recordCollisions = true,
+            search,
+            surface.roughness,
+            surface.momentFactor,
+        ),
         FixedTimeStep(dt),
         forces(),
     )
@@ -169,5 +178,5 @@ class Draw(override val seed: Long) : Case {
 
     override fun toString() =
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
-            "${boundary.javaClass.simpleName}, dt $dt"
+            "${boundary.javaClass.simpleName}, dt $dt$surface"
 }

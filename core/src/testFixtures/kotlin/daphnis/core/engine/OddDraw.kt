@@ -21,6 +21,7 @@ import daphnis.core.population.Population
  */
 class OddDraw(override val seed: Long) : Case {
     override val random = SeededRandom(seed)
+    private val surface = SurfaceDraw(seed)
     private val kind = Kind.entries[random.nextInt(Kind.entries.size)]
 
     private enum class Kind {
@@ -60,7 +61,7 @@ class OddDraw(override val seed: Long) : Case {
     }
 
     override val population: Population = column().let { c ->
-        Population(c(0), c(1), c(2), c(3), c(4), c(5), c(6), c(7))
+        surface.of(Population(c(0), c(1), c(2), c(3), c(4), c(5), c(6), c(7)))
     }
 
     private fun column(): (Int) -> DoubleArray = { field -> DoubleArray(spheres.size) { spheres[it][field] } }
@@ -99,7 +100,13 @@ class OddDraw(override val seed: Long) : Case {
         add(-3.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.5)
         add(1.0 * edge + 3, random.nextDouble(0.0, 1.0), 0.0, -3.0, 0.0, 0.0, 0.5)
         boundary =
-            if (random.nextInt(2) == 0) Open else Walls(Box(-4.0, -0.5, -0.5, edge + 5.0, edge - 0.5, edge + 0.5), 1.0)
+            if (random.nextInt(2) ==
+                0
+            ) {
+                Open
+            } else {
+                Walls(Box(-4.0, -0.5, -0.5, edge + 5.0, edge - 0.5, edge + 0.5), 1.0, roughness = surface.walls)
+            }
         dt = 2.0
     }
 
@@ -123,7 +130,13 @@ class OddDraw(override val seed: Long) : Case {
             )
         }
         val box = Box(-1.0, -1.0, -1.0, 2.0 * edge - 1, 2.0 * edge - 1, 2.0 * edge - 1)
-        boundary = listOf(Periodic(box), Walls(box, 0.9), Open, LeesEdwards(box, 0.25))[random.nextInt(4)]
+        boundary =
+            listOf(
+                Periodic(box),
+                Walls(box, 0.9, roughness = surface.walls),
+                Open,
+                LeesEdwards(box, 0.25),
+            )[random.nextInt(4)]
         dt = 0.75
     }
 
@@ -152,7 +165,7 @@ class OddDraw(override val seed: Long) : Case {
         val room = 2 + Math.pow(10.0, random.nextDouble(-5.0, 0.0))
         repeat(count) { add(room * (it + 0.5), room / 2, room / 2, gauss(), gauss(), gauss(), 1.0) }
         val box = Box(0.0, 0.0, 0.0, room * count, room, room)
-        boundary = if (random.nextInt(2) == 0) Walls(box, coefficient) else Periodic(box)
+        boundary = if (random.nextInt(2) == 0) Walls(box, coefficient, roughness = surface.walls) else Periodic(box)
         dt = 0.2
     }
 
@@ -168,7 +181,7 @@ class OddDraw(override val seed: Long) : Case {
         val wide = if (random.nextInt(2) == 0) 2.5 else 2.1
         repeat(30 + random.nextInt(150)) { add(it % 12 * wide, it / 12 * wide, zero(), gauss(), gauss(), zero(), 1.0) }
         val box = Box(-1.25, -1.25, -10.0, 30.0, 40.0, 10.0)
-        boundary = listOf(Open, Periodic(box), Walls(box, 0.0))[random.nextInt(3)]
+        boundary = listOf(Open, Periodic(box), Walls(box, 0.0, roughness = surface.walls))[random.nextInt(3)]
         dt = 0.5
     }
 
@@ -187,7 +200,11 @@ class OddDraw(override val seed: Long) : Case {
                 0.5,
             )
         }
-        boundary = Walls(Box(0.0, 0.0, 0.0, 20.0, 20.0, 20.0), listOf(0.0, 0.5, 1.0)[random.nextInt(3)])
+        boundary = Walls(
+            Box(0.0, 0.0, 0.0, 20.0, 20.0, 20.0),
+            listOf(0.0, 0.5, 1.0)[random.nextInt(3)],
+            roughness = surface.walls,
+        )
         guard = if (coefficient == 1.0) NoGuard else FloorSpeedGuard(1e-3)
         dt = 0.05
     }
@@ -238,19 +255,32 @@ class OddDraw(override val seed: Long) : Case {
         val low = offset - length * apart / 2
         val high = low + length * apart * edge
         val box = Box(low, low, low, high, high, high)
-        boundary = listOf(Open, Periodic(box), Walls(box, 0.8), LeesEdwards(box, 0.0))[random.nextInt(4)]
+        boundary =
+            listOf(
+                Open,
+                Periodic(box),
+                Walls(box, 0.8, roughness = surface.walls),
+                LeesEdwards(box, 0.0),
+            )[random.nextInt(4)]
         dt = random.nextDouble(0.1, 1.0)
     }
 
     override fun simulation(engine: CollisionEngine): Simulation = Simulation(
         population.copy(),
         boundary,
-        CollisionForcing(ConstantRestitution(coefficient), guard, engine, recordCollisions = true),
+        CollisionForcing(
+            ConstantRestitution(coefficient),
+            guard,
+            engine,
+            recordCollisions = true,
+            roughness = surface.roughness,
+            momentFactor = surface.momentFactor,
+        ),
         FixedTimeStep(dt),
     )
 
     override fun threads(): Int = if (kind == Kind.THREADS) 16 + random.nextInt(49) else 1 + random.nextInt(4)
 
     override fun toString() = "seed $seed: $kind, ${population.size} spheres, ${boundary.javaClass.simpleName}, " +
-        "coefficient $coefficient, dt $dt"
+        "coefficient $coefficient, dt $dt$surface"
 }

@@ -45,6 +45,8 @@ private fun assertSameColumns(one: Population, other: Population, story: String)
     for (place in 0 until one.columnCount) {
         val a = one.column(place)
         val b = other.column(place)
+        assertEquals(a.isEmpty(), b.isEmpty()) { story }
+        if (a.isEmpty()) continue
         val k = here.indices.find { a[here[it]].toRawBits() != b[there[it]].toRawBits() } ?: continue
         fail<Unit>("$story: column $place of sphere ${one.id[here[k]]} is ${b[there[k]]} for ${a[here[k]]}")
     }

@@ -112,7 +112,7 @@ internal class BrickAhead(
         runs.clear()
         for (slot in 0 until brick.size) if (brick.isOwn(order?.get(slot) ?: slot)) runs.add(slot)
         val tracks = prepared.step.law.guard.needsLastCollision
-        for (place in 0 until SphereQuantity.WIDTH) {
+        for (place in SphereQuantity.present(brick.hasSpin)) {
             if (!tracks && SphereQuantity.at(place).change == NOTED) continue
             copy(from.column(place), to.column(place), at)
         }

@@ -103,13 +103,14 @@ internal class BrickSpheres :
         room = 0
         seen = LongArray(n)
         isOwn = BooleanArray(n)
-        sets = ColumnSets(PopulationColumns(n))
+        sets = ColumnSets(PopulationColumns(n, hasSpin))
         // Assigned last, since it says how many spheres there is room for: an allocation before it may have failed.
         room = n
     }
 
     /** Adds the entries [indices] of [spheres], which the brick owns or has in its halo. */
     fun add(spheres: SphereColumns, indices: IndexRuns, areOwn: Boolean) {
+        if (indices.runs > 0) takeKind(spheres)
         for (run in 0 until indices.runs) {
             if (keepsPlaces) {
                 put(spheres, indices.from(run), indices.to(run), areOwn)
@@ -119,8 +120,14 @@ internal class BrickSpheres :
         }
     }
 
+    /** Spheres have spins from now on, if [spheres] have. */
+    private fun takeKind(spheres: SphereColumns) {
+        if (!spheres.hasSpin || hasSpin) return
+        sets = ColumnSets(sets.now.withSpin(List(SphereQuantity.SPIN.columns.size) { DoubleArray(room) }))
+    }
+
     private fun append(spheres: SphereColumns, from: Int, to: Int, areOwn: Boolean) {
-        for (place in 0 until SphereQuantity.WIDTH) spheres.column(place).copyInto(column(place), size, from, to)
+        for (place in SphereQuantity.present(hasSpin)) spheres.column(place).copyInto(column(place), size, from, to)
         spheres.id.copyInto(id, size, from, to)
         val end = size + to - from
         seen.fill(step, size, end)
@@ -137,7 +144,7 @@ internal class BrickSpheres :
             if (k < 0) return
             var count = 1
             while (index + count < to && k + count < size && id[k + count] == spheres.id[index + count]) count++
-            for (place in 0 until SphereQuantity.WIDTH) {
+            for (place in SphereQuantity.present(hasSpin)) {
                 spheres.column(place).copyInto(column(place), k, index, index + count)
             }
             for (slot in k until k + count) {

@@ -3,6 +3,7 @@ package daphnis.core.cluster.bricks
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.population.SphereQuantity
 import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
@@ -45,6 +46,7 @@ internal class OwnPaths(private val prepared: PreparedStep, private val spheres:
         h = PathHash.mix(h, rows.state[v])
         h = PathHash.mix(h, rows.state[v + 1])
         h = PathHash.mix(h, rows.state[v + 2])
+        if (rows.hasSpin) for (side in SPINS) h = PathHash.mix(h, rows.side(side)[place])
         h = PathHash.mix(h, partner.toLong() xor (rows.rank(place).toLong() shl Int.SIZE_BITS))
         if (tracksLastCollision) h = PathHash.mix(h, rows.lastCollision[place])
         hashes[k] = h
@@ -54,6 +56,8 @@ internal class OwnPaths(private val prepared: PreparedStep, private val spheres:
     fun whole(k: Int): Long = PathHash.whole(hashes[k], spheres, k, tracksLastCollision)
 
     private companion object {
+        val SPINS = SphereQuantity.SPIN.places.toList().toIntArray()
+
         /** One part in so many is room for more. */
         const val SPARE = 4
     }

@@ -27,7 +27,7 @@ internal object PathHash {
     /** The hash of the [path], of impacts, of entry [k] of [spheres], and of the state there with which it starts. */
     fun whole(path: Long, spheres: SphereColumns, k: Int, tracksLastCollision: Boolean): Long {
         var h = mix(path, spheres.id[k].toLong())
-        for (place in 0 until SphereQuantity.WIDTH) {
+        for (place in SphereQuantity.present(spheres.hasSpin)) {
             if (tracksLastCollision || place !in NOTES) h = mix(h, spheres.column(place)[k])
         }
         return h

@@ -69,7 +69,7 @@ internal class EpochBodies(private val places: SlotPlaces) {
         indexAt = null
         slotAt = null
         for (place in 0 until rows.size) places.forget(indexOfPlace[place])
-        rows.begin(duration, tracksLastCollision)
+        rows.begin(duration, tracksLastCollision, spheres.hasSpin)
         queue.reset(0.0, end, rows.id, 0)
     }
 

@@ -97,7 +97,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
      * @param tracks whether collisions note their times
      */
     fun keep(population: SphereColumns, columns: PopulationColumns, order: IntArray?, tracks: Boolean) {
-        for (place in RowColumns.changing(tracks)) {
+        for (place in RowColumns.changing(tracks, population.hasSpin)) {
             val from = population.column(place)
             val to = columns.column(place)
             val passed = RowColumns.passed(place, frame.duration)

@@ -1,0 +1,166 @@
+package daphnis.core.collision
+
+import daphnis.core.collision.StepRows.Companion.RADIUS
+import daphnis.core.collision.StepRows.Companion.STRIDE
+import daphnis.core.collision.StepRows.Companion.VX
+import kotlin.math.sqrt
+
+/**
+ * What roughness adds to an impact. With **n** the normal, from the first to the second, reduced mass μ, moments of
+ * inertia q m r² and **g** the velocity of the second surface relative to the first at the point of contact,
+ *
+ * **g** = **u** − (**u**·**n**) **n** − (r₁ **ω**₁ + r₂ **ω**₂) × **n**,
+ *
+ * the first sphere receives the momentum **J** = μ (1 + β) q/(1 + q) **g**, the second −**J**, and **ω** of each grows by
+ * **n** × **J** / (q m r). After that the surfaces move with −β **g**. A wall is a second sphere of infinite mass that
+ * does not turn.
+ *
+ * **Angular momentum.** Each impulse acts at the surface of its sphere. Spheres that touch have their surfaces in one
+ * place, so the angular momentum of the two is conserved to round-off; spheres which overlap after a wrap change it by
+ * overlap · J.
+ *
+ * **Hill's frame.** Between collisions a spin whose axes turn with angular speed [turning] about z turns backwards in
+ * them. Within a step spins are kept in the axes of its start, in which they rest, so a sphere changes only at its own
+ * collisions. An impact turns them to its time and what it adds back; [daphnis.core.hill.HillFrame] turns all at the end
+ * of the step.
+ *
+ * @param turning Ω of the axes in which spins are given
+ */
+internal class SpinExchange(private val momentFactor: Double, private val turning: Double) {
+    private val share = momentFactor / (1.0 + momentFactor)
+
+    /**
+     * The impact of [first] and [second], whose [outcome] has speed and coefficient.
+     *
+     * @param ux relative velocity of the second, before the impact; likewise [uy], [uz]
+     * @param b **d** · **u** with **d** the separation, and [d2] = d²
+     */
+    fun collide(
+        rows: StepRows,
+        roughness: Roughness,
+        first: Int,
+        second: Int,
+        ux: Double,
+        uy: Double,
+        uz: Double,
+        b: Double,
+        d2: Double,
+        time: Double,
+        outcome: CollisionOutcome,
+    ) {
+        val state = rows.state
+        val r1 = state[first * STRIDE + RADIUS]
+        val r2 = state[second * STRIDE + RADIUS]
+        val m1 = rows.mass[first]
+        val m2 = rows.mass[second]
+        val dx = outcome.separationX
+        val dy = outcome.separationY
+        val dz = outcome.separationZ
+        val d = sqrt(d2)
+        val sx = r1 * rows.wx[first] + r2 * rows.wx[second]
+        val sy = r1 * rows.wy[first] + r2 * rows.wy[second]
+        val wz = r1 * rows.wz[first] + r2 * rows.wz[second]
+        val cosine = cosine(time)
+        val sine = sine(time)
+        val wx = cosine * sx + sine * sy
+        val wy = cosine * sy - sine * sx
+        val gx = ux - b / d2 * dx - (wy * dz - wz * dy) / d
+        val gy = uy - b / d2 * dy - (wz * dx - wx * dz) / d
+        val gz = uz - b / d2 * dz - (wx * dy - wy * dx) / d
+        val isInOrder = rows.id[first] < rows.id[second]
+        val contact = outcome.contact
+        contact.firstRadius = if (isInOrder) r1 else r2
+        contact.secondRadius = if (isInOrder) r2 else r1
+        contact.firstMass = if (isInOrder) m1 else m2
+        contact.secondMass = if (isInOrder) m2 else m1
+        contact.normalSpeed = outcome.impactSpeed
+        contact.restitution = outcome.coefficient
+        val factor = share * change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        val f1 = factor * (m2 / (m1 + m2))
+        val f2 = factor * (m1 / (m1 + m2))
+        push(rows, first, f1 * gx, f1 * gy, f1 * gz)
+        push(rows, second, -f2 * gx, -f2 * gy, -f2 * gz)
+        val kx = (dy * gz - dz * gy) / d
+        val ky = (dz * gx - dx * gz) / d
+        val kz = (dx * gy - dy * gx) / d
+        val ax = cosine * kx - sine * ky
+        val ay = cosine * ky + sine * kx
+        spin(rows, first, f1 / (momentFactor * r1), ax, ay, kz)
+        spin(rows, second, f2 / (momentFactor * r2), ax, ay, kz)
+    }
+
+    /** The impact of [slot] on the wall [face], with the speed [normalSpeed] and the coefficient [restitution]. */
+    fun reflect(
+        rows: StepRows,
+        roughness: Roughness,
+        slot: Int,
+        face: Int,
+        normalSpeed: Double,
+        restitution: Double,
+        time: Double,
+        contact: SurfaceContact,
+    ) {
+        val state = rows.state
+        val p = slot * STRIDE + VX
+        val r = state[slot * STRIDE + RADIUS]
+        val axis = face shr 1
+        val side = if (face and 1 == 0) -1.0 else 1.0
+        val nx = if (axis == 0) side else 0.0
+        val ny = if (axis == 1) side else 0.0
+        val nz = if (axis == 2) side else 0.0
+        val cosine = cosine(time)
+        val sine = sine(time)
+        val wx = r * (cosine * rows.wx[slot] + sine * rows.wy[slot])
+        val wy = r * (cosine * rows.wy[slot] - sine * rows.wx[slot])
+        val wz = r * rows.wz[slot]
+        // Of the wall relative to the sphere's surface.
+        val gx = if (axis == 0) 0.0 else -state[p] - (wy * nz - wz * ny)
+        val gy = if (axis == 1) 0.0 else -state[p + 1] - (wz * nx - wx * nz)
+        val gz = if (axis == 2) 0.0 else -state[p + 2] - (wx * ny - wy * nx)
+        contact.firstRadius = r
+        contact.secondRadius = Double.POSITIVE_INFINITY
+        contact.firstMass = rows.mass[slot]
+        contact.secondMass = Double.POSITIVE_INFINITY
+        contact.normalSpeed = normalSpeed
+        contact.restitution = restitution
+        val factor = share * change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        push(rows, slot, factor * gx, factor * gy, factor * gz)
+        val kx = ny * gz - nz * gy
+        val ky = nz * gx - nx * gz
+        val kz = nx * gy - ny * gx
+        spin(rows, slot, factor / (momentFactor * r), cosine * kx - sine * ky, cosine * ky + sine * kx, kz)
+    }
+
+    /** 1 + β of [contact], whose surfaces slide with [speed]. */
+    private fun change(roughness: Roughness, contact: SurfaceContact, speed: Double): Double {
+        if (speed == 0.0) return 0.0
+        contact.tangentialSpeed = speed
+        contact.momentFactor = momentFactor
+        val change = roughness.change(contact)
+        // NaN is in no range.
+        require(change >= 0.0 && change <= 2.0) {
+            "the coefficient of tangential restitution is ${change - 1.0} where surfaces slide at $speed; " +
+                "it must be in [-1, 1]"
+        }
+        return change
+    }
+
+    // Adding 0.0 turns −0.0 into +0.0, see CollisionLaw.
+    private fun push(rows: StepRows, slot: Int, x: Double, y: Double, z: Double) {
+        val state = rows.state
+        val p = slot * STRIDE + VX
+        state[p] = (state[p] + x) + 0.0
+        state[p + 1] = (state[p + 1] + y) + 0.0
+        state[p + 2] = (state[p + 2] + z) + 0.0
+    }
+
+    private fun spin(rows: StepRows, slot: Int, factor: Double, x: Double, y: Double, z: Double) {
+        rows.wx[slot] = (rows.wx[slot] + factor * x) + 0.0
+        rows.wy[slot] = (rows.wy[slot] + factor * y) + 0.0
+        rows.wz[slot] = (rows.wz[slot] + factor * z) + 0.0
+    }
+
+    private fun cosine(time: Double) = if (turning == 0.0) 1.0 else StrictMath.cos(turning * time)
+
+    private fun sine(time: Double) = if (turning == 0.0) 0.0 else StrictMath.sin(turning * time)
+}
