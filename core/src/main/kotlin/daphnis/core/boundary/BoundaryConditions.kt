@@ -1,8 +1,8 @@
 package daphnis.core.boundary
 
-import daphnis.core.collision.Roughness
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
+import daphnis.core.surface.Roughness
 
 /**
  * What happens at the faces of the box. See [Box] for the axes.

@@ -1,6 +1,6 @@
 package daphnis.core.boundary
 
-import daphnis.core.collision.Roughness
+import daphnis.core.surface.Roughness
 
 /**
  * Reflecting walls: the surface of a sphere never passes a face; its normal velocity is reversed at the moment of

@@ -4,6 +4,8 @@ import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.surface.Roughness
+import daphnis.core.surface.SurfaceContact
 import kotlin.math.abs
 import kotlin.math.sqrt
 

@@ -1,6 +1,7 @@
 package daphnis.core.collision
 
 import daphnis.core.api.EngineApi
+import daphnis.core.surface.SurfaceContact
 
 /**
  * Describes the last collision of two spheres. Filled by [CollisionLaw.collide], which itself keeps nothing. One object

@@ -3,6 +3,8 @@ package daphnis.core.collision
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.surface.Roughness
+import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
 
 /**

@@ -7,6 +7,7 @@ import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.surface.Roughness
 import kotlin.math.abs
 
 /**

@@ -7,14 +7,14 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
-import daphnis.core.collision.Roughness
-import daphnis.core.collision.SurfaceContact
 import daphnis.core.collision.WallContact
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import daphnis.core.search.SearchStructure
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.Roughness
+import daphnis.core.surface.SurfaceContact
 
 /**
  * The collisional forcing: moves the population through a step with every collision in time order.

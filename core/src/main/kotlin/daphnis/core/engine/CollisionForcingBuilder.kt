@@ -3,9 +3,9 @@ package daphnis.core.engine
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
-import daphnis.core.collision.Roughness
-import daphnis.core.collision.SurfaceContact
 import daphnis.core.search.SearchStructure
+import daphnis.core.surface.Roughness
+import daphnis.core.surface.SurfaceContact
 
 /**
  * The parts of a [CollisionForcing] by their names, from [CollisionForcing.builder]. A part that is given again

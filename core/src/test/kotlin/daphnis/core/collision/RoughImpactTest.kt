@@ -14,6 +14,9 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
+import daphnis.core.surface.ConstantRoughness
+import daphnis.core.surface.CoulombRoughness
+import daphnis.core.surface.Roughness
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

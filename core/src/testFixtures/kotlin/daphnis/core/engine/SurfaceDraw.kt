@@ -1,11 +1,11 @@
 package daphnis.core.engine
 
-import daphnis.core.collision.ConstantRoughness
-import daphnis.core.collision.CoulombRoughness
-import daphnis.core.collision.Roughness
-import daphnis.core.collision.SurfaceContact
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRoughness
+import daphnis.core.surface.CoulombRoughness
+import daphnis.core.surface.Roughness
+import daphnis.core.surface.SurfaceContact
 
 /**
  * Surfaces of the spheres of a drawn case, and of its walls: rough ones in a third of all. They have random numbers of

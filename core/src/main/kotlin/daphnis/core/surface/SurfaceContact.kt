@@ -1,4 +1,4 @@
-package daphnis.core.collision
+package daphnis.core.surface
 
 /**
  * An impact as a law of [Roughness] sees it, valid during the call. The first sphere is the one with the lower id. Of a

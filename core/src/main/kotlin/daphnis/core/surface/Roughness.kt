@@ -1,4 +1,4 @@
-package daphnis.core.collision
+package daphnis.core.surface
 
 /**
  * The coefficient of tangential restitution β of rough spheres: an impact turns the tangential velocity **g** of the
