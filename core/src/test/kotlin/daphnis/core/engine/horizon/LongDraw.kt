@@ -15,6 +15,7 @@ import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.SurfaceDraw
 import daphnis.core.engine.exchange
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
@@ -32,6 +33,7 @@ import daphnis.core.population.Population
  */
 class LongDraw(private val seed: Long, longer: Double = 1.0) {
     private val random = SeededRandom(seed)
+    private val surface = SurfaceDraw(seed)
     private val edge = 4 + random.nextInt(3)
     private val apart = random.nextDouble(2.2, 4.5)
     private val isMixed = random.nextInt(3) == 0
@@ -45,8 +47,8 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
         2, 3 -> LeesEdwards(box, random.nextDouble(-0.2, 0.2))
         4 -> ShearedPeriodic(box, random.nextDouble(-2.0, 2.0))
         5, 6 -> HillSheet(box, omega)
-        7 -> Walls(box, random.nextDouble(0.3, 1.0))
-        8 -> Walls(box, 1.0, booleanArrayOf(false, true, random.nextInt(2) == 0))
+        7 -> Walls(box, random.nextDouble(0.3, 1.0), roughness = surface.walls)
+        8 -> Walls(box, 1.0, booleanArrayOf(false, true, random.nextInt(2) == 0), surface.walls)
         else -> Periodic(box)
     }
     private val dt = longer * random.nextDouble(0.05, 0.4)
@@ -54,7 +56,7 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
     private val restitution = ConstantRestitution(if (guard == NoGuard) 1.0 else 0.7)
     private val spring = random.nextDouble(0.0, 0.05)
     private val hasForce = random.nextInt(2) == 0
-    private val start = population(edge * edge * edge, 0)
+    private val start = surface.of(population(edge * edge * edge, 0))
     val isMeddled = random.nextInt(3) == 0
 
     private fun population(count: Int, firstId: Int): Population {
@@ -75,7 +77,14 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
     fun simulation(engine: CollisionEngine) = Simulation(
         start.copy(),
         boundary,
-        CollisionForcing(restitution, guard, engine, recordCollisions = true),
+        CollisionForcing(
+            restitution,
+            guard,
+            engine,
+            recordCollisions = true,
+            roughness = surface.roughness,
+            momentFactor = surface.momentFactor,
+        ),
         FixedTimeStep(dt),
         forces(),
     )
@@ -110,6 +119,7 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
                 4 -> p.radius[other] *= 1.02
                 5 -> p.mass[other] *= 2.0
                 6 -> exchange(p, 0, p.size - 1)
+                7 -> if (p.hasSpin) p.wz[one] = -p.wx[other]
             }
         }
     }

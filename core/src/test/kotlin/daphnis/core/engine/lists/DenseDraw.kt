@@ -15,6 +15,7 @@ import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.SurfaceDraw
 import daphnis.core.engine.exchange
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
@@ -25,6 +26,7 @@ import kotlin.math.pow
 /** A dense system, and the meddling with it between steps. Everything follows from [seed]. */
 class DenseDraw(private val seed: Long) {
     private val random = SeededRandom(seed)
+    private val surface = SurfaceDraw(seed)
     private val nx = 3 + random.nextInt(5)
     private val ny = 3 + random.nextInt(5)
     private val nz = 3 + random.nextInt(5)
@@ -61,7 +63,7 @@ class DenseDraw(private val seed: Long) {
     private val spring = random.nextDouble(0.0, 0.2)
     private val hasForce = random.nextInt(3) == 0
     val isMeddled = random.nextInt(2) == 0
-    private val start = population()
+    private val start = surface.of(population())
 
     private fun population(): Population {
         val n = nx * ny * nz
@@ -80,12 +82,19 @@ class DenseDraw(private val seed: Long) {
     fun simulation(engine: CollisionEngine, restitution: Restitution = this.restitution) = Simulation(
         start.copy(),
         boundary,
-        CollisionForcing(restitution, guard, engine, recordCollisions = true),
+        CollisionForcing(
+            restitution,
+            guard,
+            engine,
+            recordCollisions = true,
+            roughness = surface.roughness,
+            momentFactor = surface.momentFactor,
+        ),
         FixedTimeStep(dt),
         if (hasForce) listOf(pull()) else emptyList(),
     )
 
-    val law get() = CollisionLaw(restitution, guard)
+    val law get() = CollisionLaw(restitution, guard, surface.roughness, surface.momentFactor)
 
     private fun pull(): Force = Kick { p, time, duration ->
         // Only some, and not in every step.
@@ -113,6 +122,7 @@ class DenseDraw(private val seed: Long) {
                 7 -> p.vx[other] = -0.0
                 8 -> for (k in 0 until p.size) p.vx[k] += 0.1 * unit
                 9 -> p.x[one] += 0.01 * unit
+                10 -> if (p.hasSpin) p.wz[one] = -p.wx[other]
             }
         }
     }
