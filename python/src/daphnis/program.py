@@ -57,9 +57,7 @@ def simulation_of(
     resolved = setup.getScenario()
     engine = java("daphnis.core.run.ScenarioEngine").of(resolved, source, engines())
     restitution = setup.getRestitution() if law is None else law.proxy(failure)
-    collisions = java("daphnis.core.engine.CollisionForcing")(
-        restitution, setup.getGuard(), engine, records, resolved.getSearch()
-    )
+    collisions = setup.collisions(engine, records, restitution)
     every = java("java.util.ArrayList")(setup.getForces())
     for force in forces:
         every.add(force.proxy(failure))

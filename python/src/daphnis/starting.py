@@ -22,7 +22,7 @@ from .states import State
 
 Origin = Union[Run, State, str, "os.PathLike[str]"]
 
-_OF_STATE = ("seed", "particles", "bodies", "placement", "velocities")
+_OF_STATE = ("seed", "particles", "bodies", "placement", "velocities", "spins")
 
 
 def run(

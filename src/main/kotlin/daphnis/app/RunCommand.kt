@@ -139,6 +139,6 @@ class RunCommand : CliktCommand(name = "run") {
 
     private companion object {
         /** Keys of a scenario that make its initial state. */
-        val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities")
+        val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities", "spins")
     }
 }

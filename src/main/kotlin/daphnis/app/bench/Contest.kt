@@ -2,7 +2,6 @@ package daphnis.app.bench
 
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.population.stateDigest
 import daphnis.core.run.RunException
@@ -109,7 +108,7 @@ internal class Contest(
     private fun turn(contestant: Contestant): Turn {
         val own = ScenarioSetup.of(scenario, name, setup.population.copy())
         val engine = engines.create(contestant.engine, contestant.threads)!!
-        val forcing = CollisionForcing(own.restitution, own.guard, engine, false, own.scenario.search)
+        val forcing = own.collisions(engine)
         val start = own.scenario.startTime
         return Simulation(own.population, own.boundary, forcing, own.timeStep, own.forces, startTime = start).use {
             val begin = System.nanoTime()

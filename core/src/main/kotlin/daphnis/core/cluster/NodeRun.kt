@@ -10,7 +10,6 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.BodyGravity
 import daphnis.core.measure
 import daphnis.core.parallel.FixedPool
@@ -53,7 +52,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
 
     private fun simulationOf(setup: ScenarioSetup, begin: Begin): Simulation {
         val scenario = setup.scenario
-        val forcing = CollisionForcing(setup.restitution, setup.guard, engine, begin.records, scenario.search)
+        val forcing = setup.collisions(engine, begin.records)
         // Whatever can fail in a step is done then; only if that holds for all nodes does the step stand.
         val agreement = Output { turns.tell({}) { _, _ -> } }
         return Simulation(

@@ -32,7 +32,7 @@ public class CollisionForcing @JvmOverloads constructor(
     recordCollisions: Boolean = false,
     private val search: SearchStructure = SearchStructure.AUTO,
     private val roughness: Roughness? = null,
-    momentFactor: Double = SurfaceContact.SOLID,
+    internal val momentFactor: Double = SurfaceContact.SOLID,
 ) : AutoCloseable {
     private var law = CollisionLaw(restitution, guard, roughness, momentFactor)
     private var step: CollisionStep? = null

@@ -8,8 +8,8 @@ import daphnis.core.force.Drift
  * ([daphnis.core.force.Force.potentialEnergy]).
  *
  * @property potential in all forces except the frame
- * @property total kinetic and [potential]; NaN in a rotating frame, in which it is not conserved
- * @property hill [kinetic][total] and [potential] energy plus that of the rotating frame; NaN without one
+ * @property total kinetic, that of rotation and [potential]; NaN in a rotating frame, in which it is not conserved
+ * @property hill the same in the rotating frame, relative to it, plus that of the rotating frame; NaN without one
  */
 internal class Energies(simulation: Simulation, sums: StepSums) {
     val potential: Double
@@ -17,7 +17,7 @@ internal class Energies(simulation: Simulation, sums: StepSums) {
     val hill: Double
 
     init {
-        val kinetic = sums.of(simulation).kineticEnergy
+        val kinetic = sums.of(simulation).kineticEnergy + (sums.spins(simulation)?.energyOfRotation ?: 0.0)
         var forces = 0.0
         var frame = Double.NaN
         for (force in simulation.forces) {

@@ -32,6 +32,7 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
             placement = from.placement(),
             particles = null,
             velocities = null,
+            spins = scenario.spins.takeIf { !state.hasSpin },
             firstBody = other?.firstBody(state.size)?.takeIf { bodies.isNotEmpty() },
         )
         checkCount(bodies.size)

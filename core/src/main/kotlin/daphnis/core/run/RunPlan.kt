@@ -3,10 +3,10 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.cluster.FleetEngines
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.PopulationSums
+import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioSetup
@@ -34,11 +34,16 @@ internal class RunPlan(
 ) : AutoCloseable {
     /** Further outputs, by name; they say it when they fail. */
     val own: Map<String, Output> = named(own, simulation)
-    val sums = StepSums(sums)
+    val sums = StepSums(sums, spinSums(simulation))
 
     override fun close() {
         simulation.close()
     }
+}
+
+private fun spinSums(simulation: Simulation): SpinSums? {
+    if (!simulation.population.hasSpin) return null
+    return simulation.collisions?.let { SpinSums(it.momentFactor) } ?: SpinSums()
 }
 
 /**
@@ -61,7 +66,7 @@ internal fun planOf(
     val nodes = engines as? FleetEngines
     val engine = if (nodes == null) engineOf(scenario, source, engines) else SerialEngine()
     val simulation = closingIfItThrows(nodes?.fleet ?: engine) {
-        val forcing = CollisionForcing(setup.restitution, setup.guard, engine, records, scenario.search)
+        val forcing = setup.collisions(engine, records)
         meta?.countInto(forcing.counters)
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0

@@ -2,7 +2,9 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
+import daphnis.core.force.Drift
 import daphnis.core.population.PopulationSums
+import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
@@ -25,11 +27,12 @@ internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery,
 
 /** `series.csv`: a row at each of [times]. */
 internal class Series(private val times: OutputTimes, private val sums: StepSums, files: RunFiles) : Output {
-    private val file = files.table(SeriesColumns.rows)
+    private val rows = if (sums.haveSpins) SeriesColumns.rows else SeriesColumns.smooth
+    private val file = files.table(rows)
 
     override fun write(simulation: Simulation) {
         if (!times.isDue(simulation)) return
-        SeriesColumns.rows.write(SeriesRow(simulation, sums), file.line())
+        rows.write(SeriesRow(simulation, sums), file.line())
         file.endLine()
     }
 }
@@ -38,9 +41,22 @@ internal class Series(private val times: OutputTimes, private val sums: StepSums
 internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
     val sums: PopulationSums = stepSums.of(simulation)
     val energies = Energies(simulation, stepSums)
+
+    /** Null for smooth spheres. */
+    val spins: SpinSums? = stepSums.spins(simulation)
+
+    /** The total angular momentum along [axis], NaN where space repeats or turns. */
+    fun angularMomentum(axis: Int): Double {
+        val repeats = (0..2).any { simulation.boundary.repeats(it) }
+        if (repeats || simulation.forces.any { it is Drift }) return Double.NaN
+        return spins?.angularMomentum(axis) ?: Double.NaN
+    }
 }
 
-/** The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
+/**
+ * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those from
+ * [ROTATIONAL_ENERGY] on are only there where spheres have spins.
+ */
 public object SeriesColumns : TableColumns {
     internal val rows = Columns<SeriesRow>("series.csv")
     override val file: String get() = rows.file
@@ -85,4 +101,28 @@ public object SeriesColumns : TableColumns {
 
     @JvmField
     public val HILL_ENERGY: Column = rows.number("hill_energy", Dimension.ENERGY) { it.energies.hill }
+
+    @JvmField
+    public val ROTATIONAL_ENERGY: Column =
+        rows.number("rotational_energy", Dimension.ENERGY) { it.spins?.energyOfRotation ?: Double.NaN }
+
+    @JvmField
+    public val ROTATIONAL_TEMPERATURE: Column =
+        rows.number("rotational_temperature", Dimension.SPEED_SQUARED) { it.spins?.temperature ?: Double.NaN }
+
+    @JvmField
+    public val MEAN_SPIN: List<Column> =
+        rows.each(listOf("mean_spin_x", "mean_spin_y", "mean_spin_z"), Dimension.ANGULAR_SPEED) { row, axis ->
+            row.spins?.mean(axis) ?: Double.NaN
+        }
+
+    @JvmField
+    public val ANGULAR_MOMENTUM: List<Column> = rows.each(
+        listOf("angular_momentum_x", "angular_momentum_y", "angular_momentum_z"),
+        Dimension.ACTION,
+    ) { row, axis -> row.angularMomentum(axis) }
+
+    /** Where nothing spins. */
+    internal val smooth =
+        rows.without(MEAN_SPIN.toSet() + ANGULAR_MOMENTUM + ROTATIONAL_ENERGY + ROTATIONAL_TEMPERATURE)
 }

@@ -6,12 +6,18 @@ import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.PopulationSums
+import daphnis.core.population.SpinSums
 
 /**
  * The [sums] over a population, taken once after a step for any number of outputs: by the threads of this process, or,
  * where nodes hold the spheres, by them. Both give the same bits.
  */
-internal class StepSums(private val sums: PopulationSums) {
+internal class StepSums(private val sums: PopulationSums, private val spins: SpinSums? = null) {
+    private var spinsTakenAt = -1L
+
+    /** Whether there are sums over spins. */
+    val haveSpins: Boolean get() = spins != null
+
     private var takenAt = -1L
     private var energies: EnergySums? = null
     private var hasEnergies = false
@@ -19,10 +25,22 @@ internal class StepSums(private val sums: PopulationSums) {
     /** Sums of the state that [simulation] has after its step. */
     fun of(simulation: Simulation): PopulationSums = if (takenAt == simulation.step) sums else take(simulation)
 
+    /**
+     * Sums over spins of the same state; null for spheres without any. Where nodes hold the spheres, they are fetched.
+     */
+    fun spins(simulation: Simulation): SpinSums? {
+        if (spins == null || spinsTakenAt == simulation.step) return spins
+        spinsTakenAt = -1
+        spins.take(simulation.population)
+        spinsTakenAt = simulation.step
+        return spins
+    }
+
     /** Takes the sums again, and energies when they are asked for. */
     fun take(simulation: Simulation): PopulationSums {
         val energies = energiesIn(simulation)
         takenAt = -1
+        spinsTakenAt = -1
         hasEnergies = false
         val isElsewhere = simulation.sumElsewhere { parts ->
             sums.take(parts)

@@ -52,17 +52,19 @@ public sealed interface BoundarySpec {
     public class Walls @JvmOverloads constructor(
         public val axes: String = "xyz",
         public val restitution: Double = 1.0,
+        public val roughness: WallRoughnessSpec? = null,
     ) : BoundarySpec {
         override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
             val known = axes.isNotEmpty() && axes.all { it in AXES } && axes.toSet().size == axes.length
             val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
             check.fraction("boundary.restitution", restitution)
-            return daphnis.core.boundary.Walls(box, restitution, BooleanArray(AXES.length) { AXES[it] in axes })
+            val walled = BooleanArray(AXES.length) { AXES[it] in axes }
+            return daphnis.core.boundary.Walls(box, restitution, walled, roughness?.laws(axes, check) ?: emptyList())
         }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
-            "walls across $axes"
+            "walls across $axes" + if (roughness == null) "" else ", rough"
 
         override fun toString(): String = "walls with axes $axes"
     }

@@ -4,7 +4,9 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.population.SphereQuantity
 import java.nio.file.Files
 
 /**
@@ -20,12 +22,15 @@ internal class FileState(
     private val check: ValueCheck,
     private val start: Snapshot? = null,
 ) {
+    private val spins = InitialSpins(scenario, boundary, check)
+
     /**
      * Reads the file.
      *
      * @param notices receives a line for each quantity that the file does not have, and what else is to be said of it
+     * @param random for spins that the file does not have
      */
-    fun population(notices: MutableList<String>): Population {
+    fun population(notices: MutableList<String>, random: () -> SeededRandom): Population {
         check.must("particles", scenario.particles == null) { "must be left out when the placement is a file" }
         check.must("bodies", scenario.bodies.isEmpty() || scenario.firstBody != null) {
             "must be left out when the placement is a file, which holds them"
@@ -39,7 +44,9 @@ internal class FileState(
             requireTime(snapshot)
             // A state of a run has been compared with the other scenario.
             if (start == null) requireBox(snapshot, notices)
-            StateRepair(scenario, boundary, spec, check, notices).repaired(withMasses(snapshot, notices))
+            val all = withSpins(withMasses(snapshot, notices), notices)
+            val repaired = StateRepair(scenario, boundary, spec, check, notices).repaired(all)
+            if (repaired.hasSpin) repaired else spins.drawn(repaired, bodies = 0, random())
         } catch (e: FormatException) {
             check.fail(KEY, e.message.orEmpty())
         } catch (e: IllegalArgumentException) {
@@ -107,6 +114,23 @@ internal class FileState(
         if (!snapshot.hasVelocity && snapshot.size > 0) {
             notices += "${spec.path} has no velocities: all spheres start at rest"
         }
+    }
+
+    /** What does not spin in the scenario loses the spins of the file, and is told so. */
+    private fun withSpins(snapshot: Snapshot, notices: MutableList<String>): Snapshot {
+        spins.check()
+        if (!snapshot.hasSpin) {
+            if (spins.areThere && scenario.spins == null && snapshot.size > 0) {
+                notices += "${spec.path} has no angular velocities: all spheres start without spin; spins sets others"
+            }
+            return snapshot
+        }
+        if (spins.areThere) {
+            check.must("spins", scenario.spins == null) { "must be left out; ${spec.path} has angular velocities" }
+            return snapshot
+        }
+        notices += "${spec.path} has angular velocities, which are dropped: spheres are smooth without roughness"
+        return snapshot.with(known = snapshot.known - SphereQuantity.SPIN)
     }
 
     /** A file has all masses or none. */

@@ -32,7 +32,7 @@ internal class InitialState(
     fun population(isPlaced: Boolean = true): Population {
         val placement = scenario.placement
         if (placement is PlacementSpec.File) {
-            return FileState(scenario, boundary, placement, check, start).population(notices)
+            return FileState(scenario, boundary, placement, check, start).population(notices) { stream(SPINS) }
         }
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
@@ -58,7 +58,7 @@ internal class InitialState(
         val masses = masses(spec, radii)
         val velocities = InitialVelocities(scenario, boundary, check).draw(masses, positions, stream(VELOCITIES))
         val flow = boundary.meanFlow
-        return Population(
+        val smooth = Population(
             positions.x + bodies.position(0),
             positions.y + bodies.position(1),
             positions.z + bodies.position(2),
@@ -68,6 +68,7 @@ internal class InitialState(
             radii + bodies.radius,
             masses + bodies.mass,
         )
+        return InitialSpins(scenario, boundary, check).drawn(smooth, scenario.bodies.size, stream(SPINS))
     }
 
     private fun ParticlesSpec.amount(): Pair<String, Number> = when {
@@ -110,5 +111,6 @@ internal class InitialState(
         const val SIZES = 0L
         const val PLACES = 1L
         const val VELOCITIES = 2L
+        const val SPINS = 3L
     }
 }

@@ -38,6 +38,8 @@ public data class Scenario @JvmOverloads constructor(
     override val search: SearchStructure = SearchStructure.AUTO,
     override val engine: EngineSpec = EngineSpec(),
     override val output: OutputSpec = OutputSpec(),
+    override val roughness: RoughnessSpec? = null,
+    override val spins: SpinsSpec? = null,
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {

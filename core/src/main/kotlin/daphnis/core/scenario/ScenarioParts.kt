@@ -17,6 +17,12 @@ public interface ScenarioParts {
     public val placement: PlacementSpec
     public val velocities: VelocitiesSpec?
     public val restitution: RestitutionSpec
+
+    /** Surfaces of the spheres; null for smooth ones, which do not spin unless walls are rough. */
+    public val roughness: RoughnessSpec?
+
+    /** Spins at the start; null for none, or those of a file. */
+    public val spins: SpinsSpec?
     public val forces: List<ForceSpec>
     public val search: SearchStructure
     public val engine: EngineSpec

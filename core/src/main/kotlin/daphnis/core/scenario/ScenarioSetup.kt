@@ -16,12 +16,16 @@ import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.format.Snapshot
 import daphnis.core.measure
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
+import daphnis.core.surface.Roughness
+import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
 
 /**
@@ -43,7 +47,26 @@ public class ScenarioSetup private constructor(
     public val timeStep: TimeStep,
     public val angularSpeed: Double?,
     public val notices: List<String>,
+    /** Of the spheres; null for smooth ones. */
+    public val roughness: Roughness?,
 ) {
+    /** Moment of inertia of the spheres over mass · radius². */
+    public val momentFactor: Double get() = scenario.roughness?.momentFactor ?: SurfaceContact.SOLID
+
+    /**
+     * The collisions of a simulation of this, computed by [engine].
+     *
+     * @param recordCollisions see [CollisionForcing]
+     * @param restitution another law in place of the scenario's
+     */
+    @JvmOverloads
+    public fun collisions(
+        engine: CollisionEngine,
+        recordCollisions: Boolean = false,
+        restitution: Restitution = this.restitution,
+    ): CollisionForcing =
+        CollisionForcing(restitution, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
+
     /** Length of the first step of a run. */
     public fun firstStep(): Double {
         val longest = timeStep.next(population)
@@ -134,7 +157,7 @@ public class ScenarioSetup private constructor(
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
                 resolved, population, boundary, restitution, guard, forces, timeStep, around.angularSpeed,
-                initial.notices,
+                initial.notices, scenario.roughness?.law("roughness", check),
             )
         }
 

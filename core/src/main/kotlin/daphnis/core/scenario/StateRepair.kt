@@ -31,7 +31,9 @@ internal class StateRepair(
             OverlapsName.RELAX -> relax(repair)
         }
         // A run counts the boxes crossed from its start on.
-        return with(population) { Population(x, y, z, vx, vy, vz, radius, mass, id) }
+        return with(population) {
+            Population(x, y, z, vx, vy, vz, radius, mass, id).let { if (hasSpin) it.withSpin(wx, wy, wz) else it }
+        }
     }
 
     private fun putBack(population: Population, shift: DoubleArray) {

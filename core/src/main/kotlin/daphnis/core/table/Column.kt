@@ -31,10 +31,11 @@ public object Dimension {
     public const val TIME: String = "time"
     public const val MASS: String = "mass"
     public const val SPEED: String = "length/time"
+    public const val ANGULAR_SPEED: String = "1/time"
     public const val SPEED_SQUARED: String = "length^2/time^2"
     public const val MOMENTUM: String = "mass length/time"
     public const val ENERGY: String = "mass length^2/time^2"
 
-    /** Momentum carried over a length, Σ Δp δ. */
+    /** Momentum carried over a length, Σ Δp δ, and angular momentum. */
     public const val ACTION: String = "mass length^2/time"
 }

@@ -57,6 +57,11 @@ internal class Columns<Row>(override val file: String) : TableColumns {
         fun of(row: Row, k: Int): Double
     }
 
+    /** The same table without the columns [left]. */
+    fun without(left: Set<Column>): Columns<Row> = Columns<Row>(file).also { rest ->
+        for (k in cells.indices) if (columns[k] !in left) rest.add(columns[k], cells[k])
+    }
+
     private fun add(column: Column, cell: Cell<Row>): Column {
         columns += column
         cells += cell

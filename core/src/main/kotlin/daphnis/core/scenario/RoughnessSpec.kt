@@ -1,0 +1,116 @@
+package daphnis.core.scenario
+
+import daphnis.core.surface.ConstantRoughness
+import daphnis.core.surface.CoulombRoughness
+import daphnis.core.surface.Roughness
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+/**
+ * Surfaces of spheres, or of a wall.
+ *
+ * @property momentFactor moment of inertia of the spheres over mass · radius²; 2/5 when left out, not for walls
+ */
+@Serializable
+public sealed interface RoughnessSpec {
+    public val momentFactor: Double?
+
+    /** Smooth spheres that spin all the same, for walls that are rough; a wall that is smooth where others are not. */
+    @Serializable
+    @SerialName("smooth")
+    public class Smooth @JvmOverloads constructor(override val momentFactor: Double? = null) : RoughnessSpec
+
+    /** @property coefficient β */
+    @Serializable
+    @SerialName("constant")
+    public class Constant @JvmOverloads constructor(
+        public val coefficient: Double,
+        override val momentFactor: Double? = null,
+    ) : RoughnessSpec
+
+    /**
+     * @property friction μ
+     * @property sticking β₀
+     */
+    @Serializable
+    @SerialName("coulomb")
+    public class Coulomb @JvmOverloads constructor(
+        public val friction: Double,
+        public val sticking: Double,
+        override val momentFactor: Double? = null,
+    ) : RoughnessSpec
+}
+
+/** The law of what stands at [key]; null for a smooth surface. */
+internal fun RoughnessSpec.law(key: String, check: ValueCheck): Roughness? = when (this) {
+    is RoughnessSpec.Smooth -> null
+    is RoughnessSpec.Constant -> {
+        check.that("$key.coefficient", coefficient, coefficient in -1.0..1.0) { "must be in [-1, 1]" }
+        ConstantRoughness(coefficient)
+    }
+    is RoughnessSpec.Coulomb -> {
+        check.that("$key.friction", friction, friction >= 0 && friction.isFinite()) { "must be at least 0" }
+        check.that("$key.sticking", sticking, sticking in -1.0..1.0) { "must be in [-1, 1]" }
+        CoulombRoughness(friction, sticking)
+    }
+}
+
+/** Surfaces of walls: of [all] that are not named, and of the lower and upper face across each axis. */
+@Serializable
+public class WallRoughnessSpec @JvmOverloads constructor(
+    public val all: RoughnessSpec? = null,
+    public val lowerX: RoughnessSpec? = null,
+    public val upperX: RoughnessSpec? = null,
+    public val lowerY: RoughnessSpec? = null,
+    public val upperY: RoughnessSpec? = null,
+    public val lowerZ: RoughnessSpec? = null,
+    public val upperZ: RoughnessSpec? = null,
+) {
+    /** The laws of the faces −x, +x, −y, +y, −z, +z, of which those across [axes] are walls. */
+    internal fun laws(axes: String, check: ValueCheck): List<Roughness?> {
+        val named = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)
+        for ((spec, name) in (named + all).zip(NAMES + "all")) {
+            check.must("$KEY.$name.momentFactor", spec?.momentFactor == null) {
+                "is that of spheres; give it as roughness.momentFactor"
+            }
+        }
+        return named.mapIndexed { face, spec ->
+            val isWall = "xyz"[face / 2] in axes
+            check.must("$KEY.${NAMES[face]}", spec == null || isWall) { "is of no wall; there are walls across $axes" }
+            val said = if (spec == null) "all" else NAMES[face]
+            if (isWall) (spec ?: all)?.law("$KEY.$said", check) else null
+        }
+    }
+
+    private companion object {
+        const val KEY = "boundary.roughness"
+        val NAMES = listOf("lowerX", "upperX", "lowerY", "upperY", "lowerZ", "upperZ")
+    }
+}
+
+/**
+ * Angular velocities at the start, in Hill's frame relative to the frame.
+ *
+ * @property mean along x, y, z
+ */
+@Serializable
+public sealed interface SpinsSpec {
+    public val mean: List<Double>
+
+    /** All spheres spin alike. */
+    @Serializable
+    @SerialName("rest")
+    public class Rest @JvmOverloads constructor(override val mean: List<Double> = listOf(0.0, 0.0, 0.0)) : SpinsSpec
+
+    /**
+     * Every component normal around the mean, with exactly one of the standard deviation [sigma], the same for all, and
+     * the [temperature] T of rotation, with √(T/I) for a sphere with the moment of inertia I.
+     */
+    @Serializable
+    @SerialName("gaussian")
+    public class Gaussian @JvmOverloads constructor(
+        public val sigma: Double? = null,
+        public val temperature: Double? = null,
+        override val mean: List<Double> = listOf(0.0, 0.0, 0.0),
+    ) : SpinsSpec
+}
