@@ -2,7 +2,6 @@ package daphnis.app
 
 import daphnis.core.Simulation
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
@@ -65,7 +64,7 @@ class GoldenDigestTest {
         for (make in engines) {
             val setup = ScenarioSetup.of(scenario, name)
             val engine = make()
-            val forcing = CollisionForcing(setup.restitution, setup.guard, engine, search = setup.scenario.search)
+            val forcing = setup.collisions(engine)
             val digest = Simulation(setup.population, setup.boundary, forcing, setup.timeStep, setup.forces).use {
                 while (if (steps != null) it.step < steps else it.time < setup.scenario.end * (1 - SLACK)) it.advance()
                 stateDigest(it.population)
@@ -86,7 +85,7 @@ class GoldenDigestTest {
 
         /** A whole number of steps can fall short of the end by round-off. */
         const val SLACK = 1e-9
-        val QUICK = listOf("paper-figure-1", "elastic-gas", "cooling-gas", "shear-cell", "ring-patch")
+        val QUICK = listOf("paper-figure-1", "elastic-gas", "cooling-gas", "rough-gas", "shear-cell", "ring-patch")
         val ODD = listOf(
             "open-clump", "periodic-thin", "walls-gravity", "walls-lattice", "sheared-dense", "lees-edwards-sizes",
             "ring-gravity", "moonlet-small", "ringlet-moon", "big-among-small",

@@ -7,6 +7,7 @@ import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.ScenarioSetup
 import java.util.Locale
 import kotlin.math.sqrt
@@ -111,6 +112,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
         }
         rows.add("restitution", law)
+        surfaces()
         when (val guard = scenario.guard) {
             is GuardSpec.None -> rows.add("guard", "none")
             is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")
@@ -119,6 +121,24 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
                 "elastic within ${say.time(guard.duration)} of the last collision",
             )
         }
+    }
+
+    /** Nothing of smooth spheres without spin. */
+    private fun surfaces() {
+        if (!population.hasSpin) return
+        val law = when (val law = scenario.roughness) {
+            null, is RoughnessSpec.Smooth -> "smooth"
+            is RoughnessSpec.Constant -> "${number(law.coefficient)} of the tangential velocity is reversed"
+            is RoughnessSpec.Coulomb ->
+                "sticking ${number(law.sticking)} unless friction ${number(law.friction)} is too weak for that"
+        }
+        rows.add("roughness", "$law; moment of inertia ${number(setup.momentFactor)} m r^2")
+        val squares = particles.sumOf { k ->
+            population.wx[k] * population.wx[k] + population.wy[k] * population.wy[k] +
+                population.wz[k] * population.wz[k]
+        }
+        val spin = if (particles.isEmpty()) 0.0 else sqrt(squares / particles.size)
+        rows.add("spins", "${number(spin)} radians per unit of time at the start (root mean square)")
     }
 
     private companion object {

@@ -3,6 +3,7 @@ package daphnis.analysis.report
 import daphnis.analysis.insitu.State
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.Scenario
 import kotlin.math.abs
 
@@ -18,11 +19,15 @@ internal object ElasticGas {
             scenario.boundary is BoundarySpec.Periodic &&
             (0..2).all { last.boundary.repeats(it) } &&
             scenario.frame == null &&
+            isSmooth(scenario) &&
             scenario.forces.isEmpty() &&
             scenario.bodies.isEmpty() &&
             areEqual(last.population.radius) &&
             areEqual(last.population.mass)
     }
+
+    /** Whether spheres slide on one another without friction. */
+    fun isSmooth(scenario: Scenario): Boolean = scenario.roughness.let { it == null || it is RoughnessSpec.Smooth }
 
     /** Whether that box is a cube, too. */
     fun isCube(scenario: Scenario, last: State): Boolean {

@@ -6,8 +6,10 @@ import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
+import kotlin.math.abs
 import kotlin.math.ln
 import kotlin.math.sqrt
 
@@ -24,7 +26,15 @@ internal object FreeCooling {
     fun isOf(scenario: Scenario, dispersion: Double): Boolean {
         // Laws that are elastic for slow impacts come to an end of cooling.
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return false
+        if (isRubbing(scenario.roughness)) return !isDriven(scenario)
         return law.coefficient < 1 && !isDriven(scenario) && !isElastic(scenario.guard, dispersion)
+    }
+
+    /** Whether surfaces lose energy: friction does so at every speed, and a guard does not end it. */
+    private fun isRubbing(roughness: RoughnessSpec?): Boolean = when (roughness) {
+        null, is RoughnessSpec.Smooth -> false
+        is RoughnessSpec.Constant -> abs(roughness.coefficient) < 1
+        is RoughnessSpec.Coulomb -> roughness.friction > 0 && roughness.sticking > -1
     }
 
     /**
