@@ -29,7 +29,10 @@ import kotlin.math.sqrt
  * @param turning Ω of the axes in which spins are given
  */
 internal class SpinExchange(private val momentFactor: Double, private val turning: Double) {
-    private val share = momentFactor / (1.0 + momentFactor)
+    // For solid spheres both are exact, 5/2 and 7/2. A factor 2/7 would be rounded, always to the same side, and so change
+    // the energy of perfectly rough spheres a little in every impact.
+    private val inverse = 1.0 / momentFactor
+    private val compliance = 1.0 + inverse
 
     /**
      * The impact of [first] and [second], whose [outcome] has speed and coefficient.
@@ -66,9 +69,9 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val sine = sine(time)
         val wx = cosine * sx + sine * sy
         val wy = cosine * sy - sine * sx
-        val gx = ux - b / d2 * dx - (wy * dz - wz * dy) / d
-        val gy = uy - b / d2 * dy - (wz * dx - wx * dz) / d
-        val gz = uz - b / d2 * dz - (wx * dy - wy * dx) / d
+        var gx = ux - b / d2 * dx - (wy * dz - wz * dy) / d
+        var gy = uy - b / d2 * dy - (wz * dx - wx * dz) / d
+        var gz = uz - b / d2 * dz - (wx * dy - wy * dx) / d
         val isInOrder = rows.id[first] < rows.id[second]
         val contact = outcome.contact
         contact.firstRadius = if (isInOrder) r1 else r2
@@ -77,7 +80,10 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         contact.secondMass = if (isInOrder) m2 else m1
         contact.normalSpeed = outcome.impactSpeed
         contact.restitution = outcome.coefficient
-        val factor = share * change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        val factor = change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        gx /= compliance
+        gy /= compliance
+        gz /= compliance
         val f1 = factor * (m2 / (m1 + m2))
         val f2 = factor * (m1 / (m1 + m2))
         push(rows, first, f1 * gx, f1 * gy, f1 * gz)
@@ -87,8 +93,8 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val kz = (dx * gy - dy * gx) / d
         val ax = cosine * kx - sine * ky
         val ay = cosine * ky + sine * kx
-        spin(rows, first, f1 / (momentFactor * r1), ax, ay, kz)
-        spin(rows, second, f2 / (momentFactor * r2), ax, ay, kz)
+        spin(rows, first, f1 * inverse / r1, ax, ay, kz)
+        spin(rows, second, f2 * inverse / r2, ax, ay, kz)
     }
 
     /** The impact of [slot] on the wall [face], with the speed [normalSpeed] and the coefficient [restitution]. */
@@ -116,21 +122,24 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val wy = r * (cosine * rows.wy[slot] - sine * rows.wx[slot])
         val wz = r * rows.wz[slot]
         // Of the wall relative to the sphere's surface.
-        val gx = if (axis == 0) 0.0 else -state[p] - (wy * nz - wz * ny)
-        val gy = if (axis == 1) 0.0 else -state[p + 1] - (wz * nx - wx * nz)
-        val gz = if (axis == 2) 0.0 else -state[p + 2] - (wx * ny - wy * nx)
+        var gx = if (axis == 0) 0.0 else -state[p] - (wy * nz - wz * ny)
+        var gy = if (axis == 1) 0.0 else -state[p + 1] - (wz * nx - wx * nz)
+        var gz = if (axis == 2) 0.0 else -state[p + 2] - (wx * ny - wy * nx)
         contact.firstRadius = r
         contact.secondRadius = Double.POSITIVE_INFINITY
         contact.firstMass = rows.mass[slot]
         contact.secondMass = Double.POSITIVE_INFINITY
         contact.normalSpeed = normalSpeed
         contact.restitution = restitution
-        val factor = share * change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        val factor = change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        gx /= compliance
+        gy /= compliance
+        gz /= compliance
         push(rows, slot, factor * gx, factor * gy, factor * gz)
         val kx = ny * gz - nz * gy
         val ky = nz * gx - nx * gz
         val kz = nx * gy - ny * gx
-        spin(rows, slot, factor / (momentFactor * r), cosine * kx - sine * ky, cosine * ky + sine * kx, kz)
+        spin(rows, slot, factor * inverse / r, cosine * kx - sine * ky, cosine * ky + sine * kx, kz)
     }
 
     /** 1 + β of [contact], whose surfaces slide with [speed]. */
