@@ -190,3 +190,35 @@ def test_two_simulations_go_on_at_once(gas: dict[str, Any], spheres: dict[str, A
     for worker in workers:
         worker.join()
     assert found == [digest, digest]
+
+
+def test_rough_spheres_have_spins(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    rough = {**gas, "roughness": {"type": "constant", "coefficient": 1.0}, "restitution": {**gas["restitution"]}}
+    rough["restitution"]["coefficient"] = 1.0
+    spin = np.random.default_rng(2).normal(size=(1000, 3))
+    with daphnis.Simulation(rough, **spheres, spin=spin) as simulation:
+        assert np.array_equal(simulation.state().spin, spin)
+        energy = simulation.kinetic_energy + 0.4 * 0.25 * (spin**2).sum() / 2
+        simulation.advance_to(2.0)
+        after = simulation.state()
+        assert simulation.collisions > 100 and not np.array_equal(after.spin, spin)
+        assert simulation.kinetic_energy + 0.4 * 0.25 * (after.spin**2).sum() / 2 == pytest.approx(energy, rel=1e-13)
+        assert np.array_equal(after.to_frame()["omegay"], after.spin[:, 1])
+    with daphnis.Simulation(rough, **spheres) as simulation:
+        assert not simulation.state().spin.any()
+    with daphnis.Simulation(gas, **spheres) as simulation:
+        assert simulation.state().spin is None and "omegax" not in simulation.state().to_frame()
+    with pytest.raises(daphnis.InputError, match="spin: is of spheres that spin; the scenario needs roughness"):
+        daphnis.Simulation(gas, **spheres, spin=spin)
+    with pytest.raises(daphnis.InputError, match="spin: has shape"):
+        daphnis.Simulation(rough, **spheres, spin=spin[:5])
+
+
+def test_a_run_has_the_spins_of_its_states(tmp_path: Any) -> None:
+    ice = daphnis.restitution(lambda speed: 0.9)
+    rough = {"particles.count": 100, "box.lengths": [6, 6, 6]}
+    one = daphnis.run("rough-gas", tmp_path / "one", set=rough, steps=20)
+    two = daphnis.run("rough-gas", tmp_path / "two", set=rough, steps=20, restitution=ice)
+    assert one.last().spin.any() and np.array_equal(one.last().spin, two.last().spin)
+    assert one.series["rotational_energy"].iloc[-1] > 0
+    assert one.series.attrs["units"]["mean_spin_x"] == "units of 1/time"

@@ -43,6 +43,8 @@ class Simulation:
         position: centres, shape (n, 3), in units of length; in any order and layout. Copied, like all arrays.
         velocity: shape (n, 3), in units of length per unit of time; at rest without it. In Hill's frame those in the
             rotating frame, whose mean flow is v_y = −(3/2) Ω x.
+        spin: angular velocities, shape (n, 3), in radians per unit of time, of a scenario with ``roughness``; none
+            without it. In Hill's frame relative to the frame.
         radius: one number, or shape (n,).
         mass: one number, or shape (n,); without it as of ``particles.density``, or 1 per volume.
         id: distinct whole numbers ≥ 0, shape (n,); 0, 1, 2, … without it.
@@ -65,6 +67,7 @@ class Simulation:
         *,
         position: ArrayLike | None = None,
         velocity: ArrayLike | None = None,
+        spin: ArrayLike | None = None,
         radius: ArrayLike | None = None,
         mass: ArrayLike | None = None,
         id: ArrayLike | None = None,
@@ -98,13 +101,13 @@ class Simulation:
         self._failure = PythonFailure()
         population = None
         if position is None:
-            for name, array in (("velocity", velocity), ("radius", radius), ("mass", mass), ("id", id), ("time", time)):
+            for name, array in (("velocity", velocity), ("spin", spin), ("radius", radius), ("mass", mass), ("id", id), ("time", time)):
                 if array is not None:
                     raise InputError(f"{name}: is given without position")
         else:
             if seed is not None:
                 raise InputError("seed: is of an initial state; position is one")
-            population = self._population(position, velocity, radius, mass, id)
+            population = self._population(position, velocity, spin, radius, mass, id)
         setup = setup_of(self.scenario, population)
         start = float(setup.getScenario().getStartTime()) if begin is None else begin
         if population is not None:
@@ -130,7 +133,7 @@ class Simulation:
         self._first_body = int(setup.getScenario().getFirstBody())
         self._mine = True
 
-    def _population(self, position: Any, velocity: Any, radius: Any, mass: Any, id: Any) -> Any:
+    def _population(self, position: Any, velocity: Any, spin: Any, radius: Any, mass: Any, id: Any) -> Any:
         places = _arrays.numbers("position", position, ("n", 3))
         n = len(places)
         if n == 0:
@@ -145,10 +148,16 @@ class Simulation:
         else:
             masses = _arrays.each("mass", mass, n)
         columns = [*places.T, *speeds.T, radii, masses]
+        asked = self.scenario.to_dict()
+        is_rough = "roughness" in asked or "roughness" in (asked.get("boundary") or {})
+        if spin is not None and not is_rough:
+            raise InputError("spin: is of spheres that spin; the scenario needs roughness")
+        spins = np.zeros((n, 3)) if spin is None else _arrays.numbers("spin", spin, (n, 3))
         with translated():
-            return java("daphnis.core.population.Population")(
+            population = java("daphnis.core.population.Population")(
                 *[_arrays.doubles(column) for column in columns], _arrays.ints(_arrays.ids(id, n))
             )
+            return population.withSpin(*[_arrays.doubles(column) for column in spins.T]) if is_rough else population
 
     @classmethod
     def _watched(cls, simulation: Any) -> Simulation:

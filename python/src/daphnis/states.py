@@ -72,6 +72,16 @@ class State:
         return _arrays.columns(*self._java.getVelocity())
 
     @functools.cached_property
+    def spin(self) -> NDArray[np.float64] | None:
+        """Angular velocities, shape (n, 3), in radians per unit of time, in Hill's frame relative to the frame.
+
+        None for spheres without spin.
+        """
+        if not self._java.getHasSpin():
+            return None
+        return _arrays.columns(self._java.getWx(), self._java.getWy(), self._java.getWz())
+
+    @functools.cached_property
     def radius(self) -> NDArray[np.float64]:
         """Radii, shape (n,), in units of length."""
         return _arrays.of_doubles(self._java.getRadius())

@@ -171,7 +171,7 @@ class LibraryGuideTest {
             BuiltIn.scenario("cooling-gas", settings = listOf("particles.count=200")),
             "cooling-gas",
         )
-        val collisions = CollisionForcing(setup.restitution, setup.guard)
+        val collisions = setup.collisions()
         val simulation = Simulation(setup.population, setup.boundary, collisions, setup.timeStep, setup.forces)
         simulation.use { while (it.time < 2.0) it.advance() }
         println("${collisions.counters.collisions} collisions")

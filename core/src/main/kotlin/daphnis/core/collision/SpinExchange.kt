@@ -17,9 +17,10 @@ import kotlin.math.sqrt
  * **n** × **J** / (q m r). After that the surfaces move with −β **g**. A wall is a second sphere of infinite mass that
  * does not turn.
  *
- * **Angular momentum.** Each impulse acts at the surface of its sphere. Spheres that touch have their surfaces in one
- * place, so the angular momentum of the two is conserved to round-off; spheres which overlap after a wrap change it by
- * overlap · J.
+ * **Levers.** The impulse acts at one point, which divides the separation as the radii are: at r₁ **l** from the first
+ * centre, with **l** the separation over r₁ + r₂. So angular momentum is conserved to round-off, also by spheres that
+ * overlap after a wrap. **l** takes the place of **n**, and l²/q that of 1/q: what rounding makes of the length of **l**
+ * is no energy, and no square root is needed.
  *
  * **Hill's frame.** Between collisions a spin whose axes turn with angular speed [turning] about z turns backwards in
  * them. Within a step spins are kept in the axes of its start, in which they rest, so a sphere changes only at its own
@@ -29,10 +30,9 @@ import kotlin.math.sqrt
  * @param turning Ω of the axes in which spins are given
  */
 internal class SpinExchange(private val momentFactor: Double, private val turning: Double) {
-    // For solid spheres both are exact, 5/2 and 7/2. A factor 2/7 would be rounded, always to the same side, and so change
-    // the energy of perfectly rough spheres a little in every impact.
+    // For solid spheres this is exact, 5/2. A factor 2/7 would be rounded, always to the same side, and so change the
+    // energy of perfectly rough spheres a little in every impact.
     private val inverse = 1.0 / momentFactor
-    private val compliance = 1.0 + inverse
 
     /**
      * The impact of [first] and [second], whose [outcome] has speed and coefficient.
@@ -61,7 +61,10 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val dx = outcome.separationX
         val dy = outcome.separationY
         val dz = outcome.separationZ
-        val d = sqrt(d2)
+        val reach = r1 + r2
+        val lx = dx / reach
+        val ly = dy / reach
+        val lz = dz / reach
         val sx = r1 * rows.wx[first] + r2 * rows.wx[second]
         val sy = r1 * rows.wy[first] + r2 * rows.wy[second]
         val wz = r1 * rows.wz[first] + r2 * rows.wz[second]
@@ -69,9 +72,9 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val sine = sine(time)
         val wx = cosine * sx + sine * sy
         val wy = cosine * sy - sine * sx
-        var gx = ux - b / d2 * dx - (wy * dz - wz * dy) / d
-        var gy = uy - b / d2 * dy - (wz * dx - wx * dz) / d
-        var gz = uz - b / d2 * dz - (wx * dy - wy * dx) / d
+        var gx = ux - b / d2 * dx - (wy * lz - wz * ly)
+        var gy = uy - b / d2 * dy - (wz * lx - wx * lz)
+        var gz = uz - b / d2 * dz - (wx * ly - wy * lx)
         val isInOrder = rows.id[first] < rows.id[second]
         val contact = outcome.contact
         contact.firstRadius = if (isInOrder) r1 else r2
@@ -81,6 +84,7 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         contact.normalSpeed = outcome.impactSpeed
         contact.restitution = outcome.coefficient
         val factor = change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        val compliance = 1.0 + inverse * (lx * lx + ly * ly + lz * lz)
         gx /= compliance
         gy /= compliance
         gz /= compliance
@@ -88,9 +92,9 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val f2 = factor * (m1 / (m1 + m2))
         push(rows, first, f1 * gx, f1 * gy, f1 * gz)
         push(rows, second, -f2 * gx, -f2 * gy, -f2 * gz)
-        val kx = (dy * gz - dz * gy) / d
-        val ky = (dz * gx - dx * gz) / d
-        val kz = (dx * gy - dy * gx) / d
+        val kx = ly * gz - lz * gy
+        val ky = lz * gx - lx * gz
+        val kz = lx * gy - ly * gx
         val ax = cosine * kx - sine * ky
         val ay = cosine * ky + sine * kx
         spin(rows, first, f1 * inverse / r1, ax, ay, kz)
@@ -132,9 +136,9 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         contact.normalSpeed = normalSpeed
         contact.restitution = restitution
         val factor = change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
-        gx /= compliance
-        gy /= compliance
-        gz /= compliance
+        gx /= 1.0 + inverse
+        gy /= 1.0 + inverse
+        gz /= 1.0 + inverse
         push(rows, slot, factor * gx, factor * gy, factor * gz)
         val kx = ny * gz - nz * gy
         val ky = nz * gx - nx * gz

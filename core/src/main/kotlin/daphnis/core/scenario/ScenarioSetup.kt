@@ -18,6 +18,7 @@ import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.SerialEngine
 import daphnis.core.force.Force
 import daphnis.core.format.Snapshot
 import daphnis.core.measure
@@ -61,7 +62,7 @@ public class ScenarioSetup private constructor(
      */
     @JvmOverloads
     public fun collisions(
-        engine: CollisionEngine,
+        engine: CollisionEngine = SerialEngine(),
         recordCollisions: Boolean = false,
         restitution: Restitution = this.restitution,
     ): CollisionForcing =
