@@ -7,13 +7,11 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
-import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.populationOf
-import daphnis.core.randomSpheres
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.Roughness
@@ -249,52 +247,6 @@ class RoughImpactTest {
         CollisionForcing(ConstantRestitution(1.0), roughness = roughness),
         FixedTimeStep(1.0),
     )
-
-    @Test
-    fun `rough spheres or walls without spins are refused, smooth ones keep theirs`() {
-        val pair = populationOf(Sphere(x = -3.0, vx = 2.0), Sphere(x = 3.0, y = 0.5))
-        val e = assertThrows(IllegalArgumentException::class.java) {
-            simulation(pair.copy(), ConstantRoughness(0.0)).advance()
-        }
-        assertTrue("no angular velocities" in e.message!!) { e.message }
-        val walls = Walls(Box.centred(20.0, 20.0, 20.0), roughness = List(6) { ConstantRoughness(0.0) })
-        val smooth = CollisionForcing(ConstantRestitution(1.0))
-        assertThrows(IllegalArgumentException::class.java) {
-            Simulation(pair.copy(), walls, smooth, FixedTimeStep(1.0)).advance()
-        }
-        val w = doubleArrayOf(0.3, -0.7)
-        val spinning = simulation(pair.withSpin(w, w, w), null)
-        repeat(5) { spinning.advance() }
-        assertEquals(1, spinning.collisions!!.counters.collisions)
-        for (id in 0..1) assertEquals(w[id], spinning.population.wy[spinning.population.indexOf(id)])
-    }
-
-    @Test
-    fun `perfectly rough spheres keep their energy over half a million collisions, and share it with their spins`() {
-        val boundary = Periodic(Box.centred(10.0, 10.0, 10.0))
-        val p = randomSpheres(400, boundary, 4, 1.0) { 0.5 }
-        val zero = DoubleArray(p.size)
-        val forcing = CollisionForcing(ConstantRestitution(1.0), roughness = ConstantRoughness(1.0))
-        Simulation(p.withSpin(zero, zero, zero), boundary, forcing, FixedTimeStep(0.05)).use {
-            val before = energies(it.population).sum()
-            while (forcing.counters.collisions < 500_000) it.advance()
-            val (moving, spinning) = energies(it.population)
-            assertEquals(0.0, (moving + spinning) / before - 1, 1e-12)
-            // Each of six degrees of freedom has a share; two thousand four hundred of them fluctuate by a few per cent.
-            assertEquals(1.0, spinning / moving, 0.15)
-        }
-    }
-
-    private fun energies(p: Population): List<Double> {
-        var moving = 0.0
-        var spinning = 0.0
-        for (k in 0 until p.size) {
-            moving += p.mass[k] / 2 * (p.vx[k] * p.vx[k] + p.vy[k] * p.vy[k] + p.vz[k] * p.vz[k])
-            val w2 = p.wx[k] * p.wx[k] + p.wy[k] * p.wy[k] + p.wz[k] * p.wz[k]
-            spinning += 0.4 * p.mass[k] * p.radius[k] * p.radius[k] / 2 * w2
-        }
-        return listOf(moving, spinning)
-    }
 
     private companion object {
         const val DRAWS = 10_000
