@@ -101,7 +101,14 @@ class Simulation:
         self._failure = PythonFailure()
         population = None
         if position is None:
-            for name, array in (("velocity", velocity), ("spin", spin), ("radius", radius), ("mass", mass), ("id", id), ("time", time)):
+            for name, array in (
+                ("velocity", velocity),
+                ("spin", spin),
+                ("radius", radius),
+                ("mass", mass),
+                ("id", id),
+                ("time", time),
+            ):
                 if array is not None:
                     raise InputError(f"{name}: is given without position")
         else:
