@@ -132,6 +132,22 @@ class DescribeTest {
     }
 
     @Test
+    fun `rough spheres have a law of surfaces, a moment of inertia and spins, smooth ones no such rows`() {
+        val text = describe("rough-gas", """spins={"type":"rest","mean":[3,0,4]}""")
+        assertEquals("0.5 of the tangential velocity is reversed; moment of inertia 0.4 m r^2", row(text, "roughness"))
+        assertEquals("5 radians per unit of time at the start (root mean square)", row(text, "spins"))
+        val coulomb = """roughness={"type":"coulomb","friction":0.3,"sticking":0.2,"momentFactor":0.5}"""
+        val words = "sticking 0.2 unless friction 0.3 is too weak for that; moment of inertia 0.5 m r^2"
+        assertEquals(words, row(describe("ring-patch", coulomb), "roughness"))
+        val walls = """{"type":"walls","axes":"z","roughness":{"all":{"type":"constant","coefficient":0}}}"""
+        val between = describe("cooling-gas", "boundary=$walls")
+        assertTrue(row(between, "box").endsWith("walls across z, rough")) { between }
+        assertEquals("smooth; moment of inertia 0.4 m r^2", row(between, "roughness"))
+        val smooth = describe("cooling-gas")
+        assertFalse("roughness" in smooth || "spins" in smooth) { smooth }
+    }
+
+    @Test
     fun `bodies have no part in the velocities at the start`() {
         // σ = 0.0001 m/s of the particles; the moonlet is at rest.
         assertEquals(0.01, row(describe("moonlet"), "velocities").substringBefore(" cm/s").toDouble(), 0.0002)

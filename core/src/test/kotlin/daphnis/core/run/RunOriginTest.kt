@@ -47,7 +47,8 @@ class RunOriginTest {
 
     @Test
     fun `it ends in the bits of the uninterrupted run, from any state, and from a state of a run that did so`() {
-        for (scenario in listOf(ring(), tableScenario(), tableScenario("timeStep.dt=0.0937"))) {
+        val rough = ring("name=rough", ROUGH, """spins={"type": "gaussian", "sigma": 0.3, "mean": [0, 0.5, 0]}""")
+        for (scenario in listOf(ring(), rough, tableScenario(), tableScenario("timeStep.dt=0.0937"))) {
             val name = "${scenario.name}${(scenario.timeStep as daphnis.core.scenario.TimeStepSpec.Fixed).dt}"
             val whole = run(scenario, name)
             for (step in Run.open(at(name)).steps().dropLast(1)) {
@@ -168,5 +169,23 @@ class RunOriginTest {
         val closed = ScenarioJson.parse(ScenarioJson.write(open), "closed", listOf("boundary.type=periodic", "until=1"))
         val e = assertThrows(InputException::class.java) { run(closed, "b", origin("a")) }
         assertTrue("overlap" in e.message.orEmpty()) { e.message }
+    }
+
+    @Test
+    fun `smooth spheres of a run may become rough, with spins that are asked for, and rough ones smooth`() {
+        run(ring(), "a")
+        val spins = """spins={"type": "rest", "mean": [0, 0, 0.5]}"""
+        run(ring(ROUGH, spins), "b", origin("a"), steps = 1)
+        val first = Run.open(at("b")).let { it.atStep(0) }
+        assertTrue(first.hasSpin && first.wz.all { it == 0.5 })
+        run(ring(), "c", origin("b"), steps = 1)
+        assertTrue(!Run.open(at("c")).atStep(0).hasSpin)
+        // Spins of the state stand in place of those at another start.
+        run(ring(ROUGH, spins), "d", origin("b"), steps = 1)
+        assertEquals(Run.open(at("b")).last().wz.toList(), Run.open(at("d")).atStep(0).wz.toList())
+    }
+
+    private companion object {
+        const val ROUGH = """roughness={"type": "coulomb", "friction": 0.4, "sticking": 0.3}"""
     }
 }

@@ -9,6 +9,19 @@ class FreeCoolingTest {
         FreeCooling.isOf(BuiltIn.scenario(name, settings.asList()), dispersion = 0.1)
 
     @Test
+    fun `surfaces that rub cool a gas for ever, however elastic its impacts are`() {
+        fun rough(law: String) = isOf("elastic-gas", "roughness={$law}")
+        assertEquals(true, rough(""""type":"constant","coefficient":0.5"""))
+        assertEquals(true, rough(""""type":"coulomb","friction":0.1,"sticking":0"""))
+        for (end in listOf(-1, 1)) assertEquals(false, rough(""""type":"constant","coefficient":$end"""))
+        assertEquals(false, rough(""""type":"smooth""""))
+        assertEquals(false, rough(""""type":"coulomb","friction":0,"sticking":0"""))
+        val floor = "guard={\"type\":\"floor-speed\",\"speed\":0.17}"
+        assertEquals(true, isOf("rough-gas", floor))
+        assertEquals(false, isOf("ring-patch", "roughness={\"type\":\"constant\",\"coefficient\":0}"))
+    }
+
+    @Test
     fun `inelastic spheres cool for ever unless something heats them, or slow impacts are elastic`() {
         assertEquals(true, isOf("cooling-gas"))
         assertEquals(true, isOf("cooling-gas", "boundary={\"type\":\"walls\"}"))

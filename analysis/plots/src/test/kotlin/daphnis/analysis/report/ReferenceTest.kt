@@ -23,6 +23,7 @@ class ReferenceTest {
             "restitution={\"type\":\"constant\",\"coefficient\":0.5}",
             "restitution={\"type\":\"borderies\",\"criticalSpeed\":0.1}",
             "guard={\"type\":\"contact-duration\",\"duration\":100}",
+            "roughness={\"type\":\"constant\",\"coefficient\":0}",
             "guard={\"type\":\"floor-speed\",\"relative\":0.1}",
             "guard={\"type\":\"floor-speed\",\"speed\":1e-4}",
             "boundary.radiallyOpen=true",
@@ -45,17 +46,20 @@ class ReferenceTest {
             "guard={\"type\":\"floor-speed\",\"relative\":0.5}",
             "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
             "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
+            "roughness={\"type\":\"constant\",\"coefficient\":0}",
         )
         ) {
             assertEquals(emptyMap<String, Reference>(), sheared(other)) { other }
         }
         assertEquals(2, elastic().size)
+        assertEquals(2, elastic("roughness={\"type\":\"smooth\"}").size)
         for (
         other in listOf(
             "restitution.coefficient=0.99",
             "boundary={\"type\":\"walls\"}",
             "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
             "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
+            "roughness={\"type\":\"constant\",\"coefficient\":0}",
         )
         ) {
             assertEquals(emptyMap<String, Reference>(), elastic(other)) { other }
