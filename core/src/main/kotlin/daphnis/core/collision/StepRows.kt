@@ -42,7 +42,8 @@ public class StepRows : GrowingTable() {
         private set
 
     /** Places of those that collisions change. */
-    internal val changing: IntArray get() = RowColumns.changing(tracksLastCollision, hasSpin)
+    internal var changing: IntArray = RowColumns.changing(tracks = false, hasSpin = false)
+        private set
 
     /** The column at [place], which is not in [state], by slot. */
     internal fun side(place: Int): DoubleArray = sides[place]
@@ -114,6 +115,7 @@ public class StepRows : GrowingTable() {
         if (spins) reserveSpins(room)
         tracksLastCollision = tracks
         hasSpin = spins
+        changing = RowColumns.changing(tracks, spins)
         carried = RowColumns.carried(tracks, spins)
     }
 
