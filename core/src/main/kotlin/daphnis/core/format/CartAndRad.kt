@@ -12,8 +12,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius.
- * Spheres are in the order of their ids; ids and masses are not kept.
+ * CartAndRad, the binary format of SwiftVis: little-endian int32 N; N × 6 float64 (x y z vx vy vz); N float64 radius;
+ * where spheres have spins, N × 3 float64 (ωx ωy ωz). Spheres are in the order of their ids; ids and masses are not kept.
  */
 public object CartAndRad : ReadableFormat, WritableFormat {
     override val title: String = "CartAndRad"
@@ -35,14 +35,9 @@ public object CartAndRad : ReadableFormat, WritableFormat {
         return Exported(directory, remark = left)
     }
 
-    /** Reads [path] as a state at step and time 0, masses from density 1. Spins behind the radii are left out. */
+    /** Reads [path] as a state at step and time 0, masses from density 1. */
     override fun read(path: Path, notices: MutableList<String>): List<Snapshot> {
-        val bytes = contents(path)
-        val population = population(bytes, path, 1.0)
-        if (population.size > 0 && bytes.size.toLong() == size(population.size, true)) {
-            notices += "$path has spins, which are not used: spheres here are smooth"
-        }
-        val snapshot = Snapshot.of(population, Open, 0, 0.0, hasMass = false).with(hasTime = false, hasId = false)
+        val snapshot = Snapshot.of(population(path), Open, 0, 0.0, hasMass = false).with(hasTime = false, hasId = false)
         SnapshotCheck.check(snapshot, "$path")
         return listOf(snapshot)
     }
@@ -66,6 +61,13 @@ public object CartAndRad : ReadableFormat, WritableFormat {
             for (k in order) {
                 buffer.clear()
                 channel.write(buffer.putDouble(population.radius[k]).flip())
+            }
+            if (population.hasSpin) {
+                for (k in order) {
+                    buffer.clear()
+                    buffer.putDouble(population.wx[k]).putDouble(population.wy[k]).putDouble(population.wz[k])
+                    channel.write(buffer.flip())
+                }
             }
         }
     }
@@ -111,8 +113,12 @@ public object CartAndRad : ReadableFormat, WritableFormat {
             }
         }
         val mass = DoubleArray(n) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
+        val spins = if (buffer.hasRemaining()) Array(3) { DoubleArray(n) } else null
+        if (spins != null) for (k in 0 until n) for (w in spins) w[k] = buffer.getDouble()
         return try {
-            Population(columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], radius, mass)
+            val smooth =
+                Population(columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], radius, mass)
+            if (spins == null) smooth else smooth.withSpin(spins[0], spins[1], spins[2])
         } catch (e: IllegalArgumentException) {
             throw FormatException("$path: ${e.message}")
         }

@@ -303,15 +303,16 @@ class ForeignTextTest {
     }
 
     @Test
-    fun `spins behind the radii are left out, and said`() {
+    fun `spins are behind the radii, three for each sphere`() {
         val bytes = ByteBuffer.allocate(4 + 2 * 80).order(ByteOrder.LITTLE_ENDIAN).putInt(2)
         for (k in 0 until 12) bytes.putDouble(k.toDouble())
         for (k in 0 until 2) bytes.putDouble(1.5 + k)
-        for (k in 0 until 6) bytes.putDouble(9.0)
+        for (k in 0 until 6) bytes.putDouble(20.0 + k)
         val s = SnapshotFormats.read(Files.write(home.resolve("spin.bin"), bytes.array()), notices).single()
         assertArrayEquals(doubleArrayOf(1.5, 2.5), s.radius)
         assertEquals(6.0, s.position[0][1])
-        assertTrue("spins" in notices.single())
+        assertEquals(listOf(20.0, 23.0, 21.0, 24.0, 22.0, 25.0), s.wx.toList() + s.wy.toList() + s.wz.toList())
+        assertEquals(emptyList<String>(), notices)
         val longer = Files.write(home.resolve("long.bin"), bytes.array() + ByteArray(8))
         assertThrows(FormatException::class.java) { SnapshotFormats.read(longer) }
     }

@@ -39,7 +39,7 @@ class SpinFilesTest {
 
     @Test
     fun `formats which have columns for them keep spins, the others and smooth spheres have none`() {
-        val keep = listOf(H5md, ExtendedXyz, LammpsDump)
+        val keep = listOf(H5md, ExtendedXyz, LammpsDump, CartAndRad)
         for (format in SnapshotFormats.writable.filter { it is ReadableFormat }) {
             for (p in listOf(smooth, spun)) {
                 val directory = Files.createDirectories(home.resolve("${format.word}-${p.hasSpin}"))
