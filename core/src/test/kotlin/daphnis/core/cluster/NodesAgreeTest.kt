@@ -60,6 +60,9 @@ class NodesAgreeTest {
     fun `a gas that cools`() = assertSame("cooling-gas", 3, "until=3")
 
     @Test
+    fun `a rough gas, whose spins start at none`() = assertSame("rough-gas", 3, "until=3")
+
+    @Test
     fun `a dozen nodes in a row say little to each other, and the same comes out`() {
         val nodes = 12
         val text = checkNotNull(Run::class.java.getResource("/daphnis/scenarios/paper-figure-1.json")).readText()
