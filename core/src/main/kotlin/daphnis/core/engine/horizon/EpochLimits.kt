@@ -3,7 +3,7 @@ package daphnis.core.engine.horizon
 /**
  * How much work an epoch may be: so many times what the serial engine's steps should be, so that no tuning and no
  * system can make steps take very much longer in an epoch. Work is counted, and weighed by the nanoseconds of
- * [EpochCost]; the clock is not asked. Where it is too much, another engine takes the step ([isExceeded]).
+ * [EpochCost]; the clock is not asked. Where it is too much, the serial engine takes the step ([isExceeded]).
  *
  * Searches for all, and for spheres off their lines, are an investment in several steps, and are added up over the
  * epoch. What collisions look at is weighed step by step against the collisions that there were.

@@ -30,14 +30,14 @@ internal class EpochPlan {
     private var best: HorizonTuning? = null
     private var least = 0.0
 
-    /** Steps to come that are left to the other engine without asking, and how many when an epoch does not pay. */
+    /** Steps to come that are left to the serial engine without asking, and how many when an epoch does not pay. */
     private var rest = 0
     private var nextRest = 1
 
-    /** How many steps are to be left to the other engine when an epoch is abandoned. */
+    /** How many steps are to be left to the serial engine when an epoch is abandoned. */
     private var nextRetreat = RETREAT
 
-    /** Whether the next step is to be left to the other engine without asking. */
+    /** Whether the next step is to be left to the serial engine without asking. */
     fun rests(): Boolean {
         if (rest == 0) return false
         rest--
@@ -47,7 +47,7 @@ internal class EpochPlan {
     /**
      * The layout of an epoch that starts now.
      *
-     * @return null when an epoch is not expected to be quicker than another engine
+     * @return null when an epoch is not expected to be quicker than the serial engine
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter, threads: Int): HorizonTuning? {
         val deviation = DEVIATIONS[level]
@@ -76,7 +76,7 @@ internal class EpochPlan {
 
     /**
      * The layout [fixed], in which an epoch is to start now, unless that is expected to be far more work than the steps
-     * of another engine are. Where epochs are wanted [always], that is seen on the way only.
+     * of the serial engine are. Where epochs are wanted [always], that is seen on the way only.
      *
      * @return null when it is
      */
@@ -243,7 +243,7 @@ internal class EpochPlan {
         /** The same for an epoch of a fixed layout. */
         const val MOST = 2.0
 
-        /** Steps left to the other engine when an epoch is given up: first, and at most. */
+        /** Steps left to the serial engine when an epoch is given up: first, and at most. */
         const val RETREAT = 4
         const val LONG_REST = 64
         const val PATIENCE = 32

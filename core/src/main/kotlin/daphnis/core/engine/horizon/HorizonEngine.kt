@@ -3,7 +3,6 @@ package daphnis.core.engine.horizon
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EndsFinite
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.lists.ListSteps
 import daphnis.core.engine.lists.ListTuning
 import daphnis.core.parallel.ClosableLoop
@@ -28,9 +27,8 @@ import daphnis.core.step.PreparedStep
  *
  * It takes the same collisions in the same order and fails at the same collision as the serial engine, with the same
  * words. Where lines cannot be used ([EpochFrame.begin]), where a sphere is suddenly too fast for the bounds of the
- * step, and where an epoch would not pay, another engine takes the step: the serial one, and [IslandsEngine] where
- * there are several threads. So it is where an epoch would be far more work than that, or turns out to be
- * ([EpochLimits]), whatever the tuning.
+ * step, and where an epoch would not pay, the serial engine takes the step. So it does where an epoch would be far more
+ * work than that, or turns out to be ([EpochLimits]), whatever the tuning.
  *
  * Where the JVM was started with `--add-modules jdk.incubator.vector`, the search uses the vector unit
  * ([usesVectorUnit]), which is quicker and gives the same bits.
@@ -42,7 +40,7 @@ import daphnis.core.step.PreparedStep
  */
 public class HorizonEngine internal constructor(
     private val handler: ThreadHandler,
-    private val fewest: Int,
+    fewest: Int,
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
     lists: ListTuning,
@@ -75,19 +73,14 @@ public class HorizonEngine internal constructor(
     override val loop: RangeLoop get() = steps.loop.forOthers
 
     private val prepared = PreparedStep()
-    private val other: CollisionEngine =
-        when {
-            threads == 1 -> SerialEngine(prepared = prepared)
-            fewest == 0 -> IslandsEngine(handler, 0)
-            else -> IslandsEngine(handler)
-        }
+    private val serial = SerialEngine(prepared = prepared)
     private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists, trial)
     private val epoch = steps.epoch
 
     /** How dense steps of few spheres are taken. */
     internal val lists: ListSteps get() = steps.lists
 
-    /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
+    /** Epochs begun, and steps taken in them, since the start; all other steps were taken by lists, or by the serial engine. */
     public val epochs: Long get() = epoch.tally.begun
     public val epochSteps: Long get() = steps.steps
 
@@ -121,13 +114,13 @@ public class HorizonEngine internal constructor(
             endedFinite = epochSteps > before
             return
         }
-        other.advance(step)
+        serial.advance(step)
         steps.tookAnother(step)
     }
 
     override fun close() {
         gate.close()
-        other.close()
+        serial.close()
         handler.close()
     }
 

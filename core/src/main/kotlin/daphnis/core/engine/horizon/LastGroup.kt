@@ -182,7 +182,7 @@ internal class LastGroup(
     }
 
     private companion object {
-        /** Rounds after which the step is left to another engine. */
+        /** Rounds after which the step is left to the serial engine. */
         const val MOST_ROUNDS = 64
 
         /** Pieces that are compared in the time of a collision. */

@@ -48,7 +48,7 @@ class EpochLimitsTest {
     }
 
     @Test
-    fun `no epoch begins that is expected to be far more work than the steps of another engine`() {
+    fun `no epoch begins that is expected to be far more work than the serial engine's steps`() {
         for (tuning in LONG) {
             val engine = HorizonEngine(FixedPool(1), fewest = 1, tuning)
             assertEquals(0.0, mostWork(engine, STEPS, "not begun"))

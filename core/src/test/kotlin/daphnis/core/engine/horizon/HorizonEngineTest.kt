@@ -232,7 +232,7 @@ class HorizonEngineTest {
 
     @Test
     fun `steps that are not taken in epochs are measured as well, and light loops after a step follow`() {
-        // Dense enough for lists, and for another engine where there are none.
+        // Dense enough for lists, and for the serial engine where there are none.
         for (lists in listOf(ListTuning.ALWAYS, ListTuning.NEVER)) {
             var now = 0L
             val trial = SharingTrial(isAlone = true) {
@@ -347,7 +347,7 @@ class HorizonEngineTest {
     }
 
     @Test
-    fun `a step in which groups undo more than they have done is another engine's`() {
+    fun `a step in which groups undo more than they have done is the serial engine's`() {
         val serial = gas(SerialEngine(), apart = 2.1, layers = 64)
         val engine = HorizonEngine(FixedPool(2), tuning = HorizonTuning(2))
         val crowd = gas(engine, apart = 2.1, layers = 64)
