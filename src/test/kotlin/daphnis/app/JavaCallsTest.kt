@@ -177,7 +177,6 @@ class JavaCallsTest {
         /** What has another way for Java, or is called by the functions beside it alone. */
         val KOTLIN_ONLY = setOf(
             "RegionActorEngine.advanceSuspending(CollisionStep, Continuation)",
-            "RegionMap.forEachStretch(int, Function2)",
             "Vtp.writeIndex(List, Path)",
             "WritableFormat.export(Sequence, Path, ExportOptions)",
         )

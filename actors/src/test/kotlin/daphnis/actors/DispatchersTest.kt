@@ -1,7 +1,6 @@
 package daphnis.actors
 
 import daphnis.actors.coroutine.RegionActorEngine
-import daphnis.actors.region.RegionLayout
 import daphnis.core.boundary.Open
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
@@ -29,28 +28,30 @@ class DispatchersTest {
     private fun step(p: Population) =
         CollisionStep(p, Open, CollisionLaw(ConstantRestitution(0.9)), CollisionCounters()).also { it.duration = 0.1 }
 
-    private fun engine(layout: RegionLayout, dispatcher: CoroutineDispatcher, shares: Boolean) =
-        RegionActorEngine(2, layout, dispatcher).also {
+    private fun engine(regions: Int, dispatcher: CoroutineDispatcher, shares: Boolean) =
+        RegionActorEngine(2, regions, dispatcher).also {
             it.fewest = if (shares) 0 else Int.MAX_VALUE
             it.tuning =
                 HorizonTuning(steps = 3, classBound = 3.0, deviation = 0.0, cellsAlong = 2.0, cellsAcross = 1.0)
         }
 
-    private val layouts = listOf(RegionLayout.Stretches(1), RegionLayout.Stretches(7), RegionLayout.Blocks(2, 3, 2))
+    private val counts = listOf(1, 7, 12)
 
     @Test
     fun `any dispatcher, by steps that block and that suspend`() {
         val dispatchers =
             listOf(Dispatchers.Unconfined, Dispatchers.Default, Dispatchers.Default.limitedParallelism(1))
-        for (layout in layouts) {
+        for (regions in counts) {
             for (dispatcher in dispatchers) {
                 for (shares in listOf(false, true)) {
                     val p = start.copy()
-                    engine(layout, dispatcher, shares).use { engine ->
+                    engine(regions, dispatcher, shares).use { engine ->
                         engine.advance(step(p))
                         runBlocking { repeat(STEPS - 1) { engine.advanceSuspending(step(p)) } }
                     }
-                    assertEquals(stateDigest(expected), stateDigest(p)) { "$layout, $dispatcher, shares: $shares" }
+                    assertEquals(stateDigest(expected), stateDigest(p)) {
+                        "$regions regions, $dispatcher, shares: $shares"
+                    }
                 }
             }
         }
@@ -58,14 +59,14 @@ class DispatchersTest {
 
     @Test
     fun `the thread of the coroutine that waits for the step`() {
-        for (layout in layouts) {
+        for (regions in counts) {
             for (shares in listOf(false, true)) {
                 val p = start.copy()
                 runBlocking {
                     val own = coroutineContext[ContinuationInterceptor] as CoroutineDispatcher
-                    engine(layout, own, shares).use { engine -> repeat(STEPS) { engine.advanceSuspending(step(p)) } }
+                    engine(regions, own, shares).use { engine -> repeat(STEPS) { engine.advanceSuspending(step(p)) } }
                 }
-                assertEquals(stateDigest(expected), stateDigest(p)) { "$layout, shares: $shares" }
+                assertEquals(stateDigest(expected), stateDigest(p)) { "$regions regions, shares: $shares" }
             }
         }
     }
@@ -77,7 +78,7 @@ class DispatchersTest {
             for (k in 0 until 100) {
                 launch {
                     val p = start.copy()
-                    engine(layouts[1], two, shares = k % 2 == 0).use { engine ->
+                    engine(counts[1], two, shares = k % 2 == 0).use { engine ->
                         repeat(STEPS) { engine.advanceSuspending(step(p)) }
                     }
                     assertEquals(stateDigest(expected), stateDigest(p))

@@ -3,9 +3,6 @@ package daphnis.actors
 import com.typesafe.config.ConfigFactory
 import daphnis.actors.coroutine.RegionActorEngine
 import daphnis.actors.pekko.PekkoEngine
-import daphnis.actors.region.Phase
-import daphnis.actors.region.RegionCommand
-import daphnis.actors.region.RegionLayout
 import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
@@ -33,7 +30,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** What the tests of faults share: a small gas, its right digests, and both engines with something wrong inside. */
 internal object FaultKit {
-    val layout = RegionLayout.Stretches(5)
+    const val REGIONS = 5
     const val DURATION = 0.2
 
     fun simulation(engine: CollisionEngine, restitution: Restitution = ConstantRestitution(1.0)): Simulation {
@@ -78,6 +75,36 @@ internal object FaultKit {
         return populationOf(*spheres.toTypedArray()) to Periodic(Box.centred(length, length, length))
     }
 
+    private val tuning =
+        HorizonTuning(steps = 3, classBound = 3.0, deviation = 0.0, cellsAlong = 2.0, cellsAcross = 1.0)
+
+    /** Engines of whose steps every region has its share. */
+    fun engines(probe: (Int) -> Unit = {}): List<CollisionEngine> =
+        listOf(actors().also { it.probe = probe }, pekko().also { it.probe = probe })
+
+    fun actors(threads: Int = 2, dispatcher: CoroutineDispatcher? = null): RegionActorEngine =
+        RegionActorEngine(threads, REGIONS, dispatcher).also {
+            it.fewest = 0
+            it.tuning = tuning
+        }
+
+    fun pekko(threads: Int = 2, host: ActorSystem<*>? = null): PekkoEngine = PekkoEngine(threads, REGIONS, host).also {
+        it.fewest = 0
+        it.tuning = tuning
+    }
+
+    /** Engines whose steps the serial engine takes. */
+    fun serialEngines(probe: (Int) -> Unit = {}): List<CollisionEngine> = listOf(
+        actors().also {
+            it.fewest = Int.MAX_VALUE
+            it.probe = probe
+        },
+        pekko().also {
+            it.fewest = Int.MAX_VALUE
+            it.probe = probe
+        },
+    )
+
     fun setPatience(engine: CollisionEngine, nanos: Long) {
         when (engine) {
             is RegionActorEngine -> engine.patience = nanos
@@ -101,37 +128,6 @@ internal object FaultKit {
         while (engineThreads().isNotEmpty() && System.nanoTime() < end) Thread.sleep(20)
         assertTrue(engineThreads().isEmpty()) { "left behind: ${engineThreads().map { it.name }}" }
     }
-}
-
-/**
- * What tests of faults that are run for both ways of taking a step have in common.
- *
- * @param shares whether regions share epochs; else they grow islands
- */
-abstract class BothWays(private val shares: Boolean) {
-    /** What regions are told in steps of this kind. */
-    protected val phases: List<Phase> = Phase.entries.filter { (it == Phase.SHARE) == shares }
-
-    /** The last thing that they are told. */
-    protected val lastPhase: Phase = if (shares) Phase.SHARE else Phase.COMMIT
-
-    protected fun engines(probe: (RegionCommand) -> Unit = {}): List<CollisionEngine> =
-        listOf(actors().also { it.probe = probe }, pekko().also { it.probe = probe })
-
-    protected fun actors(threads: Int = 2, dispatcher: CoroutineDispatcher? = null): RegionActorEngine =
-        RegionActorEngine(threads, FaultKit.layout, dispatcher).also {
-            it.fewest = if (shares) 0 else Int.MAX_VALUE
-            it.tuning = tuning
-        }
-
-    protected fun pekko(threads: Int = 2, host: ActorSystem<*>? = null): PekkoEngine =
-        PekkoEngine(threads, FaultKit.layout, host).also {
-            it.fewest = if (shares) 0 else Int.MAX_VALUE
-            it.tuning = tuning
-        }
-
-    private val tuning =
-        HorizonTuning(steps = 3, classBound = 3.0, deviation = 0.0, cellsAlong = 2.0, cellsAcross = 1.0)
 }
 
 /** Throws [e] whatever it is, as code may that was not written in Kotlin. */

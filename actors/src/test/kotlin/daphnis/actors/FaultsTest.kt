@@ -1,11 +1,10 @@
 package daphnis.actors
 
 import daphnis.actors.FaultKit.assertWorksOn
+import daphnis.actors.FaultKit.engines
 import daphnis.actors.FaultKit.expected
 import daphnis.actors.FaultKit.initial
 import daphnis.actors.FaultKit.simulation
-import daphnis.actors.region.Phase
-import daphnis.actors.region.RegionCommand
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Open
@@ -26,7 +25,7 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /** Regions that throw or dawdle: no hang, no half-advanced state. The time limit is the watchdog. */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
+class FaultsTest {
     private val errors = listOf(
         AssertionError("on purpose"),
         StackOverflowError("on purpose"),
@@ -44,21 +43,16 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
         )
 
     @Test
-    fun `an exception in a region, in any phase, is put before the serial engine, which finds nothing wrong`() {
-        for (phase in phases) {
-            for (exception in exceptions) {
-                val failures = AtomicInteger()
-                val probe = { command: RegionCommand ->
-                    if (command.phase == phase && failures.getAndIncrement() < 2) throwAny(exception)
-                }
-                for (engine in engines(probe)) {
-                    failures.set(0)
-                    simulation(engine).use { simulation ->
-                        assertWorksOn(simulation) { "${engine.name}, $phase, $exception" }
-                        assertTrue(failures.get() > 1) { "${engine.name}: no $phase came by" }
-                        assertTrue(simulation.collisions!!.counters.causalityReplays in 1..2) {
-                            "${engine.name}, $phase, $exception"
-                        }
+    fun `an exception in a region is put before the serial engine, which finds nothing wrong`() {
+        for (exception in exceptions) {
+            val failures = AtomicInteger()
+            for (engine in engines { if (failures.getAndIncrement() < 2) throwAny(exception) }) {
+                failures.set(0)
+                simulation(engine).use { simulation ->
+                    assertWorksOn(simulation) { "${engine.name}, $exception" }
+                    assertTrue(failures.get() > 1) { "${engine.name}: no share came by" }
+                    assertTrue(simulation.collisions!!.counters.causalityReplays in 1..2) {
+                        "${engine.name}, $exception"
                     }
                 }
             }
@@ -67,29 +61,19 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
 
     @Tag("thorough")
     @Test
-    fun `an error in a region, in any phase, is thrown at once, the population is as before, the engine works on`() {
-        for (phase in phases) {
-            for (error in errors) {
-                var armed = false
-                for (engine in engines { if (armed && it.phase == phase && it.region <= 3) throwAny(error) }) {
-                    simulation(engine).use { simulation ->
-                        simulation.advance()
-                        armed = true
-                        // A step may come without this phase, such as that which looks ahead.
-                        while (simulation.step < expected.size) {
-                            val before = simulation.step
-                            val thrown = runCatching { simulation.advance() }.exceptionOrNull() ?: continue
-                            assertSame(error, thrown) { "${engine.name}, $phase" }
-                            assertEquals(before, simulation.step)
-                            break
-                        }
-                        assertTrue(simulation.step < expected.size) { "${engine.name}: no $phase came by" }
-                        val digest = expected[simulation.step.toInt() - 1]
-                        assertEquals(digest, stateDigest(simulation.population)) { "${engine.name}, $phase, $error" }
-                        armed = false
-                        assertWorksOn(simulation) { "${engine.name}, $phase, $error" }
-                        assertEquals(0, simulation.collisions!!.counters.causalityReplays)
-                    }
+    fun `an error in a region is thrown at once, the population is as before, the engine works on`() {
+        for (error in errors) {
+            var armed = false
+            for (engine in engines { if (armed && it <= 3) throwAny(error) }) {
+                simulation(engine).use { simulation ->
+                    simulation.advance()
+                    armed = true
+                    assertSame(error, runCatching { simulation.advance() }.exceptionOrNull()) { engine.name }
+                    assertEquals(1, simulation.step)
+                    assertEquals(expected[0], stateDigest(simulation.population)) { "${engine.name}, $error" }
+                    armed = false
+                    assertWorksOn(simulation) { "${engine.name}, $error" }
+                    assertEquals(0, simulation.collisions!!.counters.causalityReplays)
                 }
             }
         }
@@ -134,10 +118,7 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
     fun `of several failures an error counts, whichever region was first`() {
         val error = OutOfMemoryError("on purpose")
         for (region in 0..4) {
-            val probe = { command: RegionCommand ->
-                if (command.phase == phases[0]) throwAny(if (command.region == region) error else exceptions[0])
-            }
-            for (engine in engines(probe)) {
+            for (engine in engines { throwAny(if (it == region) error else exceptions[0]) }) {
                 simulation(engine).use { assertSame(error, runCatching { it.advance() }.exceptionOrNull()) }
             }
         }
@@ -174,13 +155,7 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
 
     @Test
     fun `a slow region is waited for, longer than the patience with regions that do not begin`() {
-        for (engine in engines {
-            if (it.region == 2 &&
-                it.phase in setOf(Phase.SHARE, Phase.WORK)
-            ) {
-                Thread.sleep(250)
-            }
-        }) {
+        for (engine in engines { if (it == 2) Thread.sleep(250) }) {
             FaultKit.setPatience(engine, 100_000_000)
             simulation(engine).use { simulation ->
                 simulation.advance()
@@ -205,7 +180,3 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
         }
     }
 }
-
-class FaultsTest : FaultsContract(shares = false)
-
-class SharedFaultsTest : FaultsContract(shares = true)

@@ -1,8 +1,10 @@
 package daphnis.actors
 
 import daphnis.actors.FaultKit.actorSystem
+import daphnis.actors.FaultKit.actors
 import daphnis.actors.FaultKit.expected
 import daphnis.actors.FaultKit.initial
+import daphnis.actors.FaultKit.pekko
 import daphnis.actors.FaultKit.simulation
 import daphnis.core.population.stateDigest
 import kotlinx.coroutines.CoroutineDispatcher
@@ -26,7 +28,7 @@ import kotlin.coroutines.CoroutineContext
  * limit is the watchdog.
  */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-abstract class HostEndsContract(shares: Boolean) : BothWays(shares) {
+class HostEndsTest {
     private fun executor(): ExecutorService = Executors.newFixedThreadPool(2) { Thread(it).apply { isDaemon = true } }
 
     private val ways = listOf<(ExecutorService) -> Unit>({ it.shutdown() }, { it.shutdownNow() })
@@ -179,7 +181,3 @@ abstract class HostEndsContract(shares: Boolean) : BothWays(shares) {
         }
     }
 }
-
-class HostEndsTest : HostEndsContract(shares = false)
-
-class SharedHostEndsTest : HostEndsContract(shares = true)

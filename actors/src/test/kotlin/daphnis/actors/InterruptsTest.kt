@@ -1,7 +1,10 @@
 package daphnis.actors
 
+import daphnis.actors.FaultKit.actors
+import daphnis.actors.FaultKit.engines
 import daphnis.actors.FaultKit.expected
 import daphnis.actors.FaultKit.initial
+import daphnis.actors.FaultKit.pekko
 import daphnis.actors.FaultKit.simulation
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.stateDigest
@@ -15,7 +18,7 @@ import java.util.concurrent.locks.LockSupport
 
 /** Interrupts of whoever waits or works, and threads that stay behind. The time limit is the watchdog. */
 @Timeout(180, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
+class InterruptsTest {
     @Test
     fun `an interrupted host gets its step, and its interrupt`() {
         for (engine in engines()) {
@@ -161,7 +164,3 @@ abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
         FaultKit.awaitNoEngineThreads()
     }
 }
-
-class InterruptsTest : InterruptsContract(shares = false)
-
-class SharedInterruptsTest : InterruptsContract(shares = true)

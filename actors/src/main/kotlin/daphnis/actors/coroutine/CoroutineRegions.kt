@@ -2,8 +2,8 @@ package daphnis.actors.coroutine
 
 import daphnis.actors.region.Answers
 import daphnis.actors.region.Region
-import daphnis.actors.region.RegionCommand
 import daphnis.actors.region.RegionHost
+import daphnis.actors.region.Share
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.CoroutineExceptionHandler
 import kotlinx.coroutines.CoroutineScope
@@ -15,21 +15,20 @@ import kotlinx.coroutines.launch
 import java.util.concurrent.ExecutorService
 
 /**
- * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of commands. Only its coroutine
- * touches a region's state while it handles a command, and the coordinator touches it only when all regions have
- * answered. What happens before a send on a channel is seen after the receive that gets it.
+ * The regions of an engine as coroutines on [dispatcher], each a loop over a channel of shares. Only its coroutine
+ * touches a region's state while it works on a share. What happens before a send on a channel is seen after the receive that gets it.
  */
 internal class CoroutineRegions(dispatcher: CoroutineDispatcher, regions: List<Region>, answers: Answers) : RegionHost {
     // How a coroutine ends is told by its completion; nothing else has to be told.
     private val scope = CoroutineScope(SupervisorJob() + dispatcher + CoroutineExceptionHandler { _, _ -> })
 
-    /** One command at most: a region has answered the last before it gets the next. */
-    private val mailboxes = List(regions.size) { Channel<RegionCommand>(1) }
+    /** One share at most: a region has answered the last before it gets the next. */
+    private val mailboxes = List(regions.size) { Channel<Share>(1) }
 
     init {
         try {
             for (region in regions) {
-                scope.launch { for (command in mailboxes[region.number]) region.serve(command, answers) }
+                scope.launch { for (share in mailboxes[region.number]) region.serve(share, answers) }
                     .invokeOnCompletion { answers.leave(region.number) }
             }
         } catch (e: Throwable) {
@@ -45,8 +44,8 @@ internal class CoroutineRegions(dispatcher: CoroutineDispatcher, regions: List<R
 
     private val executor = (dispatcher as? ExecutorCoroutineDispatcher)?.executor as? ExecutorService
 
-    override fun send(command: RegionCommand) {
-        check(mailboxes[command.region].trySend(command).isSuccess) { "region ${command.region} takes no command" }
+    override fun send(region: Int, share: Share) {
+        check(mailboxes[region].trySend(share).isSuccess) { "region $region takes no share" }
     }
 
     override fun stop() {

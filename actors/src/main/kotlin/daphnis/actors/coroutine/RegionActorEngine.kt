@@ -1,10 +1,7 @@
 package daphnis.actors.coroutine
 
-import daphnis.actors.region.RegionCommand
-import daphnis.actors.region.RegionLayout
+import daphnis.actors.region.Coordinator
 import daphnis.actors.region.RegionSteps
-import daphnis.actors.region.StepCoordinator
-import daphnis.actors.region.StepExchange
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.parallel.ExecutorHandler
@@ -19,21 +16,20 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.asCoroutineDispatcher
-import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.ensureActive
 import kotlinx.coroutines.withContext
-import kotlinx.coroutines.withTimeoutOrNull
 import java.util.concurrent.CancellationException
 import java.util.concurrent.ExecutorService
 import java.util.concurrent.Executors
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Regions of the grid owned by coroutines. Each region is a loop over a channel of commands; the coordinator's loop
- * runs on the thread that calls [advance], or in the coroutine that calls [advanceSuspending]. The step's logic and the
- * reason why nothing deadlocks are in [StepCoordinator].
+ * The steps of `horizon`, shared among coroutines. The spheres are in the order of cells, and each coroutine has a
+ * region, the same share of that order from loop to loop. It takes its shares from a channel; the coordinator runs on
+ * the thread that calls [advance], or on one of [Dispatchers.IO] for [advanceSuspending], and has a region too. Steps
+ * that `horizon` leaves to the serial engine are taken by the coordinator alone. Why nothing deadlocks is in
+ * [Coordinator].
  *
  * **Failure.** However a step fails, [advance] throws and leaves the population as before. After an exception in a
  * region the serial engine decides the step, since regions work on guessed paths; an error is passed on. When the
@@ -44,12 +40,13 @@ import java.util.concurrent.atomic.AtomicInteger
  * unless the population is being written already. Afterwards [advance] and [loop] throw an [IllegalStateException].
  *
  * @param threads of the engine's own pool; only the number of workers to plan for when [dispatcher] is given
- * @param layout regions; chosen from the number of spheres and threads at the first step when null
+ * @param regions how many, 1 to 4096; 0 for one per thread, but none with less than 2000 of the spheres of the first
+ *   step. No more than 32 are made where threads are not more
  * @param dispatcher where regions run; not closed with the engine
  */
 public class RegionActorEngine @JvmOverloads constructor(
     override val threads: Int,
-    layout: RegionLayout? = null,
+    regions: Int = 0,
     dispatcher: CoroutineDispatcher? = null,
 ) : CollisionEngine {
     override val name: String get() = "actors"
@@ -61,7 +58,7 @@ public class RegionActorEngine @JvmOverloads constructor(
     private val pool: ExecutorService? = if (dispatcher == null) newPool(threads) else null
     private val regionThreads = dispatcher ?: pool!!.asCoroutineDispatcher()
     private val steps = RegionSteps(
-        layout,
+        regions,
         threads,
         if (pool == null || threads == 1) InlineLoop else ParallelLoop(ExecutorHandler(pool, threads), DYNAMIC),
         { regions, answers -> CoroutineRegions(regionThreads, regions, answers) },
@@ -69,8 +66,8 @@ public class RegionActorEngine @JvmOverloads constructor(
     )
     override val loop: RangeLoop get() = steps.loop
 
-    /** Called by every region before each command; for tests. Set before the first step. */
-    internal var probe: ((RegionCommand) -> Unit)? by steps::probe
+    /** Called by every region, with its number, before each share; for tests. Set before the first step. */
+    internal var probe: ((Int) -> Unit)? by steps::probe
 
     /** The least number of spheres with which steps are taken in epochs; for tests. Set before the first step. */
     internal var fewest: Int by steps::fewest
@@ -95,12 +92,7 @@ public class RegionActorEngine @JvmOverloads constructor(
         // Twice, since a change of dispatcher checks on return whether the job around it is cancelled, and would
         // discard a step that is done.
         withContext(NonCancellable) {
-            withContext(COORDINATORS) {
-                val news = Channel<Unit>(Channel.CONFLATED)
-                steps.take(step, { news.trySend(Unit) }, { caller?.isActive != false }) {
-                    withTimeoutOrNull(TimeUnit.NANOSECONDS.toMillis(StepExchange.SLICE)) { news.receive() }
-                }
-            }
+            withContext(COORDINATORS) { steps.advance(step) { caller?.isActive != false } }
         }
     }
 

@@ -1,9 +1,7 @@
 package daphnis.actors.pekko
 
-import daphnis.actors.region.RegionCommand
-import daphnis.actors.region.RegionLayout
+import daphnis.actors.region.Coordinator
 import daphnis.actors.region.RegionSteps
-import daphnis.actors.region.StepCoordinator
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.parallel.ExecutorHandler
@@ -17,8 +15,10 @@ import org.apache.pekko.actor.typed.ActorSystem
 import java.util.concurrent.CancellationException
 
 /**
- * The region protocol of [StepCoordinator] on Apache Pekko typed actors: each region is an actor; the coordinator's
- * loop runs on the thread that calls [advance].
+ * The steps of `horizon`, shared among Apache Pekko typed actors. The spheres are in the order of cells, and each actor
+ * has a region, the same share of that order from loop to loop. The coordinator runs on the thread that calls
+ * [advance], and has a region too. Steps that `horizon` leaves to the serial engine are taken by the coordinator alone.
+ * Why nothing deadlocks is in [Coordinator].
  *
  * [advance] blocks its caller, so call it from a thread that no actor of the system needs. It finishes its step even if
  * its thread is interrupted. However a step fails, it throws and leaves the population as before. After an exception in
@@ -30,13 +30,14 @@ import java.util.concurrent.CancellationException
  * Afterwards [advance] and [loop] throw an [IllegalStateException].
  *
  * @param threads of the engine's own actor system; only the number of workers to plan for when [host] is given
- * @param layout regions; chosen from the number of spheres and threads at the first step when null
+ * @param regions how many, 1 to 4096; 0 for one per thread, but none with less than 2000 of the spheres of the first
+ *   step. No more than 32 are made where threads are not more
  * @param host an actor system to run in; the engine's actors are system actors there and run on its default dispatcher.
  *   When null, the engine starts its own at the first step
  */
 public class PekkoEngine @JvmOverloads constructor(
     override val threads: Int,
-    layout: RegionLayout? = null,
+    regions: Int = 0,
     host: ActorSystem<*>? = null,
 ) : CollisionEngine {
     override val name: String get() = "pekko"
@@ -47,7 +48,7 @@ public class PekkoEngine @JvmOverloads constructor(
 
     private val own = if (host == null) OwnSystem(threads) else null
     private val steps = RegionSteps(
-        layout,
+        regions,
         threads,
         if (own == null || threads == 1) InlineLoop else ParallelLoop(ExecutorHandler(own::execute, threads), DYNAMIC),
         { regions, answers -> PekkoRegions(host ?: own!!.get(), regions, answers) },
@@ -55,8 +56,8 @@ public class PekkoEngine @JvmOverloads constructor(
     )
     override val loop: RangeLoop get() = steps.loop
 
-    /** Called by every region before each command; for tests. Set before the first step. */
-    internal var probe: ((RegionCommand) -> Unit)? by steps::probe
+    /** Called by every region, with its number, before each share; for tests. Set before the first step. */
+    internal var probe: ((Int) -> Unit)? by steps::probe
 
     /** The least number of spheres with which steps are taken in epochs; for tests. Set before the first step. */
     internal var fewest: Int by steps::fewest

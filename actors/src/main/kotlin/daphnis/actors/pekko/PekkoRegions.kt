@@ -2,8 +2,8 @@ package daphnis.actors.pekko
 
 import daphnis.actors.region.Answers
 import daphnis.actors.region.Region
-import daphnis.actors.region.RegionCommand
 import daphnis.actors.region.RegionHost
+import daphnis.actors.region.Share
 import daphnis.actors.region.onFreshThread
 import daphnis.actors.region.uninterrupted
 import org.apache.pekko.actor.typed.ActorRef
@@ -30,7 +30,7 @@ internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Re
     }
 
     /**
-     * The protocol bounds the mailbox: the present command, and the request to stop. A mailbox with a capacity of its
+     * The protocol bounds the mailbox: the present share, and the request to stop. A mailbox with a capacity of its
      * own would lock, and when the sender is interrupted while it waits for the lock, Pekko drops the message silently.
      */
     private fun spawn(region: Region, answers: Answers, number: Int): ActorRef<RegionBehavior.Message> {
@@ -43,8 +43,8 @@ internal class PekkoRegions(private val system: ActorSystem<*>, regions: List<Re
     override val hasEnded: Boolean get() = system.whenTerminated().isCompleted
 
     /** While an actor is starting, an interrupt can abort a send before anything has been sent. */
-    override fun send(command: RegionCommand) {
-        uninterrupted { actors[command.region].tell(RegionBehavior.Handle(command)) }
+    override fun send(region: Int, share: Share) {
+        uninterrupted { actors[region].tell(RegionBehavior.Handle(share)) }
     }
 
     override fun stop() {

@@ -3,68 +3,62 @@ package daphnis.actors.region
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicIntegerArray
 import java.util.concurrent.atomic.AtomicReferenceArray
+import java.util.concurrent.locks.LockSupport
 
 /**
- * The coordinator's mailbox: room for one answer from each region, since a region gets its next command only after it
- * has answered the last one. Putting an answer in allocates nothing, never waits and throws nothing, so a region can
- * report even that it ran out of memory.
+ * The coordinator's mailbox: room for one answer from each region, since a region gets its next share only after it has
+ * answered the last one. Putting an answer in allocates nothing, never waits and throws nothing, so a region can report
+ * even that it ran out of memory.
  *
- * Hand-over: reply filled → put in its place (volatile) → taken by the coordinator → read.
+ * Hand-over: share worked on → answer put in its place (volatile) → taken by the coordinator.
  */
 internal class Answers(count: Int) {
-    private val replies = AtomicReferenceArray<RegionReply?>(count)
-    private val failures = AtomicReferenceArray<Throwable?>(count)
+    /** [DONE], or what the region threw; null when there is no answer. */
+    private val answers = AtomicReferenceArray<Any?>(count)
     private val gone = AtomicIntegerArray(count)
     private val counted = AtomicInteger()
 
-    /** Wakes the thread or coroutine that waits for answers. Written before the first command of a step is sent. */
+    /** The thread that waits for answers. Written before the first share of a step is sent. */
     @Volatile
-    var waker: Waker = Waker { }
+    var reader: Thread? = null
 
     /** How many answers have come since the start, plus the regions that have left. */
     val count: Int get() = counted.get()
 
-    /** Called by a region: [reply] to its command. */
-    fun put(reply: RegionReply) {
-        replies.set(reply.region, reply)
+    /** Called by [region]: it has done its share, or has thrown [failure]. */
+    fun put(region: Int, failure: Throwable?) {
+        answers.set(region, failure ?: DONE)
         tell()
     }
 
-    /** Called by [region]: its command ended with [failure]. */
-    fun fail(region: Int, failure: Throwable) {
-        failures.set(region, failure)
-        tell()
-    }
-
-    /** Called by the code that runs [region]: it takes no more commands. */
+    /** Called by the code that runs [region]: it takes no more shares. */
     fun leave(region: Int) {
         gone.set(region, 1)
         tell()
     }
 
-    /** Whether [region] takes no more commands. An answer may still be here. */
+    /** Whether [region] takes no more shares. An answer may still be here. */
     fun hasLeft(region: Int): Boolean = gone.get(region) != 0
 
     /** Whether an answer of [region] is here. */
-    fun has(region: Int): Boolean = replies.get(region) != null || failures.get(region) != null
+    fun has(region: Int): Boolean = answers.get(region) != null
 
-    /** Takes the answer of [region] to a command of [phase]; null when there is none. */
-    fun take(region: Int, phase: Phase): RegionReply? {
-        replies.getAndSet(region, null)?.let { return it }
-        return failures.getAndSet(region, null)?.let { RegionReply(region, phase, failure = it) }
+    /** Takes the answer of [region], if there is one, and gives [follow] what the region threw, null for nothing. */
+    inline fun take(region: Int, follow: (Throwable?) -> Unit) {
+        val answer = answers.getAndSet(region, null) ?: return
+        follow(answer as? Throwable)
     }
 
     private fun tell() {
         counted.incrementAndGet()
         try {
-            waker.wake()
+            LockSupport.unpark(reader)
         } catch (e: Throwable) {
             // Out of memory, for example. The waiting thread looks again after a slice of time.
         }
     }
-}
 
-/** Wakes a coordinator that waits. From any thread; a call is not lost when it does not wait yet. */
-internal fun interface Waker {
-    fun wake()
+    private companion object {
+        val DONE = Any()
+    }
 }

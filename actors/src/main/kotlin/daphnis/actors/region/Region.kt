@@ -1,63 +1,33 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.islands.ClaimRule
-import daphnis.core.engine.islands.IslandCrew
-
 /**
- * The work of one region, without any framework. Its owner calls [handle] with one command after the other, from one
+ * The work of one region, without any framework. Its owner calls [serve] with one share after the other, from one
  * thread at a time, and each call happens after the one before.
  */
-public class Region(public val number: Int, private val map: RegionMap, private val crew: IslandCrew) {
-    private val worker = crew[number]
-    private var locked = BooleanArray(0)
-    private val ownSpheres = ClaimRule { map.regionOf(it) == number }
-    private val lockedSpheres = ClaimRule { locked[map.regionOf(it)] }
-
-    /** Called before each command; for tests that make a region fail or wait. */
-    public var probe: (RegionCommand) -> Unit = {}
+internal class Region(val number: Int) {
+    /** Called with [number] before each share; for tests that make a region fail or wait. */
+    var probe: (Int) -> Unit = {}
 
     /** Whether [serve] is running. */
     @Volatile
-    internal var isAtWork: Boolean = false
+    var isAtWork: Boolean = false
         private set
 
     /**
-     * Executes [command] and puts the result into [answers], whatever it is. Throws nothing, since a framework that
-     * runs actors may lose what they throw.
+     * Works on [share] and puts into [answers] how that ended. Throws nothing, since a framework that runs actors may
+     * lose what they throw.
      */
-    internal fun serve(command: RegionCommand, answers: Answers) {
+    fun serve(share: Share, answers: Answers) {
         isAtWork = true
         try {
-            answers.put(handle(command))
+            probe(number)
+            share.run(number)
+            answers.put(number, null)
         } catch (e: Throwable) {
-            answers.fail(number, e)
+            answers.put(number, e)
         } finally {
             // After the answer, so that when neither this flag nor an answer is seen, none will come.
             isAtWork = false
         }
-    }
-
-    /** Executes [command] and returns the answer. Throws what goes wrong. */
-    public fun handle(command: RegionCommand): RegionReply {
-        probe(command)
-        worker.claimRule = ownSpheres
-        when (command.phase) {
-            Phase.SHARE -> command.share!!.run(number)
-            Phase.SEARCH -> map.forEachStretch(number) { from, to -> worker.searchStart(from, to) }
-            Phase.PROPOSE -> crew.propose(number)
-            Phase.WORK -> {
-                worker.group()
-                return RegionReply(number, command.phase, worker.processOwn())
-            }
-            Phase.GRANT -> {
-                locked = command.locked
-                worker.claimRule = lockedSpheres
-                return RegionReply(number, command.phase, worker.process(command.islands))
-            }
-            Phase.CHECK -> worker.check()
-            Phase.COMMIT -> worker.commit()
-            Phase.LOOK_AHEAD -> worker.hintSuspects()
-        }
-        return RegionReply(number, command.phase)
     }
 }

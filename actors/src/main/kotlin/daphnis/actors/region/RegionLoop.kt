@@ -13,22 +13,16 @@ import java.util.concurrent.CancellationException
  * The thread that calls [run] is the coordinator's. It does one region's share itself and waits until all regions have
  * answered, whatever one of them has thrown, so nothing is written any more when [run] has ended. An interrupt does not
  * end the wait; [endStep] sets the flag again.
- *
- * @param workers among how many of the regions loops are shared
  */
-internal class RegionLoop(private val exchange: StepExchange, override val workers: Int) : RangeLoop {
+internal class RegionLoop(private val coordinator: Coordinator) : RangeLoop {
+    override val workers: Int get() = coordinator.count
     private var isWanted: () -> Boolean = { true }
     private var isInterrupted = false
-
-    /** Whether a loop did not come to its end in this step, or it was cancelled. */
-    var isBroken = false
-        private set
 
     /** Begins a step on this thread, which is cancelled when [isWanted] says no. */
     fun beginStep(isWanted: () -> Boolean) {
         this.isWanted = isWanted
         isInterrupted = false
-        isBroken = false
     }
 
     /**
@@ -37,10 +31,12 @@ internal class RegionLoop(private val exchange: StepExchange, override val worke
      * @throws CancellationException when the step was cancelled
      */
     fun requireWanted() {
-        if (!isWanted()) exchange.coordinator.cancel()
-        if (!exchange.coordinator.isCancelled) return
-        isBroken = true
-        throw CancellationException("the step was cancelled")
+        ask()
+        coordinator.requireWanted()
+    }
+
+    private fun ask() {
+        if (!isWanted()) coordinator.cancel("the step was cancelled")
     }
 
     fun endStep() {
@@ -50,7 +46,7 @@ internal class RegionLoop(private val exchange: StepExchange, override val worke
 
     /**
      * @throws CancellationException when the step was cancelled
-     * @throws IllegalStateException when the regions cannot answer, see [StepExchange]
+     * @throws IllegalStateException when the regions cannot answer, see [Coordinator]
      * @throws Throwable what a region threw
      */
     override fun run(size: Int, grain: Int, body: RangeBody) {
@@ -61,22 +57,20 @@ internal class RegionLoop(private val exchange: StepExchange, override val worke
             return
         }
         val loop = SharedLoop(body)
-        isBroken = true
         try {
-            exchange.share(size, loop)
-            while (!exchange.turn()) {
-                exchange.serveOwn()
-                exchange.awaitNews()
+            coordinator.share(size, loop)
+            while (!coordinator.turn()) {
+                coordinator.serveOwn()
+                coordinator.awaitNews()
                 if (Thread.interrupted()) isInterrupted = true
-                if (!isWanted()) exchange.coordinator.cancel()
+                ask()
             }
         } catch (e: Throwable) {
             // The coordinator's own part, out of memory or stack for example.
-            exchange.abandon(loop)
+            coordinator.abandon(loop)
             throw e
         }
-        if (exchange.lost != null) exchange.abandon(loop)
-        exchange.throwFailure()
-        isBroken = false
+        if (coordinator.lost != null) coordinator.abandon(loop)
+        coordinator.throwFailure()
     }
 }

@@ -13,9 +13,7 @@ import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.ConcurrentHashMap
@@ -28,10 +26,10 @@ class RegionEpochsTest {
      * Takes steps with [engine] and with the serial one: [STEPS], and on until regions have shares, if these are
      * awaited: at first the coordinator is alone, until it tries whether that is quicker.
      */
-    private fun advance(engine: CollisionEngine, told: Map<Phase, Set<Int>>, isShared: Boolean, make: Make) {
+    private fun advance(engine: CollisionEngine, told: Set<Int>, isShared: Boolean, make: Make) {
         val serial = make.simulation(SerialEngine())
         make.simulation(engine).use { s ->
-            while (s.step < STEPS || isShared && told[Phase.SHARE] != setOf(0, 1)) {
+            while (s.step < STEPS || isShared && told != setOf(0, 1)) {
                 s.advance()
                 serial.advance()
             }
@@ -43,74 +41,64 @@ class RegionEpochsTest {
         fun simulation(engine: CollisionEngine): Simulation
     }
 
-    /** Phases in which each region was told something, while a gas at filling factor [phi] is carried on. */
-    private fun phasesOf(engine: CollisionEngine, told: Map<Phase, Set<Int>>, phi: Double, dt: Double): Set<Phase> {
-        val n = 5000
-        val edge = Math.cbrt(n * Math.PI / 6 / phi)
-        val boundary = Periodic(Box.centred(edge, edge, edge))
-        fun simulation(e: CollisionEngine) =
-            simulationOf(randomSpheres(n, boundary, 1, 1.0) { 0.5 }, boundary, dt, ConstantRestitution(1.0), engine = e)
-        advance(engine, told, isShared = true, make = ::simulation)
-        return told.keys
-    }
-
-    private fun forEachEngine(layout: RegionLayout? = null, test: (CollisionEngine, Map<Phase, Set<Int>>) -> Unit) {
-        val told = ConcurrentHashMap<Phase, MutableSet<Int>>()
-        val probe = { c: RegionCommand ->
-            told.getOrPut(c.phase) { ConcurrentHashMap.newKeySet() } += c.region
-            Unit
-        }
-        test(RegionActorEngine(2, layout).also { it.probe = probe }, told)
-        told.clear()
-        test(PekkoEngine(2, layout).also { it.probe = probe }, told)
-    }
-
     @Test
     fun `as users have it, a dilute gas goes in epochs, of which every region has its share`() {
+        val n = 5000
+        val edge = Math.cbrt(n * Math.PI / 6 / 0.02)
+        val boundary = Periodic(Box.centred(edge, edge, edge))
+        fun simulation(e: CollisionEngine) = simulationOf(
+            randomSpheres(n, boundary, 1, 1.0) {
+                0.5
+            },
+            boundary,
+            0.1,
+            ConstantRestitution(1.0),
+            engine = e,
+        )
         forEachEngine { engine, told ->
-            assertEquals(setOf(Phase.SHARE), phasesOf(engine, told, phi = 0.02, dt = 0.1)) { engine.name }
-            assertEquals(setOf(0, 1), told[Phase.SHARE]) { engine.name }
+            advance(engine, told, isShared = true, make = ::simulation)
+            assertEquals(setOf(0, 1), told) { engine.name }
         }
+    }
+
+    private fun forEachEngine(regions: Int = 0, test: (CollisionEngine, Set<Int>) -> Unit) {
+        val told = ConcurrentHashMap.newKeySet<Int>()
+        val probe = { region: Int ->
+            told += region
+        }
+        test(RegionActorEngine(2, regions).also { it.probe = probe }, told)
+        told.clear()
+        test(PekkoEngine(2, regions).also { it.probe = probe }, told)
     }
 
     @Test
     fun `a dense gas of few spheres goes by neighbour lists, of which no region is told`() {
-        assertEquals(List(2) { emptySet<Phase>() }, phasesOfCrowd(17, isShared = false))
+        assertEquals(List(2) { emptySet<Int>() }, toldOfCrowd(17, isShared = false))
     }
 
     @Test
     fun `regions have shares of what is measured of a dense gas of more spheres`() {
-        assertEquals(List(2) { setOf(Phase.SHARE) }, phasesOfCrowd(22, isShared = true))
+        assertEquals(List(2) { setOf(0, 1) }, toldOfCrowd(22, isShared = true))
     }
 
-    /** Phases of each engine in a dense gas of [edge]³ spheres. */
-    private fun phasesOfCrowd(edge: Int, isShared: Boolean): List<Set<Phase>> {
+    /** Regions of each engine that have had shares of a dense gas of [edge]³ spheres. */
+    private fun toldOfCrowd(edge: Int, isShared: Boolean): List<Set<Int>> {
         val (crowd, boundary) = FaultKit.crowd(edge)
         fun simulation(e: CollisionEngine) =
             simulationOf(crowd.copy(), boundary, 0.05, ConstantRestitution(1.0), engine = e)
-        val phases = ArrayList<Set<Phase>>()
-        forEachEngine { engine, told ->
-            advance(engine, told, isShared, ::simulation)
-            phases += told.keys.toSet()
+        return buildList {
+            forEachEngine { engine, told ->
+                advance(engine, told, isShared, ::simulation)
+                add(told.toSet())
+            }
         }
-        return phases
     }
 
     @Test
-    fun `few spheres go by islands where somebody wants regions, else one thread has them all and asks none`() {
+    fun `of few spheres one region has all, and the coordinator is that region`() {
         forEachEngine { engine, told ->
             engine.use { it.advance(FaultKit.step()) }
-            assertEquals(emptySet<Phase>(), told.keys) { engine.name }
-        }
-        forEachEngine(RegionLayout.Stretches(2)) { engine, told ->
-            val step = FaultKit.step()
-            when (engine) {
-                is RegionActorEngine -> engine.fewest = step.population.size + 1
-                is PekkoEngine -> engine.fewest = step.population.size + 1
-            }
-            engine.use { it.advance(step) }
-            assertFalse(Phase.SHARE in told) { engine.name }
-            assertTrue(Phase.SEARCH in told) { engine.name }
+            assertEquals(emptySet<Int>(), told) { engine.name }
         }
     }
 

@@ -32,36 +32,17 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.atomic.AtomicInteger
 
-/** Shares of loops at their limits: long loops, many regions, a coordinator that fails or does most of the work. */
+/** Shares of loops at their limits: many regions, a coordinator that fails or does most of the work. */
 @Timeout(120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RegionSharesTest {
     private val done = stateDigest(FaultKit.done.population)
 
     @Test
-    fun `the shares of a long loop among many regions cover it once`() {
-        val size = 4_000_000
-        val coordinator = StepCoordinator(RegionMap(RegionLayout.Stretches(1000)))
-        var end = 0
-        coordinator.share(
-            size,
-            SharedLoop { _, from, to ->
-                assertEquals(end, from)
-                end = to
-            },
-        )
-        while (true) {
-            val command = coordinator.poll() ?: break
-            coordinator.accept(coordinator.regions[command.region].handle(command))
-        }
-        assertEquals(size, end)
-    }
-
-    @Test
     fun `the most regions there can be share no more than memory allows`() {
         val told = ConcurrentHashMap.newKeySet<Int>()
-        RegionActorEngine(2, RegionLayout.Stretches(RegionLayout.MOST)).use { engine ->
+        RegionActorEngine(2, RegionCount.MOST).use { engine ->
             engine.fewest = 0
-            engine.probe = { if (it.phase == Phase.SHARE) told += it.region }
+            engine.probe = { told += it }
             val step = FaultKit.step()
             engine.advance(step)
             assertEquals(done, stateDigest(step.population))
@@ -74,11 +55,10 @@ class RegionSharesTest {
         val error = OutOfMemoryError("on purpose")
         val begun = AtomicInteger()
         val ended = AtomicInteger()
-        val regions = RegionLayout.Stretches(2)
-        RegionSteps(regions, 2, InlineLoop, { r, a -> CoroutineRegions(Dispatchers.Default, r, a) }, {}).use { steps ->
+        RegionSteps(2, 2, InlineLoop, { r, a -> CoroutineRegions(Dispatchers.Default, r, a) }, {}).use { steps ->
             steps.fewest = 0
             steps.probe = {
-                if (it.region == 1) {
+                if (it == 1) {
                     begun.incrementAndGet()
                     Thread.sleep(50)
                     ended.incrementAndGet()
@@ -89,7 +69,7 @@ class RegionSharesTest {
                 if (begun.get() > 0) throw error
                 true
             }
-            assertSame(error, runCatching { steps.take(step, {}, isWanted) { it.awaitNews() } }.exceptionOrNull())
+            assertSame(error, runCatching { steps.advance(step, isWanted) }.exceptionOrNull())
             assertEquals(1, ended.get())
             assertEquals(FaultKit.initial, stateDigest(step.population))
             steps.advance(step)
@@ -160,11 +140,11 @@ class RegionSharesTest {
         val count = 64
         val together = CyclicBarrier(count)
         val engines = List(count) {
-            RegionActorEngine(2, RegionLayout.Stretches(2), Dispatchers.IO).also { engine ->
+            RegionActorEngine(2, 2, Dispatchers.IO).also { engine ->
                 engine.fewest = 0
                 engine.patience = 2_000_000_000
                 val isFirst = AtomicInteger()
-                engine.probe = { if (it.region == 0 && isFirst.getAndIncrement() == 0) together.await() }
+                engine.probe = { if (it == 0 && isFirst.getAndIncrement() == 0) together.await() }
             }
         }
         val digests = runBlocking {

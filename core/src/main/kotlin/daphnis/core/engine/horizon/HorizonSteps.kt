@@ -25,6 +25,7 @@ import daphnis.core.step.PreparedStep
  *
  * One thread at a time. After an exception other than an [Error] out of a law the object may be used on.
  *
+ * @property prepared in which steps are prepared; also for the engine that takes the others
  * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
  *   shares all work among the workers, however little
  * @param tuning how epochs are laid out; null for what should be quickest
@@ -36,7 +37,7 @@ public class HorizonSteps internal constructor(
     private val fewest: Int,
     private val tuning: HorizonTuning?,
     filter: LineFilter,
-    internal val prepared: PreparedStep,
+    public val prepared: PreparedStep,
     lists: ListTuning,
     private val trial: SharingTrial?,
 ) {
