@@ -39,7 +39,7 @@ def test_order_layout_type_and_engine_of_arrays_change_no_bit(
         {"position": wide[:, ::2], "radius": np.full(n, 0.5, np.float32), "mass": np.ones(n, np.int8)},
         {"position": backward.astype(">f8"), "id": np.arange(n, dtype=np.uint64)},
         {"position": position.tolist(), "engine": "horizon", "threads": 2},
-        {"engine": "islands", "threads": 2},
+        {"engine": "thread-pool", "threads": 2},
     ]
     assert [advanced(gas, spheres, **others) for others in same] == [digest] * len(same)
 

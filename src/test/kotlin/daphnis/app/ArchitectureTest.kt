@@ -94,8 +94,8 @@ class ArchitectureTest {
 
     @Test
     fun `an engine knows no other than the serial one`() {
-        know("daphnis.core.engine.islands..", "daphnis.core.engine.threadpool..")
-        know("daphnis.core.engine.threadpool..", "daphnis.core.engine.islands..")
+        know("daphnis.core.engine.threadpool..", "daphnis.core.engine.horizon..", "daphnis.core.engine.lists..")
+        for (part in listOf("horizon", "lists")) know("daphnis.core.engine.$part..", "daphnis.core.engine.threadpool..")
     }
 
     @Test

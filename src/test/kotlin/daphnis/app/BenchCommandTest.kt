@@ -137,26 +137,26 @@ class BenchCommandTest {
     @Test
     fun `before anything is timed it is said what, and then how long it takes`() {
         val words = arrayOf("cooling-gas", "--steps", "2", "--rounds", "2", "--out", out)
-        val said = cold(*words, "--engines", "serial,islands", "--threads", "2").err.lines()
+        val said = cold(*words, "--engines", "serial,horizon", "--threads", "2").err.lines()
         assertEquals("daphnis: serial works on one thread, whatever --threads says", said[0])
         assertEquals("daphnis: cooling-gas: 2000 spheres, 2 steps", said[1])
-        assertEquals("daphnis: engines: serial on 1 thread; islands on 2 threads", said[2])
+        assertEquals("daphnis: engines: serial on 1 thread; horizon on 2 threads", said[2])
         assertTrue("1 x 2 x 2" in said[3]) { said[3] }
         assertTrue(said[4].startsWith("daphnis: warming up: serial on 1: ")) { said[4] }
         assertTrue(Regex("daphnis: about \\d+ s left").matches(said[6])) { said[6] }
-        assertEquals("", cold(*words, "--engines", "serial,islands", "--threads", "1", "--quiet").err)
+        assertEquals("", cold(*words, "--engines", "serial,horizon", "--threads", "1", "--quiet").err)
     }
 
     @Test
     fun `each engine works for as long as asked before rounds count`() {
         val words = arrayOf("cooling-gas", "--steps", "1", "--rounds", "1", "--threads", "1", "--out", out)
-        val said = bench(*words, "--engines", "serial,islands", "--warm-up", "0.3").err.lines()
+        val said = bench(*words, "--engines", "serial,horizon", "--warm-up", "0.3").err.lines()
         val warm = said.filter { "warming up: " in it }.associate {
             val found = Regex("daphnis: warming up: (\\S+) on 1: (\\d+) turns, the first .* s, the last .* s").find(it)
             found!!.groupValues[1] to found.groupValues[2].toInt()
         }
         // A step takes milliseconds.
-        assertEquals(setOf("serial", "islands"), warm.keys)
+        assertEquals(setOf("serial", "horizon"), warm.keys)
         assertTrue(warm.values.all { it > 3 }) { "$warm" }
         assertTrue("0.3 s of turns, one at least, for each to warm up" in said[2]) { said[2] }
         assertEquals(1, TimingFile.read(folder.resolve("out/bench.csv")).first().seconds.size)
@@ -165,12 +165,12 @@ class BenchCommandTest {
     @Test
     fun `without one thread there is no ideal, and speed says what it is relative to`() {
         fun speeds(threads: String): String {
-            val words = arrayOf("--steps", "2", "--rounds", "1", "--engines", "islands", "--out", out, "--quiet")
+            val words = arrayOf("--steps", "2", "--rounds", "1", "--engines", "horizon", "--out", out, "--quiet")
             assertDone(cold("cooling-gas", *words, "--threads", threads))
             return Files.readString(folder.resolve("out/cooling-gas-speed.svg")).replace(Regex("\\s+"), " ")
         }
         val without = speeds("2,3")
-        assertTrue("speed relative to" in without && "islands on 2 threads" in without) { without }
+        assertTrue("speed relative to" in without && "horizon on 2 threads" in without) { without }
         assertFalse("ideal" in without)
         assertTrue("ideal" in speeds("3,1"))
     }

@@ -46,8 +46,6 @@ class CommandLineTest {
         val digests = HashSet<String>()
         for ((engine, threads) in listOf(
             "serial" to 1,
-            "islands" to 1,
-            "islands" to 3,
             "thread-pool" to 2,
             "horizon" to 1,
             "horizon" to 3,
@@ -67,7 +65,7 @@ class CommandLineTest {
         assertEquals(1, digests.size)
         assertEquals(1, logs.size)
         assertTrue(logs.first().lines().size > 10)
-        assertRefused(small("x", "--engine", "isles"), "engine.name", "islands", "pekko")
+        assertRefused(small("x", "--engine", "snail"), "engine.name", "horizon", "pekko")
         assertRefused(small("y", "--engine", "serial", "--threads", "2"), "engine.threads")
         assertRefused(small("z", "--threads", "-1"), "--threads")
     }

@@ -41,7 +41,7 @@ class CompletionTest {
         assertTrue(scenarios.containsAll(BuiltIn.names + "mine.json")) { "$scenarios" }
         assertEquals(listOf("mine.json"), offered("daphnis", "run", "--engine", "serial", "min"))
         assertEquals(allEngines.names.toList(), offered("daphnis", "run", "--engine", ""))
-        assertEquals(listOf("serial,islands"), offered("daphnis", "bench", "--engines", "serial,isl"))
+        assertEquals(listOf("serial,horizon"), offered("daphnis", "bench", "--engines", "serial,hor"))
         assertEquals(listOf("h5md"), offered("daphnis", "export", "mine", "--format", "h"))
         assertEquals(listOf("mine.json"), offered("daphnis", "analyze", "--scenario", "mi"))
         assertEquals(listOf("bash"), offered("daphnis", "completion", "b"))

@@ -3,7 +3,7 @@ package daphnis.app
 import daphnis.core.Simulation
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.BuiltIn
@@ -30,7 +30,7 @@ class GoldenDigestTest {
     @ParameterizedTest
     @MethodSource("built")
     fun `every engine gives the pinned digests of a built-in scenario in its first steps`(name: String) {
-        val engines = allEngines.names.map { it to if (allEngines.isSpecification(it)) 1 else 2 } + ("islands" to 3)
+        val engines = allEngines.names.map { it to if (allEngines.isSpecification(it)) 1 else 2 } + ("horizon" to 3)
         val steps = if (LONG) LONG_STEPS else FIRST_STEPS
         check(BuiltIn.scenario(name), name, steps, engines.map { (engine, threads) -> made(engine, threads) })
     }
@@ -42,14 +42,14 @@ class GoldenDigestTest {
         val byName = allEngines.names.flatMap { engine ->
             (if (allEngines.isSpecification(engine)) listOf(1) else listOf(1, 3)).map { made(engine, it) }
         }
-        check(ScenarioJson.parse(text, name, emptyList()), name, null, byName + islands)
+        check(ScenarioJson.parse(text, name, emptyList()), name, null, byName + eager)
     }
 
     @Tag("thorough")
     @ParameterizedTest
     @MethodSource("whole")
     fun `the default engine gives the pinned digest at the end of a built-in scenario`(name: String) {
-        check(BuiltIn.scenario(name), name, null, listOf(made("islands", 0)))
+        check(BuiltIn.scenario(name), name, null, listOf(made("horizon", 0)))
     }
 
     @Test
@@ -82,7 +82,7 @@ class GoldenDigestTest {
         const val LONG_STEPS = 30
 
         // Few spheres go the serial way unless told otherwise.
-        val islands: () -> CollisionEngine = { IslandsEngine(FixedPool(2), fewest = 0) }
+        val eager: () -> CollisionEngine = { HorizonEngine(FixedPool(2), fewest = 0) }
 
         /** A whole number of steps can fall short of the end by round-off. */
         const val SLACK = 1e-9

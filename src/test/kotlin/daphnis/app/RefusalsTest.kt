@@ -238,7 +238,15 @@ class RefusalsTest {
         assertFalse("mean" in daphnis("run", "--zzzzzzzz").err)
         assertRefused(daphnis("run", "coolign-gas"), "did you mean 'cooling-gas'?")
         assertRefused(daphnis("scenarios", "moonlit"), "did you mean 'moonlet'?")
-        assertRefused(daphnis("run", "cooling-gas", "--engine", "isles"), "engine.name", "did you mean 'islands'?")
+        assertRefused(daphnis("run", "cooling-gas", "--engine", "horizn"), "engine.name", "did you mean 'horizon'?")
         assertFalse("mean" in daphnis("quark").err)
+    }
+
+    @Test
+    fun `an engine that is gone is answered with the one to take`() {
+        val word = "it is gone; take horizon"
+        assertRefused(daphnis("run", "cooling-gas", "--engine", "islands"), "engine.name", "is \"islands\"; $word")
+        assertRefused(daphnis("bench", "cooling-gas", "--engines", "serial,islands"), "'islands' is no engine; $word")
+        assertRefused(daphnis("sweep", "cooling-gas", "--seeds", "1-2", "--engine", "islands"), word)
     }
 }

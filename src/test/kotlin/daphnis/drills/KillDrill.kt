@@ -24,7 +24,7 @@ internal object KillDrill : Drill {
         "ring-patch --until 20000 $ALWAYS box.lengths=[40,40,20]",
         "cooling-gas --until 12 $ALWAYS particles.count=2000 boundary={\"type\":\"walls\"} box.lengths=[24,24,24]",
     )
-    private val ENGINES = listOf("horizon", "islands", "thread-pool", "actors", "pekko")
+    private val ENGINES = listOf("horizon", "thread-pool", "actors", "pekko")
 
     /** [cases] counts kills. */
     @OptIn(kotlin.io.path.ExperimentalPathApi::class)

@@ -17,7 +17,7 @@ internal object LiveDirectoryDrill : Drill {
 
     private const val COMMAND =
         "run cooling-gas --until 60 --set output.checkpointEvery=11 --set output.snapshotEvery=9 " +
-            "--engine islands --threads 2 --quiet --out"
+            "--engine horizon --threads 2 --quiet --out"
     private val RUN = COMMAND.split(' ')
 
     /** Words after `daphnis`; LIVE stands for the directory, WHOLE for one like it that is done. */

@@ -16,7 +16,7 @@ internal object SmallHeapDrill : Drill {
     override val what = "heaps of 6 to 40 MB for every engine and command, with a polite kill now and then"
     override val cases = 60
 
-    private val ENGINES = listOf("serial", "islands", "thread-pool", "horizon", "actors", "pekko")
+    private val ENGINES = listOf("serial", "thread-pool", "horizon", "actors", "pekko")
     private val SETTINGS = listOf(
         "particles.count=8000",
         "box.lengths=[60,60,60]",

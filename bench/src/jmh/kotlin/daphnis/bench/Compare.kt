@@ -53,7 +53,6 @@ fun main(args: Array<String>) {
 
 private val PARALLEL = listOf(
     EngineName.HORIZON,
-    EngineName.ISLANDS,
     EngineName.THREAD_POOL,
     EngineName.ACTORS,
     EngineName.PEKKO,

@@ -4,7 +4,6 @@ import daphnis.actors.ActorEngines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.horizon.HorizonEngine
-import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.FixedPool
@@ -20,7 +19,6 @@ import java.util.concurrent.ForkJoinPool
 enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
     HORIZON({ HorizonEngine(it) }),
-    ISLANDS({ IslandsEngine(it) }),
 
     /** The reference: the paper's engine on a fixed pool, consecutive chunks, row-locked grid. */
     THREAD_POOL({ ThreadPoolEngine(it) }),

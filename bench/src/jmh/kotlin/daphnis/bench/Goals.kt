@@ -71,7 +71,7 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
     fun size(): List<Row> {
         val rings = listOf(sizes.smallRing, sizes.largeRing).map { StartState(ring(it)) }
         val gases = listOf(sizes.smallGas, sizes.largeGas).map { StartState(gas(it, DILUTE, "random")) }
-        return listOf(EngineName.SERIAL to 1, EngineName.HORIZON to 1, EngineName.ISLANDS to 2)
+        return listOf(EngineName.SERIAL to 1, EngineName.HORIZON to 1, EngineName.HORIZON to 2)
             .flatMap { (engine, threads) ->
                 listOf("ring" to rings, "gas" to gases).map { (name, starts) ->
                     val dt = if (name == "ring") RING_STEP else GAS_STEP
@@ -115,19 +115,17 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
     }
 
     /** Two threads are twice as fast as one. */
-    fun threads(): List<Row> = shared().flatMap { system ->
+    fun threads(): List<Row> = shared().map { system ->
         val start = system.make()
-        listOf(EngineName.HORIZON, EngineName.ISLANDS).map { engine ->
-            val (one, two) = timed(listOf(1, 2).map { system.runner(start, engine, it) })
-            val what = "two threads, times as fast as one"
-            Row("${word(engine)}, ${system.name}: $what", one.perStep / two.perStep, note(one, two))
-        }
+        val (one, two) = timed(listOf(1, 2).map { system.runner(start, EngineName.HORIZON, it) })
+        val what = "two threads, times as fast as one"
+        Row("horizon, ${system.name}: $what", one.perStep / two.perStep, note(one, two))
     }
 
     /** Messages cost nothing. */
     fun actors(): List<Row> = shared().flatMap { system ->
         val start = system.make()
-        val engines = listOf(EngineName.HORIZON, EngineName.ISLANDS, EngineName.ACTORS, EngineName.PEKKO)
+        val engines = listOf(EngineName.HORIZON, EngineName.ACTORS, EngineName.PEKKO)
         val all = timed(engines.map { system.runner(start, it, 2) })
         all.drop(1).map {
             val what = "time over that of horizon, two threads each"
@@ -189,7 +187,7 @@ internal class Goals(private val sizes: Sizes, private val rounds: Int) {
         /** In units of the time in which a sphere moves its diameter. */
         val STEPS = listOf(0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
         val ENGINES = listOf(EngineName.SERIAL to 1, EngineName.HORIZON to 1) +
-            listOf(EngineName.ISLANDS, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO)
+            listOf(EngineName.HORIZON, EngineName.THREAD_POOL, EngineName.ACTORS, EngineName.PEKKO)
                 .map { it to 2 }
     }
 }

@@ -4,7 +4,6 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.horizon.HorizonEngine
-import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 
 /** The engines of this module. `Engines` alone is their factory; in Java [factory]. */
@@ -12,7 +11,6 @@ public class Engines private constructor() {
     public companion object : EngineFactory {
         private val makers = linkedMapOf<String, (threads: Int) -> CollisionEngine>(
             "horizon" to { HorizonEngine(it) },
-            "islands" to { IslandsEngine(it) },
             "thread-pool" to { ThreadPoolEngine(it) },
             SERIAL to { SerialEngine() },
         )
@@ -29,12 +27,13 @@ public class Engines private constructor() {
 
         @JvmStatic
         override fun successor(name: String): String? =
-            if (name == "bricks") "it is gone; take horizon, which gives the same bits and is quicker" else null
+            if (name in GONE) "it is gone; take horizon, which gives the same bits and is quicker" else null
 
         /** The factory itself, for Java. */
         @JvmStatic
         public fun factory(): EngineFactory = this
 
         private const val SERIAL = "serial"
+        private val GONE = setOf("bricks", "islands")
     }
 }

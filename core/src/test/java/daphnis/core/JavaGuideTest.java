@@ -83,7 +83,7 @@ class JavaGuideTest {
             .build();
         CollisionForcing collisions = CollisionForcing.builder(speed -> 1 / (1 + speed))
             .guard(new FloorSpeedGuard(1e-6))
-            .engine("islands", 2, Engines.factory())
+            .engine("horizon", 2, Engines.factory())
             .build();
         List<Double> temperatures = new ArrayList<>();
         try (Simulation simulation = Simulation.builder(population)
@@ -113,7 +113,7 @@ class JavaGuideTest {
         try (Run run = Run.builder(scenario)
                 .directory(directory)
                 .set("output.snapshotEvery=5")
-                .engine("islands")
+                .engine("thread-pool")
                 .threads(2)
                 .until(1.0)
                 .output("watch", s -> isEnough.set(s.getStep() >= 10))
@@ -132,7 +132,7 @@ class JavaGuideTest {
         // end
         Summary first = recorded.summary();
         assertTrue(first != null && first.getFinished() && first.getSteps() == 20);
-        assertEquals(List.of("islands", 2), List.of(first.getEngine(), first.getThreads()));
+        assertEquals(List.of("thread-pool", 2), List.of(first.getEngine(), first.getThreads()));
         Summary second = Run.open(longer).summary();
         assertTrue(second != null && second.getFinished() && second.getSteps() == 20);
         assertEquals(1.5, second.getTime(), 1e-12);
@@ -164,8 +164,8 @@ class JavaGuideTest {
         assertSame(Open.INSTANCE, BoundaryConditions.open());
         assertSame(NoGuard.INSTANCE, CollapseGuard.none());
         RangeLoop.inline().run(3, (worker, from, to) -> assertEquals(3, to - from));
-        assertEquals(List.of("horizon", "islands", "thread-pool", "serial"), Engines.getNames());
-        try (var engine = Engines.create("islands", 2)) {
+        assertEquals(List.of("horizon", "thread-pool", "serial"), Engines.getNames());
+        try (var engine = Engines.create("horizon", 2)) {
             assertTrue(engine != null && engine.getThreads() == 2);
         }
         assertEquals(Engines.getNames(), Engines.factory().getNames());
@@ -283,7 +283,7 @@ class JavaGuideTest {
         parts.restitution(speed -> 0.5);
         refuses("restitution(…) and withoutCollisions() contradict each other; one of them is enough", parts::build);
         refuses(
-            "there is no engine 'snail'; known: horizon, islands, thread-pool, serial",
+            "there is no engine 'snail'; known: horizon, thread-pool, serial",
             () -> CollisionForcing.builder(speed -> 0.5).engine("snail", 1, Engines.factory()));
     }
 

@@ -9,7 +9,7 @@ import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force
 import daphnis.core.parallel.ExecutorHandler
@@ -26,11 +26,11 @@ abstract class FaultKit {
     protected val engines: List<() -> CollisionEngine?> = listOf(
         { null },
         { SerialEngine() },
-        { IslandsEngine(3) },
-        { IslandsEngine(FixedPool(3), fewest = 0) },
+        { HorizonEngine(3) },
+        { HorizonEngine(FixedPool(3), fewest = 0) },
         { BricksTogether(FixedPool(3), BrickDivision(2, 1, 2)) },
         { ThreadPoolEngine(3) },
-        { IslandsEngine(ExecutorHandler({ it.run() }, 2), fewest = 0) },
+        { HorizonEngine(ExecutorHandler({ it.run() }, 2), fewest = 0) },
     )
 
     protected fun simulation(

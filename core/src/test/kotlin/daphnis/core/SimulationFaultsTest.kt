@@ -7,7 +7,7 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.force.Force
 import daphnis.core.force.UniformAcceleration
@@ -40,7 +40,7 @@ class SimulationFaultsTest : FaultKit() {
         fun simulation(engine: CollisionEngine) = simulationOf(large.copy(), wide, 0.1, engine = engine)
         val expected = listOf("") + digests(simulation(SerialEngine()), 3)
         val makes = listOf<(Executor) -> CollisionEngine>(
-            { IslandsEngine(ExecutorHandler(it, 3), fewest = 0) },
+            { HorizonEngine(ExecutorHandler(it, 3), fewest = 0) },
             { ThreadPoolEngine(ExecutorHandler(it, 3)) },
         )
         for (make in makes) {
@@ -93,7 +93,7 @@ class SimulationFaultsTest : FaultKit() {
 
                 override fun close() = Unit
             }
-            val engine = IslandsEngine(handler, fewest = 0)
+            val engine = HorizonEngine(handler, fewest = 0)
             val population = large.copy()
             val step = CollisionStep(population, wide, CollisionLaw(ConstantRestitution(1.0)), CollisionCounters())
             step.duration = 0.02

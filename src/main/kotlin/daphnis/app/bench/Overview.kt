@@ -24,7 +24,7 @@ internal class Overview(
         )
     }
 
-    /** `serial on 1 thread; islands, actors on 1, 2 threads`. */
+    /** `serial on 1 thread; horizon, actors on 1, 2 threads`. */
     private fun engines(): String {
         val threads = contestants.groupBy({ it.engine }, { it.threads })
         return threads.keys.groupBy { threads.getValue(it) }.entries.joinToString("; ") { (counts, engines) ->

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test
 
 class OverviewTest {
     private val contestants =
-        listOf("serial" to 1, "horizon" to 1, "islands" to 1, "islands" to 2).map { Contestant(it.first, it.second) }
+        listOf("serial" to 1, "actors" to 1, "horizon" to 1, "horizon" to 2).map { Contestant(it.first, it.second) }
 
     private fun contest(name: String, steps: Long?, vararg settings: String) =
         Contest(allEngines, contestants, BuiltIn.scenario(name, settings.asList()), name, steps)
@@ -21,7 +21,7 @@ class OverviewTest {
         val lines = Overview(listOf(whole, some), contestants, 3, 1.0).lines()
         assertEquals("cooling-gas: 2000 spheres, 6 steps", lines[0])
         assertEquals("shear-cell: 2048 spheres, 7 steps", lines[1])
-        assertEquals("engines: serial, horizon on 1 thread; islands on 1, 2 threads", lines[2])
+        assertEquals("engines: serial, actors on 1 thread; horizon on 1, 2 threads", lines[2])
         assertEquals(
             "1 s of turns, one at least, for each to warm up, then 3 rounds that count: " +
                 "2 x 4 x 3 (scenarios x engines x rounds) = 24 turns",

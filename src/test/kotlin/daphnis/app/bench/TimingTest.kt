@@ -29,18 +29,18 @@ class TimingTest {
 
     @Test
     fun `speed is relative to serial, efficiency to the engine itself on one thread`() {
-        val timings = listOf(timing("islands", 1, 2.0), timing("islands", 4, 0.8), timing("serial", 1, 1.6))
+        val timings = listOf(timing("horizon", 1, 2.0), timing("horizon", 4, 0.8), timing("serial", 1, 1.6))
         val ranking = Ranking(timings)
         assertEquals(2.0, ranking.speed(timings[1]))
         assertEquals(0.625, ranking.efficiency(timings[1]))
-        assertEquals("islands", Ranking(timings.take(2)).yardstick.engine)
+        assertEquals("horizon", Ranking(timings.take(2)).yardstick.engine)
         assertTrue(Ranking(listOf(timings[1])).efficiency(timings[1]).isNaN())
         // One thread goes before the order of the command line.
         assertEquals(1, Ranking(listOf(timings[1], timings[0])).yardstick.threads)
-        assertTrue(timingTitle(listOf(timings[1])).endsWith("; speed relative to islands on 4 threads"))
+        assertTrue(timingTitle(listOf(timings[1])).endsWith("; speed relative to horizon on 4 threads"))
         assertTrue(timingTitle(timings).endsWith("; speed relative to serial"))
         val rows = timingTable(timings).lines()
-        assertEquals("| islands | 4 | 0.800 | 0.800 | 0.10 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
+        assertEquals("| horizon | 4 | 0.800 | 0.800 | 0.10 | 80.0 | 1600 | 2.00 | 0.63 |", rows[3])
     }
 
     @Test
@@ -55,7 +55,7 @@ class TimingTest {
         val path = folder.resolve("bench.csv")
         val unknown = Timing("gas", 1000, "actors", 1, 10, 500, listOf(1.0, 2.0), listOf(Double.NaN, 0.0), "")
         val timings = names.flatMap {
-            listOf(timing("serial", 1, 0.1, 1.0 / 3, scenario = it), timing("islands", 2, 7e-5, scenario = it))
+            listOf(timing("serial", 1, 0.1, 1.0 / 3, scenario = it), timing("horizon", 2, 7e-5, scenario = it))
         } + unknown
         TimingFile.write(path, timings)
         val read = TimingFile.read(path)

@@ -76,7 +76,10 @@ internal class Coordinator(
     }
 
     /** @throws CancellationException after [cancel] */
-    fun requireWanted(): Unit = throw CancellationException(cancelled ?: return)
+    fun requireWanted() {
+        val why = cancelled ?: return
+        throw CancellationException(why)
+    }
 
     /** Shares the indices 0 until [size] of [loop] among the regions, in order. They are done when [turn] says so. */
     fun share(size: Int, loop: SharedLoop) {

@@ -21,7 +21,7 @@ import kotlin.math.sqrt
 // | horizon: ScalarFilter, VectorFilter, for a block of lines | float, s inflated | all, with room for rounding | none |
 // | lists: Approaching, for the list of a sphere | double, s with a margin | b, b² < ac | lower bound |
 
-/** Time until a t² + 2 b t + c = 0 with [b] < 0, the surfaces in contact; [NEVER] when they miss; NaN if unknown. */
+/** Time until a t² + 2 b t + c = 0 with [b] < 0, the surfaces in contact; [NEVER] when they miss. */
 internal fun waitUntilContact(a: Double, b: Double, c: Double): Double {
     if (c <= 0.0) return 0.0
     val discriminant = b * b - a * c
@@ -33,8 +33,7 @@ internal fun waitUntilRoot(b: Double, c: Double, discriminant: Double): Double =
 
 /**
  * The kernel of searches in grids: calls [found] with a, b and c for a pair that approaches and is near enough to touch
- * in time. Nine of ten candidates end here, without a square root and with one well predicted branch. A pair with a
- * number that is [StepRows.UNKNOWN] is never dismissed, since b and c are NaN then.
+ * in time. Nine of ten candidates end here, without a square root and with one well predicted branch.
  *
  * @param closing −2τ, from [closingWithin]; −∞ for no limit of time
  */

@@ -238,17 +238,6 @@ public class StepRows : GrowingTable() {
         /** Offset of the local time in a row. */
         public const val TIME: Int = 6
 
-        /**
-         * The local time of a sphere whose path is known elsewhere only, because an island has a copy of it. The rest
-         * of its row is out of date. Every time that is computed from it is [UNKNOWN] too, which is NaN: no comparison
-         * with it holds, so it is asked for by [isUnknown].
-         */
-        public const val UNKNOWN: Double = Double.NaN
-
-        /** Whether [time] is that of a sphere which is [UNKNOWN], or was computed from it. */
-        @JvmStatic
-        public fun isUnknown(time: Double): Boolean = time.isNaN()
-
         /** Offset of the radius in a row. */
         public const val RADIUS: Int = 7
     }

@@ -12,7 +12,7 @@ import daphnis.core.search.SearchStructure
  * ```java
  * CollisionForcing collisions = CollisionForcing.builder(speed -> 0.8)
  *     .guard(new FloorSpeedGuard(1e-6))
- *     .engine("islands", 2, Engines.factory())
+ *     .engine("horizon", 2, Engines.factory())
  *     .build();
  * ```
  */

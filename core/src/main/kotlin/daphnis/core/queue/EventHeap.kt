@@ -3,8 +3,7 @@ package daphnis.core.queue
 import daphnis.core.growth.GrowingTable
 
 /**
- * The [EventQueue] for a few events at a time, such as those of an island: a binary heap of the numbers of the events
- * in its [store].
+ * The [EventQueue] for a few events at a time: a binary heap of the numbers of the events in its [store].
  *
  * Removal is lazy. `validFrom[slot]` is the number of the first event that came after the last [removeAllOf] of this
  * slot, so an event is dead when its number is below that of either of its spheres. Dead events stay in the store until

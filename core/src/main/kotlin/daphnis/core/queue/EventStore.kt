@@ -7,8 +7,7 @@ import daphnis.core.growth.GrowingTable
  * image and one link to another event, with which its owner makes lists.
  *
  * Three longs per event, so that one event is one or two cache lines: time as bits | first, second | image, link.
- * Nothing is allocated once the store has its size. Single-threaded, but for [put] and [link] on events that no other
- * thread uses.
+ * Nothing is allocated once the store has its size. Single-threaded.
  *
  * @param capacity events for which there is room at first, at least 1
  */
@@ -27,12 +26,7 @@ internal class EventStore(capacity: Int = INITIAL) :
 
     /** Appends an event, linked to none. */
     override fun add(time: Double, first: Int, second: Int, image: Int) {
-        put(append(), time, first, second, image)
-    }
-
-    /** Writes event [e], which may be any for which there is room; linked to none. Does not change [size]. */
-    fun put(e: Int, time: Double, first: Int, second: Int, image: Int) {
-        val p = e * WIDTH
+        val p = append() * WIDTH
         data[p] = time.toRawBits()
         data[p + 1] = pack(first, second)
         data[p + 2] = pack(image, NONE)
@@ -75,12 +69,6 @@ internal class EventStore(capacity: Int = INITIAL) :
     /** Doubles the room; the events stay. */
     fun grow() {
         reserve(room * 2)
-    }
-
-    /** Forgets all events and makes room for [count]. */
-    fun prepare(count: Int) {
-        clear()
-        if (room < count) reserve(count + count / 2)
     }
 
     /** The order of events [a] and [b], which are at one time, like a comparator; the slots have these [ids]. */

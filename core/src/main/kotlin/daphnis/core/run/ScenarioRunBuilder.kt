@@ -16,7 +16,7 @@ import java.util.function.BooleanSupplier
  * [directory]. What is given again replaces the former; settings and outputs are added.
  *
  * ```java
- * try (Run run = Run.builder(scenario).directory(path).engine("islands").threads(2).until(3.0).start()) {
+ * try (Run run = Run.builder(scenario).directory(path).engine("thread-pool").threads(2).until(3.0).start()) {
  *     Summary summary = run.execute();
  * }
  * ```

@@ -93,14 +93,14 @@ public class RowBounds {
     }
 
     /**
-     * Widens the bounds for the velocity in row [place] of [rows], of a sphere whose slot is [slot]. To be called
-     * before that sphere searches; any number of threads at once.
+     * Widens the bounds for the velocity that the sphere in [slot] has in [rows]. To be called before that sphere
+     * searches; any number of threads at once.
      */
-    public fun include(slot: Int, rows: StepRows, place: Int) {
+    public fun include(slot: Int, rows: StepRows) {
         if (!isInUse) return
         val p = rowOf[slot] * WIDTH
         for (k in 0..2) {
-            val u = rows.state[place * STRIDE + VX + axes[k]]
+            val u = rows.state[slot * STRIDE + VX + axes[k]]
             if (u < values[p + 2 * k]) lower(p + 2 * k, u)
             if (u > values[p + 2 * k + 1]) raise(p + 2 * k + 1, u)
         }

@@ -1,7 +1,6 @@
 package daphnis.core.step
 
 import daphnis.core.api.EngineApi
-import daphnis.core.collision.StepRows
 import daphnis.core.queue.EventSink
 
 /**
@@ -21,15 +20,13 @@ public interface Candidates {
     public fun start(from: Int, to: Int, sink: EventSink)
 
     /**
-     * Adds to [sink] the potential collisions that the sphere at [place] of [own] has from its local time on with every
-     * sphere except slot [except] and with walls. `first` is [place] there, `second` a slot of the step, or the partner
-     * number of a wall.
+     * Adds to [sink] the potential collisions that the sphere in [slot] has from its local time on with every sphere
+     * except slot [except] and with walls. `first` is [slot] there, `second` another slot, or the partner number of a
+     * wall.
      *
-     * No other local time may be later. A sphere which an island has taken, so that its local time is
-     * [StepRows.UNKNOWN], is added at the time UNKNOWN, once for each image that it may be: whether the two touch is
-     * for the caller to find out. So is the sphere itself, if its own slot is UNKNOWN.
+     * No other local time may be later.
      */
-    public fun around(own: StepRows, place: Int, except: Int, sink: EventSink)
+    public fun around(slot: Int, except: Int, sink: EventSink)
 
     /**
      * Shows [viewer] the slots of all spheres with which the sphere in [slot] can have a potential collision from its

@@ -1,6 +1,5 @@
 package daphnis.core.step
 
-import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
@@ -31,33 +30,35 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         val state = rows.state
         val p = slot * STRIDE
         val runs = near.ahead(slot, state, p, step.duration)
-        forEachApproaching(runs, state, p, 0.0, hasMoved = false) { other, image, a, b, c ->
+        forEachApproaching(runs, p, 0.0, hasMoved = false) { other, image, a, b, c ->
             addIfInTime(sink, 0.0, slot, other, image, a, b, c)
         }
     }
 
-    override fun around(own: StepRows, place: Int, except: Int, sink: EventSink) {
-        val state = own.state
-        val p = place * STRIDE
+    override fun around(slot: Int, except: Int, sink: EventSink) {
+        val state = rows.state
+        val p = slot * STRIDE
         val time = state[p + TIME]
-        val runs = runsAround(state, p)
-        // The sphere itself is in one of the runs; with itself b is 0, or unknown.
-        forEachApproaching(runs, state, p, time, hasMoved = true) { other, image, a, b, c ->
-            if (other != except) addIfInTime(sink, time, place, other, image, a, b, c)
+        val runs = runsAround(slot)
+        // The sphere itself is in one of the runs; with itself b is 0.
+        forEachApproaching(runs, p, time, hasMoved = true) { other, image, a, b, c ->
+            if (other != except) addIfInTime(sink, time, slot, other, image, a, b, c)
         }
-        step.queueWalls(own, place, sink)
+        step.queueWalls(rows, slot, sink)
     }
 
-    private fun runsAround(own: DoubleArray, p: Int): Int = near.around(own, p, step.duration - own[p + TIME])
+    private fun runsAround(slot: Int): Int {
+        val p = slot * STRIDE
+        return near.around(rows.state, p, step.duration - rows.state[p + TIME])
+    }
 
     /**
-     * Calls [found] for each sphere in the first [runs] of [near] that the sphere in the row at [p] of [own], at
-     * [time], approaches fast enough. At the start, when no sphere [hasMoved], other spheres are at the positions in
+     * Calls [found] for each sphere in the first [runs] of [near] that the sphere in the row at [p], at [time],
+     * approaches fast enough. At the start, when no sphere [hasMoved], other spheres are at the positions in
      * their rows. Inlined twice with a constant for [hasMoved], of which the compiler keeps one branch.
      */
     private inline fun forEachApproaching(
         runs: Int,
-        own: DoubleArray,
         p: Int,
         time: Double,
         hasMoved: Boolean,
@@ -66,13 +67,13 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         val state = rows.state
         val images = step.images
         val closing = closingWithin(step.duration - time, step.duration)
-        val x = own[p]
-        val y = own[p + 1]
-        val z = own[p + 2]
-        val vx = own[p + VX]
-        val vy = own[p + VX + 1]
-        val vz = own[p + VX + 2]
-        val radius = own[p + RADIUS]
+        val x = state[p]
+        val y = state[p + 1]
+        val z = state[p + 2]
+        val vx = state[p + VX]
+        val vy = state[p + VX + 1]
+        val vz = state[p + VX + 2]
+        val radius = state[p + RADIUS]
         for (r in 0 until runs) {
             val image = near.image[r]
             val wx = images.slide(image, 0)
@@ -99,11 +100,11 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         }
     }
 
-    /** For the few candidates that are near and approach. No comparison dismisses a time that is [StepRows.UNKNOWN]. */
+    /** For the few candidates that are near and approach. */
     private fun addIfInTime(
         sink: EventSink,
         time: Double,
-        place: Int,
+        slot: Int,
         other: Int,
         image: Int,
         a: Double,
@@ -111,11 +112,11 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
         c: Double,
     ) {
         val t = time + waitUntilContact(a, b, c)
-        if (!(t > step.duration)) sink.add(t, place, other, image)
+        if (t <= step.duration) sink.add(t, slot, other, image)
     }
 
     override fun view(slot: Int, viewer: Candidates.Viewer): Boolean {
-        val runs = runsAround(rows.state, slot * STRIDE)
+        val runs = runsAround(slot)
         for (r in 0 until runs) {
             for (other in near.from[r] until near.to[r]) if (!viewer.look(other, near.image[r])) return false
         }

@@ -20,7 +20,6 @@ import daphnis.core.queue.Schedule
  * | serial, bricks | the place itself | always goes on |
  * | thread pool | the place itself | ends when the collision may have come too late |
  * | horizon | the slot whose row was made there | ends when the epoch does |
- * | islands | the slot that was copied there | ends when the island needs a sphere that it may not have |
  *
  * @param rows the rows of the colliding spheres, addressed by place: those of the step, or a worker's copies
  * @param schedule where potential collisions are queued, by place
@@ -107,7 +106,8 @@ internal open class Impact(
     }
 
     private fun goOn(place: Int, except: Int): Boolean {
-        prepared.bounds.include(slotOf(place), rows, place)
+        // At rest in steps without a grid, so elsewhere a place is the slot.
+        prepared.bounds.include(place, rows)
         return search(place, except)
     }
 
@@ -127,10 +127,10 @@ internal open class Impact(
     /**
      * Queues what the sphere at [place] can touch now, except slot [except].
      *
-     * @return false to end the attempt at the step or island, see [End.VOID]
+     * @return false to end the attempt at the step, see [End.VOID]
      */
     protected open fun search(place: Int, except: Int): Boolean {
-        candidates.around(rows, place, except, schedule)
+        candidates.around(place, except, schedule)
         return true
     }
 

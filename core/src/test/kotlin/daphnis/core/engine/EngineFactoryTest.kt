@@ -6,6 +6,8 @@ import daphnis.core.cluster.ThreadFleet
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class EngineFactoryTest {
@@ -25,6 +27,19 @@ class EngineFactoryTest {
             }
             assertFalse(factory.isSpecification("none"))
         }
+    }
+
+    @Test
+    fun `who asks for an engine that is gone is told what to take`() {
+        val engines = CombinedEngines(none, Engines)
+        for (name in listOf("bricks", "islands")) {
+            assertNull(engines.create(name, 1))
+            val message = assertThrows(IllegalArgumentException::class.java) {
+                CollisionForcing.builder { 1.0 }.engine(name, 1, engines)
+            }.message!!
+            assertTrue("it is gone; take horizon" in message) { message }
+        }
+        assertNull(engines.successor("snail"))
     }
 
     @Test

@@ -3,9 +3,8 @@ package daphnis.core.engine
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.initial.SeededRandom
-import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
@@ -17,7 +16,7 @@ class EnginesAgreeTest : EnginesAgreeContract(CoreEngines) {
     override val oracle = BruteForceEngine()
 
     @Test
-    fun `islands of very many spheres give the digest of the serial engine over a hundred steps, either way`() {
+    fun `horizon, as users have it, gives very many spheres the digest of the serial engine over a hundred steps`() {
         val random = SeededRandom(11)
         val n = 21_000
         fun drawn(at: (Int) -> Int) = DoubleArray(n) { 2.6 * at(it) + 0.2 * random.nextDouble(-1.0, 1.0) }
@@ -30,15 +29,15 @@ class EnginesAgreeTest : EnginesAgreeContract(CoreEngines) {
         fun simulation(engine: CollisionEngine) =
             simulationOf(start.copy(), boundary, 0.02, ConstantRestitution(0.9), engine = engine)
         val serial = simulation(SerialEngine())
-        simulation(IslandsEngine(FixedPool(3))).use { islands ->
+        simulation(HorizonEngine(3)).use { horizon ->
             for (step in 1..100) {
                 serial.advance()
-                islands.advance()
+                horizon.advance()
                 if (step % 10 == 0) {
-                    assertEquals(stateDigest(serial.population), stateDigest(islands.population)) { "step $step" }
+                    assertEquals(stateDigest(serial.population), stateDigest(horizon.population)) { "step $step" }
                 }
             }
-            assertEquals(serial.collisions!!.counters.collisions, islands.collisions!!.counters.collisions)
+            assertEquals(serial.collisions!!.counters.collisions, horizon.collisions!!.counters.collisions)
         }
     }
 }

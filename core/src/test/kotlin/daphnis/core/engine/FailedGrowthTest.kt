@@ -5,10 +5,6 @@ import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.StepRows
 import daphnis.core.engine.horizon.PairList
-import daphnis.core.engine.islands.IslandLimits
-import daphnis.core.engine.islands.Members
-import daphnis.core.engine.islands.PathLog
-import daphnis.core.engine.islands.Suspects
 import daphnis.core.force.Attractors
 import daphnis.core.growth.IntList
 import daphnis.core.population.Population
@@ -76,34 +72,6 @@ class FailedGrowthTest {
             val taken = StepRows()
             Table(taken, taken::clear, { List(taken.size) { taken.id[it] to taken.state[it * StepRows.STRIDE] } }) {
                 taken.take(rows, it)
-            }
-        },
-        "pieces of path" to {
-            val log = PathLog().also { it.clear(Long.MAX_VALUE) }
-            var size = 0
-            fun clear() {
-                log.clear(Long.MAX_VALUE)
-                size = 0
-            }
-            Table(log, ::clear, { List(size) { log.older(it) to log.rows()[PathLog.offset(it)] } }) { k ->
-                log.add(rows.state, k * StepRows.STRIDE, k)
-                size++
-            }
-        },
-        "members of islands" to {
-            val members = Members()
-            val limits = IslandLimits(ENTRIES)
-            members.clear(limits)
-            Table(members, {
-                members.clear(limits)
-            }, { List(members.size) { members.slot(it) to members.older(it) } }) {
-                members.take(rows, it)
-            }
-        },
-        "suspects" to {
-            val suspects = Suspects()
-            Table(suspects, suspects::clear, { List(suspects.size) { suspects.slot(it) to suspects.other(it) } }) { k ->
-                suspects.add(k, k + 1, 0, 0)
             }
         },
         "hashes of paths" to {

@@ -4,7 +4,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
@@ -40,7 +40,7 @@ class SignsOfZeroTest {
                 listOf(
                     SerialEngine(),
                     SerialEngine(),
-                    IslandsEngine(FixedPool(3), fewest = 0),
+                    HorizonEngine(FixedPool(3), fewest = 0),
                     ThreadPoolEngine(3),
                     BruteForceEngine(),
                 )

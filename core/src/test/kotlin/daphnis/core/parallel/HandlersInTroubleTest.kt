@@ -7,7 +7,7 @@ import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
@@ -119,7 +119,7 @@ class HandlersInTroubleTest {
     fun `parallel engines take the step on an executor that rejects the n-th task, or all from then on`() {
         val expected = step().also { SerialEngine().advance(it) }.let { stateDigest(it.population) }
         val engines: List<(ThreadHandler) -> CollisionEngine> =
-            listOf({ IslandsEngine(it, fewest = 0) }, { ThreadPoolEngine(it) })
+            listOf({ HorizonEngine(it, fewest = 0) }, { ThreadPoolEngine(it) })
         for (engine in engines) {
             for (isLasting in listOf(false, true)) {
                 var n = 1

@@ -7,7 +7,7 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.force.BodyGravity
 import daphnis.core.force.SelfGravity
 import daphnis.core.format.CartAndRad
@@ -48,8 +48,8 @@ class OddIdsTest {
         )
     }
 
-    private fun simulation(p: Population, bodies: IntArray, islands: Boolean = false): Simulation {
-        val engine = if (islands) IslandsEngine(FixedPool(2), fewest = 0) else SerialEngine()
+    private fun simulation(p: Population, bodies: IntArray, looksAhead: Boolean = false): Simulation {
+        val engine = if (looksAhead) HorizonEngine(FixedPool(2), fewest = 0) else SerialEngine()
         val forces = listOf(BodyGravity(bodies, boundary, 0.01), SelfGravity(boundary, 0.01))
         val collisions = CollisionForcing(ConstantRestitution(0.9), engine = engine)
         return Simulation(p, boundary, collisions, FixedTimeStep(0.5), forces)
@@ -59,7 +59,7 @@ class OddIdsTest {
     fun `the same spheres with odd ids have the same history, digest, sums and boxes crossed`() {
         val a = simulation(dense.copy(), intArrayOf(7, 59))
         val b = simulation(withOddIds(dense), intArrayOf(odd[7], odd[59]))
-        val c = simulation(withOddIds(dense).permuted(4), intArrayOf(odd[7], odd[59]), islands = true)
+        val c = simulation(withOddIds(dense).permuted(4), intArrayOf(odd[7], odd[59]), looksAhead = true)
         for (s in listOf(a, b, c)) s.use { repeat(20) { _ -> it.advance() } }
         assertTrue(a.collisions!!.counters.collisions > 30)
         for (s in listOf(b, c)) {

@@ -36,11 +36,7 @@ class EventStoreTest {
         val e = if (list.isEmpty()) 0 else random.nextInt(list.size)
         val f = if (list.isEmpty()) 0 else random.nextInt(list.size)
         when (if (list.isEmpty()) 0 else random.nextInt(40)) {
-            1 -> {
-                store.put(e, time, event.first, event.second, event.image)
-                list[e] = event
-            }
-            2, 3, 4 -> {
+            1, 2, 3, 4 -> {
                 store.link(e, f)
                 list[e].link = f
             }
@@ -58,7 +54,7 @@ class EventStoreTest {
             }
             9 -> store.grow()
             10 -> if (random.nextInt(10) == 0) {
-                if (random.nextInt(2) == 0) store.clear() else store.prepare(random.nextInt(50))
+                store.clear()
                 list.clear()
             }
             else -> {
@@ -80,18 +76,6 @@ class EventStoreTest {
                 assertTrue(store.room >= store.size)
             }
         }
-    }
-
-    @Test
-    fun `room that was made is room for writing anywhere`() {
-        val store = EventStore(1)
-        store.prepare(100)
-        assertEquals(0, store.size)
-        store.put(99, 0.5, 3, -2, 7)
-        assertEquals(
-            listOf(3, -2, 7, EventStore.NONE),
-            listOf(store.first(99), store.second(99), store.image(99), store.link(99)),
-        )
     }
 
     @Test

@@ -176,7 +176,7 @@ class ResumeTest {
     @Test
     fun `a scenario changed in what touches no bit goes on, and says so`() {
         val changes = listOf(
-            "\"name\": \"serial\"" to "\"name\": \"islands\"",
+            "\"name\": \"serial\"" to "\"name\": \"horizon\"",
             "\"name\": \"tables\"" to "\"name\": \"chairs\"",
             "\"checkpointEvery\": 3" to "\"checkpointEvery\": 4",
         )
@@ -190,6 +190,13 @@ class ResumeTest {
         val longer = edited("longer", "\"until\": 1.2", "\"until\": 1.4")
         assertTrue("until: is 1.4; the run was made with 1.2" in resume(longer).single())
         assertEquals(14L, Summary.read(RunDirectory(longer).summary).steps)
+    }
+
+    @Test
+    fun `a run of an engine that is gone is told what to take`() {
+        val message = refusal(edited("gone", "\"name\": \"serial\"", "\"name\": \"islands\""))
+        assertTrue("scenario.json" in message && "engine.name" in message) { message }
+        assertTrue("is \"islands\"; it is gone; take horizon" in message) { message }
     }
 
     @Test

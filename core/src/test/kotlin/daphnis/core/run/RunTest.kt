@@ -126,7 +126,7 @@ class RunTest {
         }
         val serial = images("serial", "engine.name=serial")
         for (engine in listOf(
-            "islands",
+            "horizon",
             "thread-pool",
         )) {
             assertEquals(serial, images(engine, "engine.name=$engine", "engine.threads=3")) {

@@ -59,7 +59,7 @@ class RowBoundsTest {
                     rows.state[i * STRIDE + VX + axis] = random.nextDouble(-reach.speed[axis], reach.speed[axis])
                 }
                 rows.state[i * STRIDE + TIME] = now
-                bounds.include(i, rows, i)
+                bounds.include(i, rows)
             }
             for (i in changed) {
                 val around = query(near, rows, i, now, duration, ahead = false).toSet()
@@ -113,7 +113,7 @@ class RowBoundsTest {
             val random = SeededRandom(seed)
             for (slot in 0 until 60 step 3) {
                 for (k in 0..2) rows.state[slot * STRIDE + VX + k] = random.nextDouble(-4.0, 4.0)
-                bounds.include(slot, rows, slot)
+                bounds.include(slot, rows)
                 widen(rowOf(grid, slot), slot)
             }
             assertEquals(wanted.toList(), bounds.values.take(wanted.size)) { "seed $seed, included" }
@@ -141,7 +141,7 @@ class RowBoundsTest {
         bounds.rest()
         assertFalse(bounds.isInUse)
         rows.state[VX] = 100.0
-        bounds.include(0, rows, 0)
+        bounds.include(0, rows)
         assertArrayEquals(before, bounds.values)
     }
 

@@ -12,13 +12,12 @@ import daphnis.core.engine.BruteForceEngine
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
+import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.Obstacle
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
-import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -84,7 +83,7 @@ class SizeClassesTest {
                 val slow = simulation(BruteForceEngine(), SearchStructure.GRID)
                 val fast =
                     SearchStructure.entries.map { simulation(SerialEngine(), it) } +
-                        simulation(IslandsEngine(FixedPool(2), fewest = 0), SearchStructure.LEVELS)
+                        simulation(ThreadPoolEngine(2), SearchStructure.LEVELS)
                 repeat(14) {
                     slow.advance()
                     for (other in fast) {

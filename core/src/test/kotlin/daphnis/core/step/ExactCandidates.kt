@@ -2,8 +2,6 @@ package daphnis.core.step
 
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
-import daphnis.core.collision.StepRows
-import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.contactTime
 import daphnis.core.queue.EventSink
 import kotlin.math.abs
@@ -20,20 +18,20 @@ class ExactCandidates(private val prepared: PreparedStep) : Candidates {
 
     override fun start(from: Int, to: Int, sink: EventSink) {
         for (slot in from until to) {
-            for (other in slot + 1 until rows.size) add(rows, slot, other, sink)
+            for (other in slot + 1 until rows.size) add(slot, other, sink)
             prepared.queueWalls(rows, slot, sink)
         }
     }
 
-    override fun around(own: StepRows, place: Int, except: Int, sink: EventSink) {
-        for (other in 0 until rows.size) if (other != except) add(own, place, other, sink)
-        prepared.queueWalls(own, place, sink)
+    override fun around(slot: Int, except: Int, sink: EventSink) {
+        for (other in 0 until rows.size) if (other != except) add(slot, other, sink)
+        prepared.queueWalls(rows, slot, sink)
     }
 
-    private fun add(own: StepRows, place: Int, other: Int, sink: EventSink) {
+    private fun add(slot: Int, other: Int, sink: EventSink) {
         for (image in codes()) {
-            val t = contactTime(own.state, place * STRIDE, rows.state, other * STRIDE, image, prepared.images)
-            if (!(t > prepared.duration)) sink.add(t, place, other, image)
+            val t = contactTime(rows, slot, other, image, prepared.images)
+            if (t <= prepared.duration) sink.add(t, slot, other, image)
         }
     }
 

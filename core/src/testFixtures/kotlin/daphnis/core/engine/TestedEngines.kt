@@ -2,7 +2,6 @@ package daphnis.core.engine
 
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonTuning
-import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.parallel.FixedPool
 
 /**
@@ -12,7 +11,6 @@ import daphnis.core.parallel.FixedPool
 open class TestedEngines(val registry: EngineFactory) {
     /** One engine of [name]. Where an engine may give way to the serial one, it does not. */
     open fun make(name: String, settings: EngineSettings): CollisionEngine = when (name) {
-        "islands" -> IslandsEngine(FixedPool(settings.threads()), fewest = 0)
         "horizon" -> HorizonEngine(FixedPool(settings.threads()), fewest = 0, tuning = tuning(settings))
         else -> checkNotNull(registry.create(name, settings.threads())) { "$name is registered, but cannot be made" }
     }

@@ -8,6 +8,6 @@ package daphnis.analysis.plot
  * @property seconds that it took, positive
  */
 public class Yardstick(public val name: String, public val threads: Int, public val seconds: Double) {
-    /** In words: `serial`, `islands on 2 threads`. */
+    /** In words: `serial`, `horizon on 2 threads`. */
     override fun toString(): String = if (threads == 1) name else "$name on $threads threads"
 }

@@ -6,8 +6,8 @@ import daphnis.core.engine.Draws
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
-import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.lists.ListTuning
+import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.RangeLoop
@@ -66,7 +66,7 @@ class EnginesInTurnTest {
             HorizonEngine(FixedPool(1), 0, HorizonTuning(64)),
             HorizonEngine(FixedPool(1 + random.nextInt(4)), 0, HorizonTuning(1 + random.nextInt(6))),
             SerialEngine(),
-            IslandsEngine(FixedPool(2), 0),
+            ThreadPoolEngine(2),
             HorizonEngine(FixedPool(2), 1, null, ScalarFilter, ListTuning.ALWAYS, null),
         )
         private var present = 0

@@ -7,11 +7,10 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
-import daphnis.core.engine.islands.IslandField
-import daphnis.core.engine.islands.fieldOf
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
+import daphnis.core.step.PreparedStep
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -25,13 +24,19 @@ class BusyCellsTest {
      * Whether the two may see one another, image by image; images across the sheared faces may be anywhere along the
      * slide.
      */
-    private fun isNear(p: Population, field: IslandField, boundary: BoundaryConditions, a: Int, b: Int): Boolean {
+    private fun isNear(p: Population, prepared: PreparedStep, boundary: BoundaryConditions, a: Int, b: Int): Boolean {
         if (b < 0) return false
-        val i = field.rows.origin[a]
-        val j = field.rows.origin[b]
+        val i = prepared.rows.origin[a]
+        val j = prepared.rows.origin[b]
         val apart = doubleArrayOf(p.x[j] - p.x[i], p.y[j] - p.y[i], p.z[j] - p.z[i])
         val sight = DoubleArray(3) {
-            if (field.grid.classes > 1) field.grid.sight(it, p.radius[i], p.radius[j]) else field.grid.sight(it)
+            if (prepared.grid.classes >
+                1
+            ) {
+                prepared.grid.sight(it, p.radius[i], p.radius[j])
+            } else {
+                prepared.grid.sight(it)
+            }
         }
         val boxes = List(3) { if (boundary.contactFaces(it) == ContactFaces.PERIODIC) -1..1 else 0..0 }
         val shear = boundary.shear
@@ -62,8 +67,8 @@ class BusyCellsTest {
             val p = randomSpheres(60, if (boundary === Open) Periodic(box) else boundary, seed, 0.5) {
                 if (isMixed && it.nextInt(20) == 0) 4.0 else 0.2
             }
-            val field = fieldOf(p, boundary)
-            val busy = BusyCells(field.rows, field.grid).apply { prepare(p) }
+            val prepared = preparedOf(p, boundary)
+            val busy = BusyCells(prepared.rows, prepared.grid).apply { prepare(p) }
             val expected = ArrayList<Triple<Int, Int, Double>>()
             fun slot() = random.nextInt(60)
             fun partner() = if (random.nextInt(4) == 0) -1 - random.nextInt(6) else slot()
@@ -82,7 +87,7 @@ class BusyCellsTest {
                 val b = partner()
                 val t = random.nextInt(8) / 8.0
                 val isFree = expected.none { (c, d, time) ->
-                    fun isSeen(slot: Int) = slot >= 0 && listOf(c, d).any { isNear(p, field, boundary, slot, it) }
+                    fun isSeen(slot: Int) = slot >= 0 && listOf(c, d).any { isNear(p, prepared, boundary, slot, it) }
                     time == t || isSeen(a) || isSeen(b)
                 }
                 assertEquals(isFree, busy.areFree(a, b, t)) { "seed $seed, $boundary: $a with $b beside $expected" }

@@ -2,7 +2,6 @@ package daphnis.core.engine.threadpool
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.engine.islands.fieldOf
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.queue.EventStore
@@ -23,12 +22,12 @@ class SafeQueueTest {
     private val n = 200
     private val boundary = Periodic(Box.centred(60.0, 60.0, 60.0))
     private val population = randomSpheres(n, boundary, 1, 0.5) { 0.5 }
-    private val field = fieldOf(population, boundary)
+    private val prepared = preparedOf(population, boundary)
 
-    private fun newBusy() = BusyCells(field.rows, field.grid).apply { prepare(population) }
+    private fun newBusy() = BusyCells(prepared.rows, prepared.grid).apply { prepare(population) }
 
     private fun newQueue() =
-        SafeQueue(newBusy(), StepLimits().apply { start(n, 0.0) }).apply { reset(1.0, field.rows.id, n) }
+        SafeQueue(newBusy(), StepLimits().apply { start(n, 0.0) }).apply { reset(1.0, prepared.rows.id, n) }
 
     private class Event(val time: Double, val first: Int, val second: Int)
 
@@ -51,7 +50,7 @@ class SafeQueueTest {
         var latestEarly = -1.0
 
         fun inOrder(): List<Event> {
-            val queue = ReferenceEventQueue().apply { reset(1.0, field.rows.id, n) }
+            val queue = ReferenceEventQueue().apply { reset(1.0, prepared.rows.id, n) }
             for (e in pending) queue.add(e.time, e.first, e.second, 0)
             return generateSequence { if (queue.pop()) Event(queue.time, queue.first, queue.second) else null }.toList()
         }
