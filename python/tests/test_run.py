@@ -98,6 +98,7 @@ def test_a_second_run_into_a_directory_is_refused_and_changes_nothing(ring: daph
         ({"set": {"timeStep.dt": float("nan")}}, "set: timeStep.dt: cannot be written as JSON"),
         ({"set": {"": 1}}, "set: =1: must have the form"),
         ({"engine": "horizn"}, "did you mean 'horizon'"),
+        ({"engine": "islands"}, "it is gone; take horizon"),
         ({"threads": 1000}, r"engine\.threads: is 1000"),
         ({"until": -1}, "until: is -1"),
         ({"until": 1, "steps": 1}, "steps: is given together with until"),

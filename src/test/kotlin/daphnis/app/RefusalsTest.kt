@@ -247,6 +247,6 @@ class RefusalsTest {
         val word = "it is gone; take horizon"
         assertRefused(daphnis("run", "cooling-gas", "--engine", "islands"), "engine.name", "is \"islands\"; $word")
         assertRefused(daphnis("bench", "cooling-gas", "--engines", "serial,islands"), "'islands' is no engine; $word")
-        assertRefused(daphnis("sweep", "cooling-gas", "--seeds", "1-2", "--engine", "islands"), word)
+        assertRefused(daphnis("sweep", "cooling-gas", "--seeds", "1..2", "--engine", "islands"), word)
     }
 }
