@@ -30,6 +30,6 @@ internal object CoreEngines : TestedEngines(Engines) {
     override fun others(settings: EngineSettings): List<CollisionEngine> = super.others(settings) + lists()
 
     /** `horizon` as it takes dense steps of few spheres, wherever that is possible. */
-    fun lists(): HorizonEngine =
-        HorizonEngine(FixedPool(1), HorizonSteps.WORTH_SPHERES, null, LineFilter.BEST, ListTuning.ALWAYS, null)
+    fun lists(threads: Int = 1, tuning: ListTuning = ListTuning.ALWAYS): HorizonEngine =
+        HorizonEngine(FixedPool(threads), HorizonSteps.WORTH_SPHERES, null, LineFilter.BEST, tuning, null)
 }

@@ -4,7 +4,7 @@ import daphnis.core.cluster.bricks.PathList
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.StepRows
-import daphnis.core.engine.horizon.PairList
+import daphnis.core.engine.shares.PairList
 import daphnis.core.force.Attractors
 import daphnis.core.growth.IntList
 import daphnis.core.population.Population

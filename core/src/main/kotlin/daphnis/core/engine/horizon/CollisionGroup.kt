@@ -3,6 +3,9 @@ package daphnis.core.engine.horizon
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NEVER
 import daphnis.core.collision.StepRows
+import daphnis.core.engine.shares.GroupPaths
+import daphnis.core.engine.shares.PairList
+import daphnis.core.engine.shares.SlotPlaces
 import daphnis.core.population.SphereColumns
 import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep

@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.engine.shares.SlotPlaces
 import daphnis.core.parallel.OptionalLoop
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns

@@ -61,7 +61,7 @@ public class HorizonSteps internal constructor(
     private val filters = FilterChoice(filter, always = isEager)
     private val carried = WholePopulation(prepared, this.loop)
     internal val epoch = Epoch(prepared, this.loop, filters, isEager)
-    internal val lists = ListSteps(prepared, lists, this.loop)
+    internal val lists = ListSteps(prepared, lists, loop)
 
     /** Steps taken in epochs since the start. */
     public var steps: Long = 0

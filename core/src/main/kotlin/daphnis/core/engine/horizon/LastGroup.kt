@@ -2,6 +2,8 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.engine.shares.PairList
+import daphnis.core.engine.shares.SlotPlaces
 import daphnis.core.growth.IntList
 import daphnis.core.population.PopulationColumns
 import daphnis.core.step.CollisionStep

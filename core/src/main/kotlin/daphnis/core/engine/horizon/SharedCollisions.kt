@@ -1,6 +1,8 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.engine.shares.PairList
+import daphnis.core.engine.shares.SlotPlaces
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns

@@ -1,7 +1,5 @@
 package daphnis.core.engine.lists
 
-import daphnis.core.boundary.Images
-import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
@@ -11,7 +9,10 @@ import daphnis.core.collision.StepRows.Companion.VX
  * Those in the list of a sphere that may touch it on their present paths, with the terms of
  * [daphnis.core.collision.contactTime] for spheres a little larger than they are.
  */
-internal class Approaching(private val rows: StepRows, private val lists: NeighbourLists, private val images: Images) {
+internal class Approaching(private val field: ListField, private val sight: ListSight) {
+    private val lists = field.lists
+    private val images = field.images
+
     /** Places in [NeighbourLists.entries] of those that were found, and their b, c and b² − ac. */
     var entries = IntArray(0)
         private set
@@ -40,7 +41,10 @@ internal class Approaching(private val rows: StepRows, private val lists: Neighb
      * @return how many were found
      */
     fun find(i: Int, now: Double, margin: Double, receding: Double): Int {
-        val state = rows.state
+        val state = field.rows.state
+        val before = field.before.state
+        val first = sight.first
+        val own = sight.end - first
         val list = lists.entries
         val codes = lists.codes
         val found = entries
@@ -61,14 +65,17 @@ internal class Approaching(private val rows: StepRows, private val lists: Neighb
         var count = 0
         for (k in from until to) {
             val e = list[k]
-            val q = (e and NeighbourLists.SPHERE) * STRIDE
-            val past = now - state[q + TIME]
-            val wx = state[q + VX]
-            val wy = state[q + VX + 1]
-            val wz = state[q + VX + 2]
-            var dx = state[q] + wx * past - x
-            var dy = state[q + 1] + wy * past - y
-            var dz = state[q + 2] + wz * past - z
+            val j = e and NeighbourLists.SPHERE
+            // One comparison for both ends.
+            val theirs = if (Integer.compareUnsigned(j - first, own) < 0) state else before
+            val q = j * STRIDE
+            val past = now - theirs[q + TIME]
+            val wx = theirs[q + VX]
+            val wy = theirs[q + VX + 1]
+            val wz = theirs[q + VX + 2]
+            var dx = theirs[q] + wx * past - x
+            var dy = theirs[q + 1] + wy * past - y
+            var dz = theirs[q + 2] + wz * past - z
             if (e < 0) {
                 val code = codes[k]
                 dx += images.shift(code, 0)
@@ -78,7 +85,7 @@ internal class Approaching(private val rows: StepRows, private val lists: Neighb
             val ux = wx - vx
             val uy = wy - vy
             val uz = wz - vz
-            val s = radius + state[q + RADIUS]
+            val s = radius + theirs[q + RADIUS]
             val b = dx * ux + dy * uy + dz * uz
             val c = dx * dx + dy * dy + dz * dz - s * s
             val discriminant = b * b - (ux * ux + uy * uy + uz * uz) * c

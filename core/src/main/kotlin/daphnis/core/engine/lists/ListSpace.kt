@@ -22,6 +22,13 @@ internal class ListSpace : CellAxes() {
     var shell = 0.0
         private set
 
+    /** How far it may go beyond that until the present window ends; nothing where lists are made anew at once. */
+    var skin = 0.0
+        private set
+
+    /** The square of the way from its reference on which a sphere keeps its list, once it [isOut] of its shell. */
+    fun shellOf(isOut: Boolean): Double = if (isOut) (shell + skin) * (shell + skin) else shell * shell
+
     /** Surfaces with references nearer than this may touch. */
     var reach = 0.0
         private set
@@ -45,7 +52,7 @@ internal class ListSpace : CellAxes() {
         }
 
     /**
-     * Lays out the space for [spheres], with shells of [shellInRadii] of the largest.
+     * Lays out the space for [spheres], with shells of [shellInRadii] of the largest, and a skin of [skinInRadii].
      *
      * @return false when there cannot be lists
      */
@@ -54,10 +61,12 @@ internal class ListSpace : CellAxes() {
         boundary: BoundaryConditions,
         bounds: StepBounds,
         shellInRadii: Double,
+        skinInRadii: Double,
     ): Boolean {
         largestRadius = bounds.largestRadius
         shell = largestRadius * shellInRadii
-        reach = 2 * shell + largestRadius * REACH_SLACK
+        skin = largestRadius * skinInRadii
+        reach = 2 * (shell + skin) + largestRadius * REACH_SLACK
         if (!(bounds.leastRadius * MOST_RATIO >= largestRadius)) return false
         val widest = (2 * largestRadius + reach) * (1 + CELL_SLACK)
         var most = 0.0

@@ -1,10 +1,9 @@
 package daphnis.core.engine.lists
 
-import daphnis.core.collision.StepRows
+import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep
-import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
 /**
@@ -27,15 +26,20 @@ import daphnis.core.step.PreparedStep
 internal class ListSteps(
     private val prepared: PreparedStep,
     private val tuning: ListTuning,
-    private val loop: RangeLoop,
+    private val threads: RangeLoop,
 ) {
-    private val rows = StepRows()
-    private val space = ListSpace()
-    private val lists = NeighbourLists(rows, space, prepared.images)
-    private val events = NextEvents(rows, lists, space, prepared.images)
-    private val impact = ListImpact(prepared, rows, events)
+    private val field = ListField(prepared)
+
+    /** One region is one thread's. */
+    private val loop: RangeLoop get() = if (this.field.isShared) threads else InlineLoop
+    private val rows = field.rows
+    private val space = field.space
+    private val lists = field.lists
     private val order = SpaceOrder()
-    private val comparison = Comparison(rows, space, lists, events)
+
+    /** The regions, and how they share windows. */
+    val regions = ListRegions(field, threads)
+    private val comparison = Comparison(field, regions)
 
     /** Whether the rows are those of the end of the last step, and all else holds for them. */
     private var isOpen = false
@@ -46,7 +50,6 @@ internal class ListSteps(
 
     /** Steps to come that are left to others without asking. */
     private var rest = 0
-    private var expected = 0
 
     /** Steps taken here, and lists built for all, since the start. */
     var steps = 0L
@@ -59,7 +62,7 @@ internal class ListSteps(
         private set
 
     /** Lists made anew one by one, spheres found changed and found wrapped, since the start. */
-    val refreshed: Long get() = lists.refreshed
+    val refreshed: Long get() = regions.refreshed
     val changed: Long get() = comparison.changes
     val wrapped: Long get() = comparison.wraps
 
@@ -88,17 +91,15 @@ internal class ListSteps(
         val goesOn = wasOpen && age < MOST_AGE && space.isOf(step.boundary) && goOn(step, fastest)
         // What is spread out by now gets no new lists.
         if (!goesOn && (wasOpen && !isWorth(step) || !begin(step, fastest))) return rests()
-        impact.begin(step.record)
-        if (!process(onTheWay)) {
+        if (!regions.process(step, onTheWay)) {
             lists.widen()
             voided++
             return false
         }
         onTheWay.run()
-        expected = events.calendar.taken
-        rows.store(population, step.duration)
+        rows.store(population, step.duration, loop)
         step.record?.sort()
-        step.counters.add(impact.counted)
+        regions.addTo(step.counters)
         past = step.duration
         age++
         steps++
@@ -121,8 +122,7 @@ internal class ListSteps(
         if (!comparison.compare(population, past)) return false
         order.keep(population.size)
         load(population, step)
-        events.begin(step.duration, fastest)
-        events.calendar.begin(rows.size, step.duration, expected + expected / 4)
+        regions.begin(step.duration, fastest)
         comparison.settle()
         return !lists.isLost
     }
@@ -131,59 +131,31 @@ internal class ListSteps(
     private fun begin(step: CollisionStep, fastest: Double): Boolean {
         val population = step.population
         val bounds = prepared.reach.measured
-        if (!space.layOut(population, step.boundary, bounds, tuning.shell)) return false
-        order.sort(population, space)
+        val count = tuning.regions(population.size)
+        val skin = if (count > 1) ListTuning.SKIN else 0.0
+        if (!space.layOut(population, step.boundary, bounds, ListTuning.SHELL, skin)) return false
+        field.divide(population.size, count)
+        order.sort(population, space, field.regions, field.slotsARegion)
         load(population, step)
         if (!lists.build()) return false
-        events.reserve(rows.size)
-        comparison.reserve(rows.size)
-        events.begin(step.duration, fastest)
-        events.calendar.begin(rows.size, step.duration, maxOf(expected, rows.size))
-        for (i in 0 until rows.size) events.scan(i, 0.0)
+        field.events.reserve(rows.size)
+        regions.divide()
+        regions.begin(step.duration, fastest)
+        regions.each { for (i in it.sight.first until it.sight.end) it.events.scan(i, 0.0) }
         built++
         age = 0
         return true
     }
 
     private fun load(population: Population, step: CollisionStep) {
-        rows.load(population, order.order, step.duration, step.law.guard.needsLastCollision)
-    }
-
-    /** @return false when the step cannot be ended in this way */
-    private fun process(onTheWay: Runnable): Boolean {
-        val calendar = events.calendar
-        while (true) {
-            if (calendar.taken % EVENTS_ON_THE_WAY == 0) onTheWay.run()
-            val i = calendar.next()
-            if (i == SphereCalendar.NONE) return true
-            val now = calendar.time[i]
-            val j = events.partner(i)
-            if (j < 0) {
-                if (events.isExit(i)) {
-                    lists.refresh(i, now)
-                    if (lists.isLost) return false
-                    events.scan(i, now)
-                } else {
-                    events.due(i, now)
-                }
-            } else if (!events.isFresh(i)) {
-                events.scan(i, now)
-            } else {
-                if (impact.process(now, i, j, events.image(i)) != Impact.End.DONE) return false
-                if (calendar.hasMoreAt(now)) {
-                    events.scanVoid(i, now)
-                    events.scanVoid(j, now)
-                }
-            }
-        }
+        val tracks = step.law.guard.needsLastCollision
+        rows.load(population, order.order, step.duration, tracks, loop)
+        if (field.isShared) field.before.load(population, order.order, step.duration, tracks, loop)
     }
 
     private companion object {
         /** Steps to the next question whether lists pay. */
         const val REST = 16
-
-        /** Events, some milliseconds of work, after which somebody may say that the step is not wanted any more. */
-        const val EVENTS_ON_THE_WAY = 8192
 
         /** Steps in which the rounding of positions stays far below [ListSpace.margin]. */
         const val MOST_AGE = 1000

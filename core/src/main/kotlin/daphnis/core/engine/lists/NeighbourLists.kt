@@ -1,7 +1,6 @@
 package daphnis.core.engine.lists
 
 import daphnis.core.boundary.Images
-import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
@@ -18,7 +17,11 @@ import kotlin.math.abs
  *
  * An entry is the other sphere, negative ([AT_IMAGE]) where it is at an image other than 0, which [codes] has then.
  */
-internal class NeighbourLists(private val rows: StepRows, private val space: ListSpace, private val images: Images) {
+internal class NeighbourLists(private val field: ListField) {
+    private val rows = field.rows
+    private val space = field.space
+    private val images = field.images
+
     /** Row [sphere] · [stride]: the number of entries, and then the entries. */
     var entries = IntArray(0)
         private set
@@ -36,18 +39,13 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
         private set
     private val cells = ListCells()
     private var cellOf = IntArray(0)
+
+    @Volatile
     private var isFull = false
 
-    /** The spheres that are in the list that is made have the present [mark]. */
-    private var marks = IntArray(0)
-    private var mark = 0
-
     /** Whether there is no room for an entry, or a sphere is too far away: what is known of the step is void. */
+    @Volatile
     var isLost = false
-        private set
-
-    /** Lists made anew one by one since the start. */
-    var refreshed = 0L
         private set
 
     /**
@@ -64,7 +62,7 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
             for (i in 0 until n) {
                 setReference(i, 0.0)
                 entries[i * stride] = 0
-                addNear(i)
+                addNear(i, 0)
                 enter(i)
             }
             if (!isLost) return true
@@ -85,30 +83,26 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
             codes = IntArray(n * stride)
             entries = IntArray(n * stride)
         }
-        if (marks.size < n) {
-            cellOf = IntArray(n)
+        if (cellOf.size < n) {
             reference = DoubleArray(4 * n)
-            marks = IntArray(n)
+            // Last, since its length says how many spheres there is room for.
+            cellOf = IntArray(n)
         }
-        marks.fill(0, 0, n)
-        mark = 0
     }
 
-    /** Whether the sphere [i] is in its shell at the place ([x], [y], [z]), with room for rounding. */
-    fun isInShell(i: Int, x: Double, y: Double, z: Double): Boolean {
+    /** Whether the sphere [i] is in its shell at ([x], [y], [z]); where it [isOut] of that, in the wider one. */
+    fun isInShell(i: Int, x: Double, y: Double, z: Double, isOut: Boolean = false): Boolean {
         val ex = x - reference[4 * i]
         val ey = y - reference[4 * i + 1]
         val ez = z - reference[4 * i + 2]
-        return ex * ex + ey * ey + ez * ez <= space.shell * space.shell
+        return ex * ex + ey * ey + ez * ez <= space.shellOf(isOut)
     }
 
     /** Gives the sphere [i] a new reference, where it is at [time], and a new list. */
     fun refresh(i: Int, time: Double) {
-        refreshed++
         setReference(i, time)
         leave(i)
         enter(i)
-        mark++
         val a = reference
         var k = i * stride + entries[i * stride]
         while (k > i * stride) {
@@ -123,15 +117,19 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
                 dz += images.shift(codes[k], 2)
             }
             val s = a[4 * i + 3] + a[4 * j + 3] + space.reach
-            if (dx * dx + dy * dy + dz * dz <= s * s) {
-                marks[j] = mark
-            } else {
+            if (dx * dx + dy * dy + dz * dz > s * s) {
                 drop(i, k)
                 drop(j, entryOf(j, i))
             }
             k--
         }
-        addNear(i)
+        addNear(i, entries[i * stride])
+    }
+
+    /** Whether one of the first [count] entries of [i] is [j]. */
+    private fun isAmong(i: Int, count: Int, j: Int): Boolean {
+        for (k in i * stride + 1..i * stride + count) if (entries[k] and SPHERE == j) return true
+        return false
     }
 
     private fun setReference(i: Int, time: Double) {
@@ -144,6 +142,13 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
             if (!(abs(at) <= space.farthest)) isLost = true
         }
         reference[4 * i + 3] = state[p + RADIUS]
+    }
+
+    /** The layer of cells along [axis] in which the reference of [i] is to be when it is where it is at [time]. */
+    fun layerOf(i: Int, axis: Int, time: Double): Int {
+        val p = i * STRIDE
+        val state = rows.state
+        return space.cellOfImage(state[p + axis] + state[p + VX + axis] * (time - state[p + TIME]), axis)
     }
 
     /** The sphere [i] has been put elsewhere by so many periods along x, y, z. */
@@ -162,6 +167,12 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
             write(k, j, code)
             write(entryOf(j, i), i, Images.negated(code))
         }
+    }
+
+    /** Calls [use] with each sphere in the list of [i], and its image. */
+    inline fun forEach(i: Int, use: (j: Int, code: Int) -> Unit) {
+        val from = i * stride + 1
+        for (k in from until from + entries[from - 1]) use(entries[k] and SPHERE, if (entries[k] < 0) codes[k] else 0)
     }
 
     private fun write(k: Int, j: Int, code: Int) {
@@ -203,8 +214,11 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
 
     private fun cell(x: Int, y: Int, z: Int) = (z * space.count[1] + y) * space.count[0] + x
 
-    /** Puts the sphere [i] and those near it that are in cells and not marked into one another's lists. */
-    private fun addNear(i: Int) {
+    /**
+     * Puts the sphere [i] and those near it that are in cells, and not among its first [known] entries, into one
+     * another's lists.
+     */
+    private fun addNear(i: Int, known: Int) {
         val x = cellAlong(i, 0)
         val y = cellAlong(i, 1)
         val z = cellAlong(i, 2)
@@ -216,7 +230,7 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
                 if (cy < 0) continue
                 for (dx in -1..1) {
                     val cx = beside(x, dx, 0)
-                    if (cx >= 0) addNear(i, cell(cx, cy, cz))
+                    if (cx >= 0) addNear(i, known, cell(cx, cy, cz))
                 }
             }
         }
@@ -230,7 +244,7 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
         return if (space.isPeriodic[axis]) at - d * n else -1
     }
 
-    private fun addNear(i: Int, cell: Int) {
+    private fun addNear(i: Int, known: Int, cell: Int) {
         val a = reference
         val p = 4 * i
         val s = a[p + 3] + space.reach
@@ -248,11 +262,15 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
             val ey = dy - by * space.length[1]
             val ez = dz - bz * space.length[2]
             val most = s + a[q + 3]
-            if (ex * ex + ey * ey + ez * ez <= most * most && j != i && (mark == 0 || marks[j] != mark)) {
+            if (ex * ex + ey * ey + ez * ez <= most * most && j != i && !isAmong(i, known, j)) {
                 if (hasRoom(i) && hasRoom(j)) {
                     val code = Images.code(-bx, -by, -bz)
                     add(i, j, code)
                     add(j, i, Images.negated(code))
+                    if (field.isShared && field.regionOf(i) != field.regionOf(j)) {
+                        field.isAtBorder[i] = true
+                        field.isAtBorder[j] = true
+                    }
                 } else {
                     isFull = true
                     isLost = true

@@ -3,127 +3,115 @@ package daphnis.core.engine.lists
 import kotlin.math.max
 
 /**
- * When each sphere has its next event, and which sphere is next in the present step. A step is cut into buckets of
- * equal width with a few spheres each; a bucket is a linked list until its time comes, then a small heap holds the
- * exact order. A sphere is in one place only, so nothing has to be thrown away later.
+ * Which sphere of some has the next event in the present step. A stretch of time is cut into buckets of equal width
+ * with a few spheres each; a bucket is a linked list until its time comes, then a small heap holds the exact order. A
+ * sphere is in one place only, so nothing has to be thrown away later.
  *
  * ```
- *   time 0 ─────────────────────────────────▶ duration
- *   bucket │ 0 │ 1 │ 2 │ 3 │ 4 │ …              a sphere whose event comes after the step is in none
+ *   time start ─────────────────────────────▶ end
+ *   bucket │ 0 │ 1 │ 2 │ 3 │ 4 │ …              a sphere whose event comes after the end is in none
  *                    ▲ current: in the heap
  * ```
+ *
+ * @param table times of the events, and where spheres are; a sphere is in one calendar at a time
  */
-internal class SphereCalendar(private val ties: Ties) {
+internal class SphereCalendar(private val table: EventTable, private val ties: Ties) {
     /** Says which of two events at one time comes first. */
     fun interface Ties {
         fun isBefore(a: Int, b: Int): Boolean
     }
 
-    /** When the next event of each sphere is, from the start of the step. */
-    var time = DoubleArray(0)
-        private set
-
-    /** Two numbers per sphere: the next and the previous sphere in its bucket. */
-    private var links = IntArray(0)
-
-    /** The bucket of a sphere, [NONE], or [IN_HEAP] minus its place in the heap. */
-    private var place = IntArray(0)
     private var heads = IntArray(0)
     private var buckets = 1
     private var current = NONE
     private var bucketsPerTime = 0.0
-    private var duration = 0.0
-    private var heap = IntArray(0)
+    private var start = 0.0
+    private var end = 0.0
+    private var heap = IntArray(LEAST_BUCKETS)
     private var heapSize = 0
 
-    /** Events taken in this step. */
+    /** Events taken since [begin]. */
     var taken = 0
         private set
 
-    /** Makes room for [spheres], of which none has an event. */
-    fun reserve(spheres: Int) {
-        if (place.size < spheres) {
-            heap = IntArray(spheres)
-            links = IntArray(2 * spheres)
-            time = DoubleArray(spheres)
-            // Last, since its length says how many spheres there is room for.
-            place = IntArray(spheres)
-        }
-        clear(spheres)
-    }
-
-    /** No sphere is in a bucket any more; times stay. */
-    private fun clear(spheres: Int) {
-        place.fill(NONE, 0, spheres)
+    /**
+     * Begins a stretch of time from [start] to [end], in which about so many [events] are expected. No sphere is in a
+     * place of this calendar any more.
+     */
+    fun begin(start: Double, end: Double, events: Int) {
         heapSize = 0
-    }
-
-    /** Begins a step of [duration] for [spheres], in which about so many [events] are expected. */
-    fun begin(spheres: Int, duration: Double, events: Int) {
-        clear(spheres)
-        this.duration = duration
+        this.start = start
+        this.end = end
         buckets = events.coerceIn(LEAST_BUCKETS, MOST_BUCKETS)
         if (heads.size < buckets) heads = IntArray(buckets + buckets / 4)
         heads.fill(NONE, 0, buckets)
-        bucketsPerTime = buckets / duration
+        bucketsPerTime = buckets / (end - start)
         current = NONE
         taken = 0
     }
 
-    /** The next event of [sphere] is at [at], in this step or later. */
+    private fun bucketOf(at: Double): Int = ((at - start) * bucketsPerTime).toInt().coerceIn(0, buckets - 1)
+
+    /** The next event of [sphere] is at [at], in this stretch or later. */
     fun put(sphere: Int, at: Double) {
         remove(sphere)
-        time[sphere] = at
-        if (at > duration) return
-        val b = (at * bucketsPerTime).toInt().let { if (it >= buckets) buckets - 1 else it }
+        table.setTime(sphere, at)
+        if (at > end) return
+        val b = bucketOf(at)
         if (b <= current) push(sphere) else link(sphere, b)
     }
 
-    /** The next event of [sphere] is not in this step, and not before [at], which may be its end. */
+    /** The next event of [sphere] is not in this stretch, and not before [at], which may be its end. */
     fun putLater(sphere: Int, at: Double) {
         remove(sphere)
-        time[sphere] = max(at, duration)
+        table.setTime(sphere, max(at, end))
     }
 
-    /** The sphere with the next event; it stays there until it is [put] elsewhere. [NONE] at the end of the step. */
-    fun next(): Int {
+    /**
+     * The sphere with the next event, which is no later than [until]; it stays there until it is [put] elsewhere.
+     * [NONE] when there is none.
+     */
+    fun next(until: Double): Int {
         while (heapSize == 0) {
-            if (current == buckets - 1) return NONE
+            if (current == bucketOf(until)) return NONE
             var sphere = heads[++current]
             while (sphere != NONE) {
-                val following = links[2 * sphere]
+                val following = table.next(sphere)
                 push(sphere)
                 sphere = following
             }
         }
+        if (table.time(heap[0]) > until) return NONE
         taken++
         return heap[0]
     }
 
     /** Whether another event is at [at], when all earlier ones have been taken. */
-    fun hasMoreAt(at: Double): Boolean = heapSize > 0 && time[heap[0]] == at
+    fun hasMoreAt(at: Double): Boolean = heapSize > 0 && table.time(heap[0]) == at
 
     private fun link(sphere: Int, b: Int) {
         val head = heads[b]
-        links[2 * sphere] = head
-        links[2 * sphere + 1] = NONE
-        if (head != NONE) links[2 * head + 1] = sphere
+        table.setNext(sphere, head)
+        table.setPrevious(sphere, NONE)
+        if (head != NONE) table.setPrevious(head, sphere)
         heads[b] = sphere
-        place[sphere] = b
+        table.setPlace(sphere, b)
     }
 
-    private fun remove(sphere: Int) {
-        val b = place[sphere]
+    /** The [sphere] is in no place of this calendar, whatever its time. */
+    fun remove(sphere: Int) {
+        val b = table.place(sphere)
         if (b == NONE) return
-        place[sphere] = NONE
+        table.setPlace(sphere, NONE)
         if (b <= IN_HEAP) return removeFromHeap(IN_HEAP - b)
-        val next = links[2 * sphere]
-        val previous = links[2 * sphere + 1]
-        if (previous == NONE) heads[b] = next else links[2 * previous] = next
-        if (next != NONE) links[2 * next + 1] = previous
+        val next = table.next(sphere)
+        val previous = table.previous(sphere)
+        if (previous == NONE) heads[b] = next else table.setNext(previous, next)
+        if (next != NONE) table.setPrevious(next, previous)
     }
 
     private fun push(sphere: Int) {
+        if (heapSize == heap.size) heap = heap.copyOf(2 * heapSize)
         rise(sphere, heapSize++)
     }
 
@@ -159,12 +147,12 @@ internal class SphereCalendar(private val ties: Ties) {
 
     private fun set(k: Int, sphere: Int) {
         heap[k] = sphere
-        place[sphere] = IN_HEAP - k
+        table.setPlace(sphere, IN_HEAP - k)
     }
 
     private fun isBefore(a: Int, b: Int): Boolean {
-        val s = time[a]
-        val t = time[b]
+        val s = table.time(a)
+        val t = table.time(b)
         return s < t || s == t && ties.isBefore(a, b)
     }
 

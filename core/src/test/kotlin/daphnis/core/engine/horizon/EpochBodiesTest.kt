@@ -5,6 +5,7 @@ import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.contactTime
+import daphnis.core.engine.shares.SlotPlaces
 import daphnis.core.randomSpheres
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -33,15 +33,30 @@ import org.junit.jupiter.api.Test
 class ListStepsTest {
     @Test
     fun `lists give the serial engine's bits after every step, whatever is done between steps`() {
+        compareDraws(regions = false)
+    }
+
+    @Test
+    fun `so do lists in regions, however small, on any number of threads`() {
+        compareDraws(regions = true)
+    }
+
+    private fun compareDraws(regions: Boolean) {
         var collisions = 0L
         var steps = 0L
         var built = 0L
         var refreshed = 0L
         var changed = 0L
         var wrapped = 0L
+        var windows = 0L
+        var anew = 0L
+        var rounds = 0L
+        var voided = 0L
         for (seed in (1..DRAWS) + FASTER_THAN_ALLOWED) {
             val draw = DenseDraw(seed)
-            val engine = engine()
+            val few = 8 + (seed * 7 % 50).toInt()
+            val engine =
+                if (regions) CoreEngines.lists(1 + (seed % 3).toInt(), ListTuning.always(few)) else engine()
             val serial = draw.simulation(SerialEngine())
             val listed = draw.simulation(engine)
             var failed = 0
@@ -62,10 +77,16 @@ class ListStepsTest {
             refreshed += lists.refreshed
             changed += lists.changed
             wrapped += lists.wrapped
+            windows += lists.regions.windows
+            anew += lists.regions.processedAnew
+            rounds += lists.regions.rounds
+            voided += lists.voided
             engine.close()
         }
         println("$collisions collisions, $steps steps, $built built, $refreshed refreshed")
-        println("$changed changed, $wrapped wrapped")
+        println(
+            "$changed changed, $wrapped wrapped, $windows windows, $anew processed anew in $rounds rounds, $voided voided",
+        )
         assertTrue(collisions > 300 * DRAWS) { "$collisions collisions" }
         assertTrue(steps > STEPS * DRAWS / 3) { "$steps steps" }
         assertTrue(built < steps / 3) { "$built built" }
@@ -75,10 +96,19 @@ class ListStepsTest {
 
     @Test
     fun `after a law has thrown at any collision of a step, it goes on with the serial engine's bits`() {
+        compareBroken { engine() }
+    }
+
+    @Test
+    fun `so do regions, also where a law has thrown at a collision that turned out not to happen`() {
+        compareBroken { seed -> CoreEngines.lists(1 + (seed % 3).toInt(), ListTuning.always(8 + (seed * 7 % 50).toInt())) }
+    }
+
+    private fun compareBroken(make: (seed: Long) -> HorizonEngine) {
         var thrown = 0
         for (seed in 1..DRAWS / 10) {
             val draw = DenseDraw(seed)
-            val engine = engine()
+            val engine = make(seed)
             val fuses = List(2) { Fuse() }
             val serial = draw.simulation(SerialEngine(), fuses[0])
             val listed = draw.simulation(engine, fuses[1])

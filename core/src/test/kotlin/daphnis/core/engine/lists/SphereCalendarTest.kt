@@ -12,13 +12,15 @@ class SphereCalendarTest {
             val random = SeededRandom(seed)
             val n = 1 + random.nextInt(60)
             // Lower numbers first.
-            val calendar = SphereCalendar { a, b -> a < b }
-            calendar.reserve(n)
+            val table = EventTable()
+            val calendar = SphereCalendar(table) { a, b -> a < b }
+            table.reserve(n)
             val duration = random.nextDouble(0.1, 10.0)
             val grain = 1 + random.nextInt(40)
             var taken = 0
             for (step in 1..3) {
-                calendar.begin(n, duration, random.nextInt(200))
+                for (k in 0 until n) calendar.remove(k)
+                calendar.begin(0.0, duration, random.nextInt(200))
                 val times = DoubleArray(n) { Double.POSITIVE_INFINITY }
                 fun put(k: Int, from: Double) {
                     val at = from + duration * random.nextInt(grain) / grain
@@ -28,14 +30,14 @@ class SphereCalendarTest {
                 for (k in 0 until n) put(k, 0.0)
                 for (event in 1..300) {
                     val expected = (0 until n).minWith(compareBy<Int> { times[it] }.thenBy { it })
-                    val next = calendar.next()
+                    val next = calendar.next(duration)
                     if (times[expected] > duration) {
                         assertEquals(SphereCalendar.NONE, next) { "seed $seed" }
                         break
                     }
                     taken++
                     assertEquals(expected, next) { "seed $seed, event $event" }
-                    assertEquals(times[next], calendar.time[next])
+                    assertEquals(times[next], table.time(next))
                     val now = times[next]
                     if (random.nextInt(4) == 0) {
                         times[next] = duration * 2

@@ -1,4 +1,4 @@
-package daphnis.core.engine.horizon
+package daphnis.core.engine.shares
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
