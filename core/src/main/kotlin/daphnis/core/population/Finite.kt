@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicBoolean
 
 /**
  * A number that is infinite or NaN, such as "vx of particle 3 is NaN": that of the lowest id in the first column with
- * any. Null when there is none. Looks at positions, velocities, radii and masses, and at spins where there are any. One sum over everything, which is not
- * 0 as soon as one number is not finite: cheap compared with a step.
+ * any. Null when there is none. Looks at positions, velocities, radii and masses, and at spins where there are any. One
+ * sum over everything, which is not 0 as soon as one number is not finite: cheap compared with a step.
  */
 @JvmOverloads
 public fun SphereColumns.firstNotFinite(loop: RangeLoop = InlineLoop): String? {
