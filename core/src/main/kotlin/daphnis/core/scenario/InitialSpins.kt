@@ -53,10 +53,12 @@ internal class InitialSpins(
             if (sigma > 0) field.draw(random, into)
             for (axis in 0 until AXES) w[axis][k] = spec.mean[axis] + sigma * into[axis]
         }
-        for (column in w) for (k in column.indices) {
-            check.must("spins", abs(column[k]) * population.radius[k] <= SnapshotCheck.MOST) {
-                "make the surface of particle ${population.id[k]} move with a speed of " +
-                    "${abs(column[k]) * population.radius[k]}; it must be at most ${SnapshotCheck.MOST}"
+        for (column in w) {
+            for (k in column.indices) {
+                check.must("spins", abs(column[k]) * population.radius[k] <= SnapshotCheck.MOST) {
+                    "make the surface of particle ${population.id[k]} move with a speed of " +
+                        "${abs(column[k]) * population.radius[k]}; it must be at most ${SnapshotCheck.MOST}"
+                }
             }
         }
         return population.withSpin(w[0], w[1], w[2])

@@ -2,12 +2,16 @@ package daphnis.core.run
 
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
+import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
+import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.SerialEngine
 import daphnis.core.population.Population
+import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import daphnis.core.surface.ConstantRoughness
@@ -94,12 +98,30 @@ class CollisionStatisticsTest {
                 val from = before.indexOf(1)
                 val record = forcing.record!!
                 assertEquals(1, record.size)
-                for (a in 0..2) for (b in 0..2) {
-                    val change = it.population.velocity(a)[k] - before.velocity(a)[from]
-                    val expected = before.mass[from] * change * record.separation(0, b)
-                    assertEquals(expected, statistics.virial[a * 3 + b], 1e-14)
+                for (a in 0..2) {
+                    for (b in 0..2) {
+                        val change = it.population.velocity(a)[k] - before.velocity(a)[from]
+                        val expected = before.mass[from] * change * record.separation(0, b)
+                        assertEquals(expected, statistics.virial[a * 3 + b], 1e-14)
+                    }
                 }
             }
+        }
+    }
+
+    @Test
+    fun `smooth spheres have nothing of the surfaces of rough ones that the engine had before`() {
+        val engine = SerialEngine()
+        val none = DoubleArray(2)
+        val pair = populationOf(Sphere(x = -1.0, vx = 2.0), Sphere(x = 1.0, y = 0.5)).withSpin(none, none, none)
+        for (roughness in listOf(ConstantRoughness(0.5), null)) {
+            val forcing =
+                CollisionForcing(ConstantRestitution(0.8), NoGuard, engine, recordCollisions = true, roughness = roughness)
+            Simulation(pair.copy(), Open, forcing, FixedTimeStep(1.0)).advance()
+            val record = forcing.record!!
+            assertEquals(1, record.size)
+            assertEquals(roughness != null, record.slide(0, 1) != 0.0)
+            assertEquals(roughness != null, record.rubbed(0) != 0.0)
         }
     }
 
