@@ -74,6 +74,7 @@ public class CollisionLaw @JvmOverloads constructor(
             // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
             // energy.
             exchange(rows, first, second, (1.0 + outcome.coefficient) * b / d2, outcome)
+            outcome.forgetSurfaces()
             if (roughness != null) spins.collide(rows, roughness, first, second, ux, uy, uz, b, d2, time, outcome)
             // From the reduced mass, so that it is the same to the last bit from either side.
             val m1 = rows.mass[first]

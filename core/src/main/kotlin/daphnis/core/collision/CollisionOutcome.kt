@@ -21,6 +21,22 @@ public class CollisionOutcome {
     public var impulse: Double = 0.0
         internal set
 
+    /** Momentum that the second sphere received along the surfaces; likewise [slideY], [slideZ]. 0 of smooth spheres. */
+    internal var slideX = 0.0
+    internal var slideY = 0.0
+    internal var slideZ = 0.0
+
+    /** Energy of motion and of spins that the surfaces took, beside what restitution takes. */
+    internal var rubbed = 0.0
+
+    /** As smooth spheres have it. */
+    internal fun forgetSurfaces() {
+        slideX = 0.0
+        slideY = 0.0
+        slideZ = 0.0
+        rubbed = 0.0
+    }
+
     /**
      * Vector from the centre of the first to the centre of the second sphere at contact; likewise [separationY],
      * [separationZ].

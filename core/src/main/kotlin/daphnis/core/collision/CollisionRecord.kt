@@ -45,7 +45,10 @@ public class CollisionRecord() : GrowingTable() {
     public var higher: IntArray = IntArray(0)
         private set
 
-    /** Impact speed, coefficient, impulse, separation x y z: six numbers per collision. */
+    /**
+     * Impact speed, coefficient, impulse, separation x y z, momentum along the surfaces x y z, energy that surfaces took:
+     * ten numbers per collision.
+     */
     public var data: DoubleArray = DoubleArray(0)
         private set
 
@@ -67,6 +70,12 @@ public class CollisionRecord() : GrowingTable() {
     /** Component [axis] of the vector between the centres. */
     public fun separation(k: Int, axis: Int): Double = data[k * WIDTH + 3 + axis]
 
+    /** Component [axis] of the momentum along the surfaces that the sphere with the higher id received; 0 if smooth. */
+    internal fun slide(k: Int, axis: Int): Double = data[k * WIDTH + 6 + axis]
+
+    /** Energy of motion and of spins that the surfaces took, beside what restitution takes. */
+    internal fun rubbed(k: Int): Double = data[k * WIDTH + 9]
+
     /** Appends a collision between the spheres with ids [first] and [second], as described by [outcome]. */
     public fun add(time: Double, first: Int, second: Int, outcome: CollisionOutcome) {
         val k = append()
@@ -84,6 +93,10 @@ public class CollisionRecord() : GrowingTable() {
         data[p + 3] = sign * outcome.separationX + 0.0
         data[p + 4] = sign * outcome.separationY + 0.0
         data[p + 5] = sign * outcome.separationZ + 0.0
+        data[p + 6] = sign * outcome.slideX + 0.0
+        data[p + 7] = sign * outcome.slideY + 0.0
+        data[p + 8] = sign * outcome.slideZ + 0.0
+        data[p + 9] = outcome.rubbed
     }
 
     /** Appends entries [from] until [to] of [other]. */
@@ -128,6 +141,6 @@ public class CollisionRecord() : GrowingTable() {
 
     internal companion object {
         /** Numbers in [data] for each collision. */
-        const val WIDTH = 6
+        const val WIDTH = 10
     }
 }

@@ -83,13 +83,20 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         contact.secondMass = if (isInOrder) m2 else m1
         contact.normalSpeed = outcome.impactSpeed
         contact.restitution = outcome.coefficient
-        val factor = change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        val g2 = gx * gx + gy * gy + gz * gz
+        val factor = change(roughness, contact, sqrt(g2))
         val compliance = 1.0 + inverse * (lx * lx + ly * ly + lz * lz)
         gx /= compliance
         gy /= compliance
         gz /= compliance
         val f1 = factor * (m2 / (m1 + m2))
         val f2 = factor * (m1 / (m1 + m2))
+        // From the reduced mass, as the impulse along the normal.
+        val moved = factor * (m1 * m2 / (m1 + m2))
+        outcome.slideX = -moved * gx
+        outcome.slideY = -moved * gy
+        outcome.slideZ = -moved * gz
+        outcome.rubbed = 0.5 * moved * (2.0 - factor) * (g2 / compliance)
         push(rows, first, f1 * gx, f1 * gy, f1 * gz)
         push(rows, second, -f2 * gx, -f2 * gy, -f2 * gz)
         val kx = ly * gz - lz * gy

@@ -31,12 +31,15 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
     /** Σ impact speed². */
     public val sumSpeedSquared: Double get() = sums[SPEED_SQUARED].value()
 
-    /** Kinetic energy lost: Σ ½ μ (1 − ε²) v_n², with μ the reduced mass. */
+    /**
+     * Kinetic energy lost, that of spins with it: Σ ½ μ (1 − ε²) v_n², with μ the reduced mass, and of
+     * [rough spheres][daphnis.core.surface.Roughness] ½ μ q/(1 + q) (1 − β²) g².
+     */
     public val dissipated: Double get() = sums[DISSIPATED].value()
 
     /**
      * Σ Δp_a r_b over collisions, nine numbers by row: a·3 + b. Divided by volume and time it is the collisional part
-     * of the pressure tensor. A copy.
+     * of the pressure tensor, which is not symmetric while rough spheres are being spun up. A copy.
      */
     public val virial: DoubleArray get() = DoubleArray(TENSOR) { sums[VIRIAL + it].value() }
 
@@ -122,13 +125,16 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
             speeds[((StrictMath.log10(speed) - LEAST_DECADE) * BINS_A_DECADE).toInt().coerceIn(0, BINS - 1)]++
         }
         // impulse = μ (1 + ε) v_n, so the loss ½ μ (1 − ε²) v_n² is half of impulse · (1 − ε) · v_n.
-        terms[DISSIPATED][at] = 0.5 * impulse * (1 - coefficient) * speed
+        terms[DISSIPATED][at] = 0.5 * impulse * (1 - coefficient) * speed + record.rubbed(k)
         val dx = record.separation(k, 0)
         val dy = record.separation(k, 1)
         val dz = record.separation(k, 2)
         val f = impulse / Math.sqrt(dx * dx + dy * dy + dz * dz)
         for (a in 0..2) {
-            for (b in 0..2) terms[VIRIAL + a * 3 + b][at] = f * record.separation(k, a) * record.separation(k, b)
+            for (b in 0..2) {
+                val along = record.slide(k, a) * record.separation(k, b)
+                terms[VIRIAL + a * 3 + b][at] = f * record.separation(k, a) * record.separation(k, b) + along
+            }
         }
     }
 

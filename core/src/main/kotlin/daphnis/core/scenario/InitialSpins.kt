@@ -2,10 +2,12 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.WallContact
+import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.surface.SurfaceContact
+import kotlin.math.abs
 import kotlin.math.sqrt
 
 /** Whether spheres spin and with what moment of inertia, and the spins with which they start. */
@@ -51,7 +53,14 @@ internal class InitialSpins(
             if (sigma > 0) field.draw(random, into)
             for (axis in 0 until AXES) w[axis][k] = spec.mean[axis] + sigma * into[axis]
         }
-        check.must("spins", w.all { column -> column.all { it.isFinite() } }) { "are beyond what a double holds" }
+        for (column in w) {
+            for (k in column.indices) {
+                check.must("spins", abs(column[k]) * population.radius[k] <= SnapshotCheck.MOST) {
+                    "make the surface of particle ${population.id[k]} move with a speed of " +
+                        "${abs(column[k]) * population.radius[k]}; it must be at most ${SnapshotCheck.MOST}"
+                }
+            }
+        }
         return population.withSpin(w[0], w[1], w[2])
     }
 

@@ -11,7 +11,8 @@ class CollisionRecordTest {
     private val order = compareBy<Entry>({ it.time }, { it.rank }, { it.lower }, { it.higher })
 
     private fun CollisionRecord.all() = List(size) { k ->
-        val data = listOf(impactSpeed(k), coefficient(k), impulse(k)) + List(3) { separation(k, it) }
+        val vectors = List(3) { separation(k, it) } + List(3) { slide(k, it) }
+        val data = listOf(impactSpeed(k), coefficient(k), impulse(k), rubbed(k)) + vectors
         Entry(time[k], rank[k], lower[k], higher[k], data)
     }
 
@@ -23,6 +24,10 @@ class CollisionRecordTest {
             separationX = random.nextDouble() - 0.5
             separationY = random.nextDouble() - 0.5
             separationZ = random.nextDouble() - 0.5
+            slideX = random.nextDouble() - 0.5
+            slideY = random.nextDouble() - 0.5
+            slideZ = random.nextDouble() - 0.5
+            rubbed = random.nextDouble()
             rank = 1 + random.nextInt(3)
         }
         // Few times and ids, so that all ties come up.

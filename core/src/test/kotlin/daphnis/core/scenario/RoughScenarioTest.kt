@@ -130,6 +130,8 @@ class RoughScenarioTest {
             ) to "roughness.momentFactor: is 0.7; must be",
             listOf("""roughness={"type": "walton"}""") to "roughness.type: is \"walton\"; ",
             listOf("""spins={"type": "rest"}""") to "spins: are of spheres that spin; give roughness",
+            listOf("roughness=$CONSTANT", """spins={"type": "rest", "mean": [0, 1e160, 0]}""") to
+                "E159; it must be at most 1.0E70",
             listOf("roughness=$CONSTANT", """spins={"type": "gaussian"}""") to
                 "spins: needs exactly one of sigma and temperature",
             listOf("roughness=$CONSTANT", """spins={"type": "gaussian", "sigma": -1}""") to
@@ -139,7 +141,7 @@ class RoughScenarioTest {
             listOf("roughness=$CONSTANT", """spins={"type": "rest", "mean": [1, 2]}""") to
                 "spins.mean: is [1.0, 2.0]; must be three numbers",
             listOf("roughness=$CONSTANT", """spins={"type": "gaussian", "sigma": 1e308, "mean": [1e308, 0, 0]}""") to
-                "spins: are beyond what a double holds",
+                "spins: make the surface of particle ",
         )) {
             val said = refused(*settings.toTypedArray())
             assertTrue(problem in said && '\n' !in said) { "$problem: $said" }
