@@ -116,7 +116,13 @@ class CollisionStatisticsTest {
         val pair = populationOf(Sphere(x = -1.0, vx = 2.0), Sphere(x = 1.0, y = 0.5)).withSpin(none, none, none)
         for (roughness in listOf(ConstantRoughness(0.5), null)) {
             val forcing =
-                CollisionForcing(ConstantRestitution(0.8), NoGuard, engine, recordCollisions = true, roughness = roughness)
+                CollisionForcing(
+                    ConstantRestitution(0.8),
+                    NoGuard,
+                    engine,
+                    recordCollisions = true,
+                    roughness = roughness,
+                )
             Simulation(pair.copy(), Open, forcing, FixedTimeStep(1.0)).advance()
             val record = forcing.record!!
             assertEquals(1, record.size)
