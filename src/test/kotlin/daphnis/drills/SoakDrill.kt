@@ -7,6 +7,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
@@ -48,7 +49,7 @@ internal object SoakDrill : Drill {
         val forcing = CollisionForcing(ConstantRestitution(1.0), engine = engine)
         val side = EDGE * SPACING
         Simulation(gas(seed), Periodic(Box.centred(side, side, side)), forcing, FixedTimeStep(STEP)).use { simulation ->
-            val sums = PopulationSums(simulation.boundary.meanFlow, 0.0, Int.MAX_VALUE)
+            val sums = PopulationSums(simulation.boundary.meanFlow)
             val energy = sums.apply { take(simulation.population, InlineLoop) }.kineticEnergy
             var look = 0
             while (forcing.counters.collisions < collisions) {

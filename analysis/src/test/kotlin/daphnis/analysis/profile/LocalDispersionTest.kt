@@ -7,6 +7,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.hill.HillSheet
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.VelocityMoments
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -49,7 +50,7 @@ class LocalDispersionTest {
             // the root.
             val slack = 4 * 3 * sqrt(2.0 / (3 * count)) / 2
             assertEquals(1.0, sqrt(measure.of(state)[c2] / 0.75), slack) { "thermal, $count" }
-            val moments = VelocityMoments.of(state.population, sheet.meanFlow, 0.7)
+            val moments = VelocityMoments.of(state.population, sheet.meanFlow, OrbitalFrequencies(0.7))
             assertEquals(1.0, moments.totalDispersion / total, 5 * 0.7 / sqrt(count.toDouble())) { "total, $count" }
             if (count >= 20_000) assertTrue(moments.dispersion > 2 * sqrt(0.75)) { "slabs see the wave" }
         }

@@ -10,6 +10,7 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.hill.HillSheet
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
 import daphnis.core.populationOf
@@ -38,7 +39,7 @@ class ProfileTest {
                 assertEquals(12_000.0, r[bin * width + column("count")], 500.0)
             }
         }
-        val moments = VelocityMoments.of(state.population, state.boundary.meanFlow, 2.0)
+        val moments = VelocityMoments.of(state.population, state.boundary.meanFlow, OrbitalFrequencies(2.0))
         assertEquals(0.3 * sqrt(3.0), moments.dispersion, 0.003)
         assertEquals(sqrt(16.0 / 12), moments.scaleHeight, 0.01)
     }

@@ -1,5 +1,6 @@
 package daphnis.core.hill
 
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.sqrt
 
 /**
@@ -7,8 +8,8 @@ import kotlin.math.sqrt
  * conversion between them and position and velocity:
  *
  * ```
- *   x = X − e cos φ      y = Y + 2 e sin φ      z = i cos ζ
- *   X = 4x + 2 v_y/Ω     Y = y − 2 v_x/Ω        Ẋ = 0, Ẏ = −(3/2) Ω X, φ̇ = Ω, ζ̇ = Ω × vertical factor
+ *   x = X − e cos φ             y = Y + 2 (Ω/κ) e sin φ      z = i cos ζ
+ *   X = (4x + 2 v_y/Ω) (Ω/κ)²   Y = y − 2 v_x Ω/κ²           Ẋ = 0, Ẏ = −(2 − ½ (κ/Ω)²) Ω X, φ̇ = κ, ζ̇ = ν
  * ```
  *
  * [e] and [i] are amplitudes, in units of length: eccentricity and inclination times the semi-major axis. (Hénon &
@@ -28,37 +29,72 @@ public class Epicycle @JvmOverloads constructor(
     public val i: Double = 0.0,
     public val verticalPhase: Double = 0.0,
 ) {
-    /** Position x y z and velocity v_x v_y v_z in a frame of angular speed [omega]. */
-    @JvmOverloads
-    public fun state(omega: Double, verticalFactor: Double = 1.0): DoubleArray {
+    /** Position x y z and velocity v_x v_y v_z among orbits of these [frequencies]. */
+    public fun state(frequencies: OrbitalFrequencies): DoubleArray {
+        val omega = frequencies.omega
         val s = StrictMath.sin(phase)
         val c = StrictMath.cos(phase)
         return doubleArrayOf(
             guidingX - e * c,
-            guidingY + 2 * e * s,
+            guidingY + 2 / frequencies.radialFactor * e * s,
             i * StrictMath.cos(verticalPhase),
-            omega * (e * s),
-            omega * (-1.5 * guidingX + 2 * e * c),
-            -omega * verticalFactor * i * StrictMath.sin(verticalPhase),
+            frequencies.kappa * (e * s),
+            omega * (-frequencies.shearFactor * guidingX + 2 * e * c),
+            -omega * frequencies.verticalFactor * i * StrictMath.sin(verticalPhase),
         )
     }
 
-    /** The elements after [time], on the free path. */
+    /** Around a point mass, in a frame of angular speed [omega]; or with another [verticalFactor]. */
     @JvmOverloads
-    public fun after(time: Double, omega: Double, verticalFactor: Double = 1.0): Epicycle = Epicycle(
+    public fun state(omega: Double, verticalFactor: Double = 1.0): DoubleArray =
+        state(OrbitalFrequencies(omega, verticalFactor = verticalFactor))
+
+    /** The elements after [time], on the free path. */
+    public fun after(time: Double, frequencies: OrbitalFrequencies): Epicycle = Epicycle(
         guidingX,
-        guidingY - 1.5 * omega * guidingX * time,
+        guidingY - frequencies.shearRate * guidingX * time,
         e,
-        phase + omega * time,
+        phase + frequencies.kappa * time,
         i,
-        verticalPhase + omega * verticalFactor * time,
+        verticalPhase + frequencies.nu * time,
     )
+
+    /** Around a point mass, in a frame of angular speed [omega]; or with another [verticalFactor]. */
+    @JvmOverloads
+    public fun after(time: Double, omega: Double, verticalFactor: Double = 1.0): Epicycle =
+        after(time, OrbitalFrequencies(omega, verticalFactor = verticalFactor))
 
     public companion object {
         /**
-         * The elements of a particle at ([x], [y], [z]) with velocity ([vx], [vy], [vz]) in a frame of angular speed
-         * [omega]. Allocates.
+         * The elements of a particle at ([x], [y], [z]) with velocity ([vx], [vy], [vz]) among orbits of these
+         * [frequencies]. Allocates.
          */
+        @JvmStatic
+        public fun of(
+            x: Double,
+            y: Double,
+            z: Double,
+            vx: Double,
+            vy: Double,
+            vz: Double,
+            frequencies: OrbitalFrequencies,
+        ): Epicycle {
+            val gx = frequencies.guidingX(x, vy)
+            val gy = frequencies.guidingY(y, vx)
+            val cosine = gx - x
+            val sine = vx / frequencies.kappa
+            val w = vz / frequencies.nu
+            return Epicycle(
+                gx,
+                gy,
+                sqrt(cosine * cosine + sine * sine),
+                StrictMath.atan2(sine, cosine),
+                sqrt(z * z + w * w),
+                StrictMath.atan2(-w, z),
+            )
+        }
+
+        /** Around a point mass, in a frame of angular speed [omega]; or with another [verticalFactor]. */
         @JvmStatic
         @JvmOverloads
         public fun of(
@@ -70,28 +106,14 @@ public class Epicycle @JvmOverloads constructor(
             vz: Double,
             omega: Double,
             verticalFactor: Double = 1.0,
-        ): Epicycle {
-            val gx = guidingX(x, vy, omega)
-            val gy = guidingY(y, vx, omega)
-            val cosine = gx - x
-            val sine = vx / omega
-            val w = vz / (omega * verticalFactor)
-            return Epicycle(
-                gx,
-                gy,
-                sqrt(cosine * cosine + sine * sine),
-                StrictMath.atan2(sine, cosine),
-                sqrt(z * z + w * w),
-                StrictMath.atan2(-w, z),
-            )
-        }
+        ): Epicycle = of(x, y, z, vx, vy, vz, OrbitalFrequencies(omega, verticalFactor = verticalFactor))
 
-        /** X = 4x + 2 v_y/Ω. */
+        /** X = 4x + 2 v_y/Ω, around a point mass. */
         @JvmStatic
-        public fun guidingX(x: Double, vy: Double, omega: Double): Double = 4 * x + 2 * vy / omega
+        public fun guidingX(x: Double, vy: Double, omega: Double): Double = OrbitalFrequencies(omega).guidingX(x, vy)
 
-        /** Y = y − 2 v_x/Ω. */
+        /** Y = y − 2 v_x/Ω, around a point mass. */
         @JvmStatic
-        public fun guidingY(y: Double, vx: Double, omega: Double): Double = y - 2 * vx / omega
+        public fun guidingY(y: Double, vx: Double, omega: Double): Double = OrbitalFrequencies(omega).guidingY(y, vx)
     }
 }

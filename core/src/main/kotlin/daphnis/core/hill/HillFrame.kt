@@ -2,16 +2,17 @@ package daphnis.core.hill
 
 import daphnis.core.force.Drift
 import daphnis.core.force.PerSphereEnergy
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import kotlin.math.abs
 
 /**
- * Hill's frame: coordinates that rotate around a planet with angular speed [omega], x radially outward, y along the
- * orbit, z vertical,
+ * Hill's frame: coordinates that rotate around a planet with angular speed Ω, x radially outward, y along the orbit, z
+ * vertical,
  *
- * ẍ = 2Ω ẏ + 3Ω² x, ÿ = −2Ω ẋ, z̈ = −(ν Ω)² z, with ν the vertical factor.
+ * ẍ = 2Ω ẏ + (4Ω² − κ²) x, ÿ = −2Ω ẋ, z̈ = −ν² z; around a point mass κ = ν = Ω.
  *
  * **Free paths are exact although the drift is straight.** The solution over a time h is linear in the state, r₁ = r₀ +
  * h (A r₀ + B v₀). Before the drift every velocity is replaced by that of the chord, w = A r₀ + B v₀; a sphere that
@@ -26,17 +27,26 @@ import kotlin.math.abs
  * **Spins** are relative to the frame. One that rests among the stars turns backwards in it, so [afterDrift] turns its
  * horizontal part by −Ω h.
  *
- * Images of the shearing sheet stay images: the chord of a path displaced by L_x in x and −(3/2)Ω L_x t in y is
- * displaced likewise. (Free motion: Hill 1878; kick–drift–kick in this frame: Quinn, Perrine, Richardson & Barnes 2010,
+ * Images of the shearing sheet stay images: the chord of a path displaced by L_x in x and −s L_x t in y, with s the
+ * rate of shear, is displaced likewise. (Free motion: Hill 1878; kick–drift–kick in this frame: Quinn, Perrine, Richardson & Barnes 2010,
  * AJ 139, 803; Rein & Tremaine 2011, MNRAS 415, 3168.)
  *
- * @param omega angular speed Ω in radians per unit of time, > 0
- * @param verticalFactor ν: vertical over orbital frequency, ≥ 0; 1 for a point-mass planet, larger to mimic
- *   self-gravity (Wisdom & Tremaine 1988, AJ 95, 925, use 3.6), 0 for none
+ * @property frequencies Ω, κ and ν
  */
-public class HillFrame @JvmOverloads constructor(public val omega: Double, public val verticalFactor: Double = 1.0) :
+public class HillFrame(public val frequencies: OrbitalFrequencies) :
     Drift,
     PerSphereEnergy {
+    /** Around a point mass, or with another [verticalFactor]. */
+    @JvmOverloads
+    public constructor(omega: Double, verticalFactor: Double = 1.0) :
+        this(OrbitalFrequencies(omega, verticalFactor = verticalFactor))
+
+    /** Ω in radians per unit of time. */
+    public val omega: Double get() = frequencies.omega
+
+    /** ν/Ω. */
+    public val verticalFactor: Double get() = frequencies.verticalFactor
+
     private var loop: RangeLoop = InlineLoop
 
     // For the present duration: chord = (ax x + bxx vx + q vy, ay x − q vx + byy vy, az z + bz vz).
@@ -52,13 +62,6 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     /** Of Ω times the duration. */
     private var cosine = 1.0
     private var sine = 0.0
-
-    init {
-        require(omega > 0 && omega.isFinite()) { "angular speed is $omega; it must be > 0" }
-        require(verticalFactor >= 0 && verticalFactor.isFinite()) {
-            "vertical factor is $verticalFactor; it must be at least 0"
-        }
-    }
 
     override val turning: Double get() = omega
 
@@ -79,13 +82,13 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     }
 
     /**
-     * Tidal and centrifugal potential energy m (−(3/2)Ω²x² + ½(νΩ)²z²). With the kinetic energy its sum is Hill's
-     * energy, which a free particle keeps until it is wrapped radially: then −(3/2)Ω²x² and v_y change, and so does the
-     * sum, unless the particle's guiding centre is on the face.
+     * Tidal and centrifugal potential energy m (−(2Ω² − ½κ²)x² + ½ν²z²). With the kinetic energy its sum is Hill's
+     * energy, which a free particle keeps until it is wrapped radially: then the part of x² and v_y change, and so does
+     * the sum, unless the particle's guiding centre is on the face.
      */
     override fun potentialEnergies(population: Population, time: Double, from: Int, to: Int, into: DoubleArray) {
         val p = population
-        val radial = -1.5 * omega * omega
+        val radial = -frequencies.shearFactor * omega * omega
         val vertical = 0.5 * (verticalFactor * omega) * (verticalFactor * omega)
         for (k in from until to) {
             into[k - from] = p.mass[k] * (radial * p.x[k] * p.x[k] + vertical * p.z[k] * p.z[k])
@@ -141,21 +144,24 @@ public class HillFrame @JvmOverloads constructor(public val omega: Double, publi
     private fun prepare(duration: Double) {
         if (duration == this.duration) return
         val h = omega * duration
+        val f = frequencies.radialFactor
+        val hx = h * f
         val hz = h * verticalFactor
-        require(h <= LONGEST && hz <= LONGEST) {
+        require(h <= LONGEST && hx <= LONGEST && hz <= LONGEST) {
             val orbits = "${h / (2 * Math.PI)} orbits (${hz / (2 * Math.PI)} vertical oscillations)"
             "a step of $duration is $orbits; it must be at most a quarter"
         }
         this.duration = Double.NaN
-        // With Ω t as time, the solution is Δx = x·3(1 − c) + v_x s + v_y 2(1 − c), Δy = x·6(s − h) − v_x 2(1 − c) +
-        // v_y (4s − 3h).
-        val versine = versine(h)
-        val lag = sineMinusArgument(h)
-        ax = 3 * versine / duration
-        ay = 6 * lag / duration
-        bxx = 1 + lag / h
-        byy = 1 + 4 * lag / h
-        q = 2 * versine / h
+        // With Ω t as time, f = κ/Ω, s and c of f h, the solution is f² Δx = x (4 − f²)(1 − c) + v_x f s + v_y 2(1 − c),
+        // f³ Δy = x 2(4 − f²)(s − f h) − v_x 2f(1 − c) + v_y (f³ h + 4(s − f h)).
+        val square = f * f
+        val versine = versine(hx)
+        val lag = sineMinusArgument(hx)
+        ax = (4 - square) / square * versine / duration
+        ay = 2 * (4 - square) / (square * f) * lag / duration
+        bxx = 1 + lag / hx
+        byy = 1 + 4 * lag / (square * hx)
+        q = 2 * versine / (f * hx)
         az = if (hz == 0.0) 0.0 else -versine(hz) / duration
         cosine = StrictMath.cos(h)
         sine = StrictMath.sin(h)

@@ -2,6 +2,7 @@ package daphnis.core.hill
 
 import daphnis.core.force.Kick
 import daphnis.core.force.PerSphereEnergy
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
@@ -9,23 +10,28 @@ import kotlin.math.sqrt
 
 /**
  * The pull of a moon on a given orbit, in Hill's frame: −GM (r − r_s)/(|r − r_s|² + ε²)^{3/2}. The moon itself feels no
- * force and need not be near the patch: a moon beside a ring drifts past it with −(3/2) Ω X. The acceleration of the
+ * force and need not be near the patch: a moon beside a ring drifts past it with the shear. The acceleration of the
  * planet by the moon is neglected, as in Hill's limit. There is one moon, without images, so a patch that is periodic
  * along the orbit is followed past it once.
  *
  * @param gravitationalParameter G times the mass, in length³/time²
  * @param orbit the moon's epicycle at time 0
- * @param omega angular speed of the frame
+ * @param frequencies of orbits in the frame
  * @param softening ε, length
  */
 public class Satellite @JvmOverloads constructor(
     public val gravitationalParameter: Double,
     private val orbit: Epicycle,
-    private val omega: Double,
+    private val frequencies: OrbitalFrequencies,
     public val softening: Double = 0.0,
 ) : Kick,
     PerSphereEnergy {
     private var loop: RangeLoop = InlineLoop
+
+    /** Around a point mass, in a frame of angular speed [omega]. */
+    @JvmOverloads
+    public constructor(gravitationalParameter: Double, orbit: Epicycle, omega: Double, softening: Double = 0.0) :
+        this(gravitationalParameter, orbit, OrbitalFrequencies(omega), softening)
 
     init {
         require(gravitationalParameter >= 0 && gravitationalParameter.isFinite()) {
@@ -39,7 +45,7 @@ public class Satellite @JvmOverloads constructor(
     }
 
     /** Position and velocity x y z v_x v_y v_z at [time]. Allocates. */
-    public fun state(time: Double): DoubleArray = orbit.after(time, omega).state(omega)
+    public fun state(time: Double): DoubleArray = orbit.after(time, frequencies).state(frequencies)
 
     override fun kick(population: Population, time: Double, duration: Double) {
         val at = state(time)

@@ -1,5 +1,6 @@
 package daphnis.core.population
 
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import kotlin.math.sqrt
@@ -13,13 +14,13 @@ import kotlin.math.sqrt
  * the first. So they are the same to the last bit for every order of the arrays, engine and number of threads.
  *
  * @param flow the mean flow that the boundary drives, or null
- * @param omega angular speed of Hill's frame, or null
+ * @param frequencies of orbits in Hill's frame, or null
  * @param firstBody spheres with this id or a higher one are bodies, such as moonlets: they contribute to mass, momentum
  *   and energy, and to nothing else; [Int.MAX_VALUE] for none
  */
 public class PopulationSums @JvmOverloads constructor(
     flow: MeanFlow?,
-    private val omega: Double? = null,
+    private val frequencies: OrbitalFrequencies? = null,
     private val firstBody: Int = Int.MAX_VALUE,
 ) {
     private val flowAxis = flow?.flowAxis ?: -1
@@ -108,7 +109,7 @@ public class PopulationSums @JvmOverloads constructor(
         means.setSlabs(sums.count, sums.least, sums.greatest)
         centreZ = means.position[2]
         val x = means.position[0]
-        guidingX = if (omega != null) 4 * x + 2 * sums.particleMomentum(1) * over / omega else x
+        guidingX = frequencies?.guidingX(x, sums.particleMomentum(1) * over) ?: x
     }
 
     private fun finish(mass: Double, sums: CentralMoments) {

@@ -1,5 +1,6 @@
 package daphnis.core.population
 
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.sqrt
 
 /**
@@ -48,7 +49,7 @@ public class VelocityMoments private constructor(
         /**
          * The moments of [population], where the boundary drives [flow], from exact sums. All zero for no spheres.
          *
-         * @param omega angular speed of Hill's frame, or null
+         * @param frequencies of orbits in Hill's frame, or null
          * @param leastId spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
          */
         @JvmStatic
@@ -56,10 +57,10 @@ public class VelocityMoments private constructor(
         public fun of(
             population: Population,
             flow: MeanFlow?,
-            omega: Double? = null,
+            frequencies: OrbitalFrequencies? = null,
             leastId: Int = Int.MAX_VALUE,
         ): VelocityMoments {
-            val sums = PopulationSums(flow, omega, leastId)
+            val sums = PopulationSums(flow, frequencies, leastId)
             sums.take(population)
             return VelocityMoments(sums.moments, sums.kinetic, sums.mean, sums.centreZ, sums.scaleHeight, sums.guidingX)
         }

@@ -65,7 +65,8 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
     /** Velocities are those in the frame. */
     private fun checkFrame() {
         val there = from.around ?: return
-        val omega = FrameSetup.angularSpeed(scenario, source)
+        val here = FrameSetup.frequencies(scenario, source)
+        val omega = here?.omega
         must("frame", (omega == null) == (there.angularSpeed == null)) {
             if (omega == null) "is missing; $said is in Hill's frame" else "is given; $said is in none"
         }
@@ -73,6 +74,8 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
         must("frame", omega == there.angularSpeed) {
             "turns with an angular speed of $omega; $said is in one with ${there.angularSpeed}"
         }
+        val (radial, former) = listOf(here, there.frequencies).map { it?.radialFactor }
+        must("frame", radial == former) { "has κ/Ω $radial; $said is in one with $former" }
     }
 
     private fun checkBox(boundary: BoundaryConditions) {

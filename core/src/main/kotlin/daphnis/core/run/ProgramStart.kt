@@ -54,10 +54,10 @@ private fun requireSame(made: ProgramRecord, program: Program, directory: RunDir
     throw InputException("${directory.path}", null, "holds a run of $made; this is $now, which would make another run")
 }
 
-private fun requireOutput(output: OutputSpec, omega: Double?) {
+private fun requireOutput(output: OutputSpec, hasOrbits: Boolean) {
     for ((key, steps) in output.steps()) require(steps >= 0) { "output.$key is $steps; it must be at least 0" }
     for ((key, problem) in output.problems()) throw IllegalArgumentException("output.$key $problem")
-    require(output.intervalUnit != IntervalUnit.ORBIT || omega != null) {
+    require(output.intervalUnit != IntervalUnit.ORBIT || hasOrbits) {
         "output.intervalUnit is orbit; it needs a HillFrame"
     }
 }
@@ -77,12 +77,12 @@ private fun requireFew(output: OutputSpec, farthest: Double) {
 private fun planOf(program: Program, population: Population, meta: CheckpointMeta?): RunPlan {
     val simulation = program.simulation(population)
     try {
-        val omega = simulation.forces.filterIsInstance<HillFrame>().firstOrNull()?.omega
-        val output = program.output.settled(omega?.let { 2 * Math.PI / it })
+        val orbits = simulation.forces.filterIsInstance<HillFrame>().firstOrNull()?.frequencies
+        val output = program.output.settled(orbits?.let { 2 * Math.PI / it.omega })
         require(simulation.population === population) { "the program's simulation has another population than its own" }
         require(simulation.step == 0L) { "the program's simulation has made ${simulation.step} steps; it must be new" }
         require(!simulation.hasOutputs) { "the program's simulation has outputs; give them to the run, by name" }
-        requireOutput(program.output, omega)
+        requireOutput(program.output, orbits != null)
         val readers = PeriodicOutputs.readingCollisions(output)
         require(simulation.collisions?.record != null || readers.isEmpty()) {
             "outputs need a CollisionForcing with recordCollisions = true: ${readers.joinToString()}"
@@ -95,7 +95,7 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
             simulation.collisions?.let { meta.countInto(it.counters) }
         }
         requireFew(output, maxOf(abs(simulation.runStart), abs(program.until)))
-        val sums = PopulationSums(simulation.boundary.meanFlow, omega, program.firstBody)
+        val sums = PopulationSums(simulation.boundary.meanFlow, orbits, program.firstBody)
         val own = program.outputs().also { RunOutputs.requireFree(it.keys) }
         return RunPlan(null, program.name, program.until, endSlack(simulation.timeStep), output, own, simulation, sums)
     } catch (e: Throwable) {

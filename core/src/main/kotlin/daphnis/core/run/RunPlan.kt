@@ -77,7 +77,7 @@ internal fun planOf(
         )
     }
     return closingIfItThrows(simulation) {
-        val sums = PopulationSums(setup.boundary.meanFlow, setup.angularSpeed, scenario.firstBody)
+        val sums = PopulationSums(setup.boundary.meanFlow, setup.frequencies, scenario.firstBody)
         RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
     }
 }

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction
@@ -15,11 +16,11 @@ public sealed interface BoundarySpec {
     /**
      * The boundary conditions around [box].
      *
-     * @param omega angular speed of Hill's frame; null without a frame
+     * @param frequencies of orbits in Hill's frame; null without a frame
      * @param source what to call the scenario in messages
      * @throws InputException for values that are wrong
      */
-    public fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions
+    public fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions
 
     /** A description for a reader: [number] writes numbers, and [speed] those with a unit of speed. */
     public fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String = toString()
@@ -28,7 +29,7 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("open")
     public class Open : BoundarySpec {
-        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
+        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
             daphnis.core.boundary.Open
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
@@ -40,7 +41,7 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("periodic")
     public class Periodic : BoundarySpec {
-        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
+        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
             daphnis.core.boundary.Periodic(box)
 
         override fun toString(): String = "periodic"
@@ -54,7 +55,7 @@ public sealed interface BoundarySpec {
         public val restitution: Double = 1.0,
         public val roughness: WallRoughnessSpec? = null,
     ) : BoundarySpec {
-        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
+        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions {
             val known = axes.isNotEmpty() && axes.all { it in AXES } && axes.toSet().size == axes.length
             val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
@@ -73,7 +74,7 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("sheared-periodic")
     public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec {
-        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
+        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions {
             ValueCheck(source).speed("boundary.velocityJump", velocityJump)
             return daphnis.core.boundary.ShearedPeriodic(box, velocityJump)
         }
@@ -87,7 +88,7 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("lees-edwards")
     public class LeesEdwards(public val shearRate: Double) : BoundarySpec {
-        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions =
+        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
             daphnis.core.boundary.LeesEdwards(box, shearRate)
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
@@ -100,9 +101,9 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("hill-sheet")
     public class HillSheet @JvmOverloads constructor(public val radiallyOpen: Boolean = false) : BoundarySpec {
-        override fun conditions(box: Box, omega: Double?, source: String): BoundaryConditions {
-            val speed = omega ?: ValueCheck(source).fail("boundary", "is a hill-sheet; it needs a frame of type hill")
-            return daphnis.core.hill.HillSheet(box, speed, radiallyOpen)
+        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions {
+            val orbits = frequencies ?: ValueCheck(source).fail("boundary", "is a hill-sheet; it needs a frame of type hill")
+            return daphnis.core.hill.HillSheet(box, orbits, radiallyOpen)
         }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =

@@ -9,9 +9,14 @@ import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.Satellite
 import daphnis.core.hill.SatelliteSurface
+import daphnis.core.orbit.OrbitalFrequencies
 
 /** Makes the forces of a scenario; a satellite with a radius also adds to the boundary conditions. */
-internal class ForceSetup(private val scenario: Scenario, private val omega: Double?, private val check: ValueCheck) {
+internal class ForceSetup(
+    private val scenario: Scenario,
+    private val frequencies: OrbitalFrequencies?,
+    private val check: ValueCheck,
+) {
     /** The boundary conditions with what forces add to them; complete after [forces]. */
     lateinit var boundary: BoundaryConditions
         private set
@@ -20,8 +25,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
     fun forces(boundary: BoundaryConditions, firstBody: Int): List<Force> {
         this.boundary = boundary
         val forces = scenario.forces.mapIndexed { k, spec -> force(spec, "forces[$k]", firstBody) }
-        val frame = scenario.frame as? FrameSpec.Hill ?: return forces
-        return forces + HillFrame(omega!!, frame.verticalFactor)
+        return if (frequencies == null) forces else forces + HillFrame(frequencies)
     }
 
     private fun force(spec: ForceSpec, key: String, firstBody: Int): Force = when (spec) {
@@ -67,7 +71,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
     }
 
     private fun satellite(spec: ForceSpec.Satellite, key: String): Satellite {
-        val omega = omega ?: check.fail(key, "is a satellite; it needs a frame of type hill")
+        val orbits = frequencies ?: check.fail(key, "is a satellite; it needs a frame of type hill")
         check.must(key, (spec.massRatio == null) != (spec.mass == null)) { "needs exactly one of massRatio and mass" }
         val strength = if (spec.mass != null) {
             check.positive("$key.mass", spec.mass)
@@ -77,8 +81,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
             check.must("$key.constant", spec.constant == null) {
                 "goes with mass; the pull of a massRatio follows from the planet"
             }
-            val planet = (scenario.frame as FrameSpec.Hill).planet
-            val parameter = scenario.units.gravitationalParameter(planet)
+            val parameter = scenario.units.gravitationalParameter(scenario.frame as FrameSpec.Hill)
                 ?: check.fail("units.lengthInMetres", "is missing; the mass ratio of a satellite needs it")
             spec.massRatio * parameter
         }
@@ -86,7 +89,7 @@ internal class ForceSetup(private val scenario: Scenario, private val omega: Dou
         check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
         check.that("$key.e", spec.e, spec.e >= 0) { "must be at least 0" }
         check.that("$key.radius", spec.radius, spec.radius >= 0) { "must be at least 0 (0 for a point)" }
-        val satellite = Satellite(strength, Epicycle(spec.x, spec.y, spec.e, spec.phase), omega, spec.softening)
+        val satellite = Satellite(strength, Epicycle(spec.x, spec.y, spec.e, spec.phase), orbits, spec.softening)
         if (spec.radius > 0) boundary = SatelliteSurface(boundary, satellite, spec.radius)
         return satellite
     }

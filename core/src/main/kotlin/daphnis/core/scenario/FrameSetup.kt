@@ -1,6 +1,26 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.orbit.OrbitalFrequencies
+import kotlinx.serialization.Serializable
+
+/**
+ * Zonal harmonics of a planet.
+ *
+ * @property radiusInKm to which they refer
+ */
+@Serializable
+public class OblatenessSpec @JvmOverloads constructor(
+    public val radiusInKm: Double,
+    public val j2: Double = 0.0,
+    public val j4: Double = 0.0,
+    public val j6: Double = 0.0,
+)
+
+/** GM of the planet in m³/s². */
+internal val FrameSpec.Hill.gravitationalParameterInSi: Double
+    get() = gravitationalParameter?.let { it * METRES_PER_KM * METRES_PER_KM * METRES_PER_KM }
+        ?: planet.gravitationalParameter
 
 /** A scenario's frame in its units, and times given in orbits. */
 public object FrameSetup {
@@ -11,26 +31,73 @@ public object FrameSetup {
      * @throws InputException when the frame is not determined
      */
     @JvmStatic
-    public fun angularSpeed(scenario: ScenarioParts, source: String): Double? {
-        val check = ValueCheck(source)
+    public fun angularSpeed(scenario: ScenarioParts, source: String): Double? = frequencies(scenario, source)?.omega
+
+    /**
+     * Frequencies of orbits in the frame, in radians per unit of time; null when there is no frame.
+     *
+     * @param source what to call the scenario in messages
+     * @throws InputException when the frame is not determined
+     */
+    @JvmStatic
+    public fun frequencies(scenario: ScenarioParts, source: String): OrbitalFrequencies? {
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
+        val check = ValueCheck(source)
         check.must("frame", (frame.angularSpeed == null) != (frame.distanceInKm == null)) {
             "needs exactly one of angularSpeed and distanceInKm"
         }
-        check.that("frame.verticalFactor", frame.verticalFactor, frame.verticalFactor >= 0) { "must be at least 0" }
-        frame.angularSpeed?.let { return it.also { speed -> check.positive("frame.angularSpeed", speed) } }
+        frame.verticalFactor?.let { check.that("frame.verticalFactor", it, it >= 0) { "must be at least 0" } }
+        frame.radialFactor?.let { check.that("frame.radialFactor", it, it > 0 && it < 2) { "must be > 0 and < 2" } }
+        val speed = frame.angularSpeed
+        val around = if (speed == null) around(scenario, frame, check) else given(frame, speed, check)
+        return OrbitalFrequencies(
+            around.omega,
+            frame.radialFactor ?: around.radialFactor,
+            frame.verticalFactor ?: around.verticalFactor,
+        )
+    }
+
+    private fun given(frame: FrameSpec.Hill, speed: Double, check: ValueCheck): OrbitalFrequencies {
+        check.positive("frame.angularSpeed", speed)
+        check.must("frame.oblateness", frame.oblateness == null) { NEEDS_DISTANCE }
+        frame.gravitationalParameter?.let { check.positive("frame.gravitationalParameter", it) }
+        return OrbitalFrequencies(speed)
+    }
+
+    private fun around(scenario: ScenarioParts, frame: FrameSpec.Hill, check: ValueCheck): OrbitalFrequencies {
         val distance = frame.distanceInKm!!
         check.positive("frame.distanceInKm", distance)
         scenario.units.lengthInMetres?.let { check.positive("units.lengthInMetres", it) }
         check.positive("units.speedInCmPerSecond", scenario.units.speedInCmPerSecond)
+        frame.gravitationalParameter?.let { check.positive("frame.gravitationalParameter", it) }
         val second =
             scenario.units.timeInSeconds
                 ?: check.fail("units.lengthInMetres", "is missing; frame.distanceInKm needs it")
-        val speed = frame.planet.angularSpeed(distance) * second
+        val metres = distance * METRES_PER_KM
+        val oblate = frame.oblateness
+        if (oblate != null) {
+            check.must("frame.radialFactor", frame.radialFactor == null) {
+                "follows from frame.oblateness; give one of the two"
+            }
+            check.positive("frame.oblateness.radiusInKm", oblate.radiusInKm)
+        }
+        val inSeconds = try {
+            if (oblate == null) {
+                OrbitalFrequencies.around(frame.gravitationalParameterInSi, metres)
+            } else {
+                val radius = oblate.radiusInKm * METRES_PER_KM
+                OrbitalFrequencies.around(
+                    frame.gravitationalParameterInSi, metres, radius, oblate.j2, oblate.j4, oblate.j6,
+                )
+            }
+        } catch (e: IllegalArgumentException) {
+            check.fail(if (oblate == null) "frame.distanceInKm" else "frame.oblateness", "cannot be: ${e.message}")
+        }
+        val speed = inSeconds.omega * second
         check.that("frame.distanceInKm", distance, speed > 0 && speed.isFinite()) {
             "gives an angular speed of $speed in the scenario's units; it must be > 0 and finite"
         }
-        return speed
+        return OrbitalFrequencies(speed, inSeconds.radialFactor, inSeconds.verticalFactor)
     }
 
     /**
@@ -39,12 +106,18 @@ public object FrameSetup {
      * the midplane would change sign at periodic faces.
      *
      * @param boundary the boundary conditions made from [Scenario.boundary]
+     * @param frequencies null without a frame
      */
-    internal fun checkFaces(scenario: Scenario, boundary: BoundaryConditions, omega: Double?, check: ValueCheck) {
-        val frame = scenario.frame as? FrameSpec.Hill ?: return
+    internal fun checkFaces(
+        scenario: Scenario,
+        boundary: BoundaryConditions,
+        frequencies: OrbitalFrequencies?,
+        check: ValueCheck,
+    ) {
+        if (frequencies == null) return
         val flow = boundary.meanFlow?.takeIf { boundary.shear?.normalAxis == 0 }
-        val fitsRadially = !boundary.repeats(0) || flow?.rate == -1.5 * omega!!
-        val fitsVertically = !boundary.repeats(2) || frame.verticalFactor == 0.0
+        val fitsRadially = !boundary.repeats(0) || flow?.rate == -frequencies.shearRate
+        val fitsVertically = !boundary.repeats(2) || frequencies.verticalFactor == 0.0
         check.that("boundary.type", scenario.boundary, fitsRadially && fitsVertically) {
             "it cannot be combined with a frame of type hill, whose mean flow v_y = -3/2 Ω x " +
                 "is not the same at both faces; it must be hill-sheet or open (or walls across x and z)"
@@ -83,3 +156,6 @@ public object FrameSetup {
  * @property timeStep not an [TimeStepSpec.OrbitFraction]
  */
 public class RunTimes internal constructor(public val end: Double, public val timeStep: TimeStepSpec)
+
+private const val METRES_PER_KM = 1000.0
+private const val NEEDS_DISTANCE = "is that of a planet; it needs frame.distanceInKm"

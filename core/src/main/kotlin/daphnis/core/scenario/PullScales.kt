@@ -52,18 +52,18 @@ private fun gap(box: Box, moon: ForceSpec.Satellite): Double =
 private fun satelliteStrength(scenario: ScenarioParts, moon: ForceSpec.Satellite): Double? = when {
     moon.mass != null -> (moon.constant ?: scenario.units.gravitationalConstant)?.let { it * moon.mass }
     else -> (scenario.frame as? FrameSpec.Hill)?.let { frame ->
-        scenario.units.gravitationalParameter(frame.planet)?.let { it * (moon.massRatio ?: 0.0) }
+        scenario.units.gravitationalParameter(frame)?.let { it * (moon.massRatio ?: 0.0) }
     }
 }
 
-/** Toomre's 4π² G Σ/Ω² of the particles of [setup]; null without Hill's frame or self-gravity. */
+/** Toomre's 4π² G Σ/κ² of the particles of [setup]; null without Hill's frame or self-gravity. */
 internal fun criticalWavelength(setup: ScenarioSetup): Double? {
     val scenario = setup.scenario
-    val omega = setup.angularSpeed ?: return null
+    val kappa = setup.frequencies?.kappa ?: return null
     val gravity = scenario.forces.filterIsInstance<ForceSpec.SelfGravity>().firstOrNull() ?: return null
     val g = gravity.constant ?: scenario.units.gravitationalConstant ?: return null
     val p = setup.population
     val mass = (0 until p.size).sumOf { if (scenario.isBody(p.id[it])) 0.0 else p.mass[it] }
     val box = setup.boundary.box
-    return 4 * Math.PI * Math.PI * g * mass / (box.length(0) * box.length(1)) / (omega * omega)
+    return 4 * Math.PI * Math.PI * g * mass / (box.length(0) * box.length(1)) / (kappa * kappa)
 }

@@ -56,6 +56,11 @@ public sealed interface FrameSpec {
     /**
      * Hill's frame: exactly one of [angularSpeed], in radians per unit of time, and [distanceInKm] from the centre of
      * [planet].
+     *
+     * @property verticalFactor ν/Ω; when left out, 1 or what [oblateness] makes it
+     * @property radialFactor κ/Ω; when left out, 1 or what [oblateness] makes it
+     * @property gravitationalParameter GM in km³/s² in place of that of [planet]
+     * @property oblateness of the planet, with [distanceInKm]; a point mass when left out
      */
     @Serializable
     @SerialName("hill")
@@ -63,7 +68,10 @@ public sealed interface FrameSpec {
         public val angularSpeed: Double? = null,
         public val distanceInKm: Double? = null,
         public val planet: Planet = Planet.SATURN,
-        public val verticalFactor: Double = 1.0,
+        public val verticalFactor: Double? = null,
+        public val radialFactor: Double? = null,
+        public val gravitationalParameter: Double? = null,
+        public val oblateness: OblatenessSpec? = null,
     ) : FrameSpec
 }
 

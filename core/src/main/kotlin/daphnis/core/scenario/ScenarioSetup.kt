@@ -22,6 +22,7 @@ import daphnis.core.engine.SerialEngine
 import daphnis.core.force.Force
 import daphnis.core.format.Snapshot
 import daphnis.core.measure
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
@@ -35,7 +36,7 @@ import kotlin.math.sqrt
  * Everything here is a pure function of the scenario (and of the particle file it may name), so a scenario gives the
  * same initial state on every machine.
  *
- * @property angularSpeed of the frame, in radians per unit of time; null without a frame
+ * @property frequencies of orbits in the frame; null without a frame
  * @property notices what a user should know about the initial state, one line each
  */
 public class ScenarioSetup private constructor(
@@ -46,11 +47,14 @@ public class ScenarioSetup private constructor(
     public val guard: CollapseGuard,
     public val forces: List<Force>,
     public val timeStep: TimeStep,
-    public val angularSpeed: Double?,
+    public val frequencies: OrbitalFrequencies?,
     public val notices: List<String>,
     /** Of the spheres; null for smooth ones. */
     public val roughness: Roughness?,
 ) {
+    /** Angular speed of the frame in radians per unit of time; null without a frame. */
+    public val angularSpeed: Double? get() = frequencies?.omega
+
     /** Moment of inertia of the spheres over mass · radius². */
     public val momentFactor: Double get() = scenario.roughness?.momentFactor ?: SurfaceContact.SOLID
 
@@ -142,7 +146,7 @@ public class ScenarioSetup private constructor(
             val isMade = state == null && scenario.placement !is PlacementSpec.File
             val bodies = if (isMade) scenario.copy(firstBody = null) else scenario
             val firstBody = bodies.firstBody(population.size)
-            val forceSetup = ForceSetup(scenario, around.angularSpeed, check)
+            val forceSetup = ForceSetup(scenario, around.frequencies, check)
             val forces = forceSetup.forces(around.boundary, firstBody)
             val boundary = forceSetup.boundary
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
@@ -157,7 +161,7 @@ public class ScenarioSetup private constructor(
             }
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
-                resolved, population, boundary, restitution, guard, forces, timeStep, around.angularSpeed,
+                resolved, population, boundary, restitution, guard, forces, timeStep, around.frequencies,
                 initial.notices, scenario.roughness?.law("roughness", check),
             )
         }

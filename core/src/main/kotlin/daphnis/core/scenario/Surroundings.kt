@@ -2,23 +2,27 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.orbit.OrbitalFrequencies
 
 /**
  * Space and time of a scenario, without a population.
  *
  * @property box where spheres are placed; that of [boundary] unless it is open
  * @property boundary without what forces add, such as the surface of a moon
- * @property angularSpeed of the frame, in radians per unit of time; null without a frame
+ * @property frequencies of orbits in the frame; null without a frame
  * @property end time at which the run ends
  * @property timeStep not an [TimeStepSpec.OrbitFraction]
  */
 public class Surroundings private constructor(
     internal val box: Box,
     public val boundary: BoundaryConditions,
-    public val angularSpeed: Double?,
+    public val frequencies: OrbitalFrequencies?,
     public val end: Double,
     public val timeStep: TimeStepSpec,
 ) {
+    /** Angular speed of the frame in radians per unit of time; null without a frame. */
+    public val angularSpeed: Double? get() = frequencies?.omega
+
     public companion object {
         /**
          * Makes and checks them.
@@ -31,12 +35,12 @@ public class Surroundings private constructor(
             val check = ValueCheck(source)
             checkUnits(scenario.units, check)
             val times = FrameSetup.times(scenario, source)
-            val omega = FrameSetup.angularSpeed(scenario, source)
+            val frequencies = FrameSetup.frequencies(scenario, source)
             checkEnd(scenario, times.end, check)
             val box = box(scenario, check)
-            val boundary = scenario.boundary.conditions(box, omega, source)
-            FrameSetup.checkFaces(scenario, boundary, omega, check)
-            return Surroundings(box, boundary, omega, times.end, times.timeStep)
+            val boundary = scenario.boundary.conditions(box, frequencies, source)
+            FrameSetup.checkFaces(scenario, boundary, frequencies, check)
+            return Surroundings(box, boundary, frequencies, times.end, times.timeStep)
         }
 
         private fun checkUnits(units: UnitsSpec, check: ValueCheck) {

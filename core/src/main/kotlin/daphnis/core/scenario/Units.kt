@@ -3,7 +3,6 @@ package daphnis.core.scenario
 import daphnis.core.format.SiUnits
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
-import kotlin.math.sqrt
 
 /**
  * The units of a scenario in SI units.
@@ -30,11 +29,11 @@ public class UnitsSpec @JvmOverloads constructor(
             return GRAVITATIONAL_CONSTANT * massInKg * time * time / (length * length * length)
         }
 
-    /** GM of [planet] in length³/time²; null when the length is not known. */
-    public fun gravitationalParameter(planet: Planet): Double? {
+    /** GM of the planet of [frame] in length³/time²; null when the length is not known. */
+    public fun gravitationalParameter(frame: FrameSpec.Hill): Double? {
         val length = lengthInMetres ?: return null
         val time = timeInSeconds ?: return null
-        return planet.gravitationalParameter * time * time / (length * length * length)
+        return frame.gravitationalParameterInSi * time * time / (length * length * length)
     }
 
     /** The units in SI units; null when the length is not known. */
@@ -65,17 +64,4 @@ public enum class Planet(public val gravitationalParameter: Double) {
 
     @SerialName("neptune")
     NEPTUNE(6.835100e15),
-
-    ;
-
-    /**
-     * Angular speed in rad/s of a circular orbit [distanceInKm] from the centre; the planet's oblateness is neglected
-     * (1 % at Saturn's rings).
-     */
-    public fun angularSpeed(distanceInKm: Double): Double {
-        val metres = distanceInKm * METRES_PER_KM
-        return sqrt(gravitationalParameter / (metres * metres * metres))
-    }
 }
-
-private const val METRES_PER_KM = 1000.0

@@ -61,9 +61,9 @@ private fun fall(setup: ScenarioSetup, axis: Int): Double =
  * counts is the shortest of the periods in which paths bend.
  */
 private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
-    val omega = setup.angularSpeed ?: return null
-    val vertical = (setup.scenario.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
-    val steps = 2 * Math.PI / (omega * dt)
+    val orbits = setup.frequencies ?: return null
+    val vertical = orbits.verticalFactor
+    val steps = 2 * Math.PI / (orbits.omega * dt)
     val ofPeriod = steps / maxOf(1.0, vertical)
     // Round-off of a step given as part of an orbit is not a reason to warn.
     if (ofPeriod >= FEWEST_STEPS * (1 - ROUNDING)) return null
@@ -100,7 +100,7 @@ private fun smallForWakes(setup: ScenarioSetup): String? {
     val ratio = box.length(shortest) / wavelength
     if (ratio >= 1) return null
     return line(
-        "box: the edge along %s is %.2g critical wavelengths (4π² G Σ/Ω² = %.4g) long, so it has no room for one " +
+        "box: the edge along %s is %.2g critical wavelengths (4π² G Σ/κ² = %.4g) long, so it has no room for one " +
             "self-gravity wake; Daisaka, Tanaka & Ida (2001) take 4 or more",
         "xy"[shortest],
         ratio,

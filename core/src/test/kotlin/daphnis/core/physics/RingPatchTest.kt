@@ -10,6 +10,7 @@ import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
 import daphnis.core.run.CollisionStatistics
@@ -73,7 +74,7 @@ class RingPatchTest {
         val sampling = Output { s ->
             if (s.time > start && s.step % 10 == 0L) {
                 samples++
-                val m = VelocityMoments.of(s.population, sheet.meanFlow, 1.0)
+                val m = VelocityMoments.of(s.population, sheet.meanFlow, OrbitalFrequencies(1.0))
                 for (k in moments.indices) moments[k] += m.moments[k]
                 stress += m.kinetic[VelocityMoments.XY]
                 height += m.scaleHeight

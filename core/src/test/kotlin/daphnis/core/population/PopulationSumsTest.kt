@@ -1,6 +1,7 @@
 package daphnis.core.population
 
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy
@@ -32,12 +33,7 @@ class PopulationSumsTest {
     private fun row(
         p: Population,
         loop: RangeLoop = InlineLoop,
-        sums: PopulationSums = PopulationSums(
-            flow,
-            1.0,
-            firstBody =
-            3 * p.size - 30,
-        ),
+        sums: PopulationSums = PopulationSums(flow, OrbitalFrequencies(1.0), firstBody = 3 * p.size - 30),
     ): List<Double> {
         sums.take(p, loop)
         return listOf(sums.mass, sums.kineticEnergy, sums.particleMass, sums.centreZ, sums.scaleHeight, sums.guidingX) +
@@ -50,7 +46,7 @@ class PopulationSumsTest {
             val p = gas(20_000, id)
             val expected = row(p)
             assertTrue(expected.all { it.isFinite() })
-            val used = PopulationSums(flow, 1.0, firstBody = 3 * p.size - 30)
+            val used = PopulationSums(flow, OrbitalFrequencies(1.0), firstBody = 3 * p.size - 30)
             for (threads in 1..8) {
                 FixedPool(threads).use { pool ->
                     for (strategy in LoopStrategy.entries) {
@@ -109,7 +105,7 @@ class PopulationSumsTest {
         for (id in listOf<(Int) -> Int>({ it }, { 2 * it }, { 40_000 * it })) {
             val p = gas(9000, id)
             val bodies = p.id[8990]
-            val sums = PopulationSums(flow, 1.0, bodies).apply { take(p) }
+            val sums = PopulationSums(flow, OrbitalFrequencies(1.0), bodies).apply { take(p) }
             val all = 0 until 9000
             val particles = 0 until 8990
             val mass = particles.sumOf { p.mass[it] }
@@ -211,7 +207,7 @@ class PopulationSumsTest {
         val bean = ManagementFactory.getThreadMXBean() as com.sun.management.ThreadMXBean
         val thread = Thread.currentThread().id
         fun allocated(p: Population): Long {
-            val sums = PopulationSums(flow, 1.0)
+            val sums = PopulationSums(flow, OrbitalFrequencies(1.0))
             sums.take(p)
             val before = bean.getThreadAllocatedBytes(thread)
             repeat(50) { sums.take(p) }

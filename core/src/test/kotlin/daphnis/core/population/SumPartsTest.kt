@@ -11,6 +11,7 @@ import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.Satellite
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy
@@ -85,8 +86,8 @@ class SumPartsTest {
             val p = SumCases.population(size, random, kind.draw)
             val flow = if (seed % 4 == 0L) null else flow
             val firstBody = if (seed % 3 == 0L) Int.MAX_VALUE else size - random.nextInt(4)
-            val whole = PopulationSums(flow, 0.7, firstBody).apply { take(p) }
-            val inParts = PopulationSums(flow, 0.7, firstBody)
+            val whole = PopulationSums(flow, OrbitalFrequencies(0.7), firstBody).apply { take(p) }
+            val inParts = PopulationSums(flow, OrbitalFrequencies(0.7), firstBody)
             repeat(2) {
                 inParts.take(Divided(divided(p, random), flow, firstBody))
                 assertEquals(numbers(whole), numbers(inParts)) { "$kind, seed $seed, $size spheres" }

@@ -7,6 +7,7 @@ import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.PolymorphicKind
 import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.descriptors.elementDescriptors
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.json.Json
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -41,7 +42,7 @@ class BoundarySpecTest {
             val needed = (0 until kind.elementsCount).filterNot { kind.isElementOptional(it) }
                 .joinToString("") { ""","${kind.getElementName(it)}":0.25""" }
             val spec = Json.decodeFromString(BoundarySpec.serializer(), """{"type":"${kind.serialName}"$needed}""")
-            val made = spec.conditions(Box.centred(4.0, 4.0, 4.0), 1.0, "test")
+            val made = spec.conditions(Box.centred(4.0, 4.0, 4.0), OrbitalFrequencies(1.0), "test")
             assertTrue(made.javaClass in contracted) { "${kind.serialName}: $made is not in everyBoundary()" }
             assertTrue("$spec".startsWith(kind.serialName)) { "$spec" }
         }
