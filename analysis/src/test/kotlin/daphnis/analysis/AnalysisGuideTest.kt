@@ -37,8 +37,8 @@ class AnalysisGuideTest {
         val collisions = CollisionForcing(BridgesRestitution(cmPerSecond = 0.02))
         // example: averages
         val profile = Profile(axis = 2, from = -15.0, to = 15.0, bins = 30)
-        val averages = Averages(profile, from = orbit / 2, every = 10, omega)
         val frame = HillFrame(omega)
+        val averages = Averages(profile, from = orbit / 2, every = 10, frame.frequencies)
         val steps = FixedTimeStep(dt)
         val simulation = Simulation(population, sheet, collisions, steps, listOf(frame), outputs = listOf(averages))
         while (simulation.time < orbit) simulation.advance()
@@ -51,7 +51,7 @@ class AnalysisGuideTest {
         assertEquals(6, averages.size)
 
         // example: analysis
-        val state = State.of(simulation, omega) // or State(population, boundary, time, omega)
+        val state = State.of(simulation, frame.frequencies) // or State(population, boundary, time, omega)
         val order = RadialOrder().sort(state, RadialKey.X) // order.order[rank] is an index; no sphere is moved
         val lines = Streamlines.of(state, slabs = 4, groups = 5, RadialKey.GUIDING_CENTRE)
         val crossing = lines.q.count { it >= 1 }

@@ -5,6 +5,7 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.hill.Epicycle
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import java.nio.file.Files
@@ -35,7 +36,7 @@ fun uniform(
         for (k in 0 until count) v[flow.flowAxis][k] += flow.rate * across[k]
     }
     val radii = DoubleArray(count) { radius }
-    return State(Population(x, y, z, v[0], v[1], v[2], radii, DoubleArray(count) { 1.0 }), boundary, 0.0, omega)
+    return State(Population(x, y, z, v[0], v[1], v[2], radii, DoubleArray(count) { 1.0 }), boundary, 0.0, omega?.let { OrbitalFrequencies(it) })
 }
 
 /** Particles on the epicycles given, in a frame of angular speed [omega]. */

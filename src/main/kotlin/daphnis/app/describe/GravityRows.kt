@@ -2,6 +2,7 @@ package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.force.SelfGravity
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSpec
@@ -15,13 +16,14 @@ import kotlin.math.sqrt
 internal class GravityRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
     private val scenario = setup.scenario
     private val population = setup.population
-    private val omega = setup.angularSpeed
+    private val orbits = setup.frequencies
+    private val omega = orbits?.omega
     private val constant: Double? =
         scenario.forces.firstNotNullOfOrNull { given(it) } ?: scenario.units.gravitationalConstant
 
     fun write() {
         scenario.forces.forEachIndexed { k, force -> force(k, force) }
-        if (constant != null && omega != null) scales(constant, omega)
+        if (constant != null && orbits != null) scales(constant, orbits)
     }
 
     private fun given(force: ForceSpec): Double? = when (force) {
@@ -45,7 +47,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     private fun satellite(moon: ForceSpec.Satellite): String {
-        val planet = (scenario.frame as FrameSpec.Hill).planet
+        val planet = scenario.frame as FrameSpec.Hill
         val g = moon.constant ?: scenario.units.gravitationalConstant
         val mass =
             moon.mass
@@ -56,12 +58,14 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
             size,
             "${say.length(Math.abs(moon.x))} ${if (moon.x < 0) "inside" else "outside"} the middle of the box",
             "e a = ${say.length(moon.e)}",
-            "wakes ${say.length(WAVELENGTH * Math.abs(moon.x))} long",
+            "wakes ${say.length(2 * Math.PI * orbits!!.shearFactor / orbits.radialFactor * Math.abs(moon.x))} long",
             mass?.let { m -> g?.let { "Hill radius ${say.length(hillRadius(it * m, omega!!))}" } },
         ).joinToString(", ")
     }
 
-    private fun scales(g: Double, omega: Double) {
+    private fun scales(g: Double, orbits: OrbitalFrequencies) {
+        val omega = orbits.omega
+        val kappa = orbits.kappa
         val particles = population.radius.indices.filter { !scenario.isBody(population.id[it]) }
         if (particles.isEmpty()) return
         val off = if (scenario.forces.none { it is ForceSpec.SelfGravity }) " (no self-gravity in this run)" else ""
@@ -77,8 +81,8 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val area = setup.boundary.box.length(0) * setup.boundary.box.length(1)
         val surface = particles.sumOf { population.mass[it] } / area
         val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
-        val wavelength = 4 * Math.PI * Math.PI * g * surface / (omega * omega)
-        val q = dispersion * omega / (TOOMRE * g * surface)
+        val wavelength = 4 * Math.PI * Math.PI * g * surface / (kappa * kappa)
+        val q = dispersion * kappa / (TOOMRE * g * surface)
         val fits = (0..1).joinToString(" × ") { number(setup.boundary.box.length(it) / wavelength) }
         rows.add(
             "Toomre",
@@ -94,10 +98,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
     private fun hillRadius(strength: Double, omega: Double) = Math.cbrt(strength / (3 * omega * omega))
 
     private companion object {
-        /** 3π |Δa|: how far the shear carries a streamline along in one epicycle. */
-        const val WAVELENGTH = 3 * Math.PI
-
-        /** Toomre 1964 (ApJ 139, 1217), for stars: Q = c κ / (3.36 G Σ); κ = Ω here. */
+        /** Toomre 1964 (ApJ 139, 1217), for stars: Q = c κ / (3.36 G Σ). */
         const val TOOMRE = 3.36
     }
 }

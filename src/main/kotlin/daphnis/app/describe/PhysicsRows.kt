@@ -3,6 +3,7 @@ package daphnis.app.describe
 import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.fillingFactor
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GuardSpec
@@ -67,16 +68,30 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val edges = scenario.box.lengths.joinToString(" x ") { say.length(it) }
         rows.add("box", "$edges, ${scenario.boundary.inWords(::number, say::speed)}")
         say.unitOfTime()?.let { rows.add("unit of time", it) }
-        val omega = setup.angularSpeed ?: return
+        val orbits = setup.frequencies ?: return
         val frame = scenario.frame as FrameSpec.Hill
         val where = frame.distanceInKm?.let {
             ", ${"%.0f".format(Locale.ROOT, it)} km from ${frame.planet.name.lowercase()}"
         }.orEmpty()
-        val orbit = 2 * Math.PI / omega
+        val orbit = 2 * Math.PI / orbits.omega
         rows.add(
             "orbit",
             "${say.time(orbit)}$where; the run is ${number((scenario.end - scenario.startTime) / orbit)} orbits",
         )
+        if (orbits.radialFactor != 1.0 || orbits.verticalFactor != 1.0) {
+            rows.add(
+                "epicycles",
+                "radial frequency ${number(orbits.radialFactor)} Ω, vertical ${number(orbits.verticalFactor)} Ω" +
+                    precession(orbits),
+            )
+        }
+    }
+
+    /** Of apses and nodes, in degrees a day where the unit of time is known. */
+    private fun precession(orbits: OrbitalFrequencies): String {
+        val second = scenario.units.timeInSeconds ?: return ""
+        fun rate(perTime: Double) = "${number(Math.toDegrees(perTime / second * SECONDS_A_DAY))} degrees a day"
+        return "; apses turn by ${rate(orbits.omega - orbits.kappa)}, nodes by ${rate(orbits.omega - orbits.nu)}"
     }
 
     private fun fullness() {
@@ -142,6 +157,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     private companion object {
+        const val SECONDS_A_DAY = 86_400.0
         const val VOLUME = 4.0 / 3.0 * Math.PI
     }
 }

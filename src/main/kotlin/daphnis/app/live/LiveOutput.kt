@@ -34,7 +34,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
             priority = Thread.MIN_PRIORITY
         }
     }
-    private val omega = run.scenario?.let { FrameSetup.angularSpeed(it, it.name) }
+    private val orbits = run.scenario?.let { FrameSetup.frequencies(it, it.name) }
     private val units = UnitNames(run.scenario?.units)
     private val picture = StatePicture(MovieOptions(width = WIDTH), units)
     private val scale = run.scenario?.let { PlotScale.of(it, run.simulation.population) }
@@ -80,7 +80,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
                 simulation.population.copy(),
                 simulation.boundary,
                 simulation.time,
-                omega,
+                orbits,
                 run.scenario?.firstBody ?: Int.MAX_VALUE,
             )
             painter.execute { draw(state) }

@@ -28,6 +28,8 @@ internal class KeyLabel(units: UnitsSpec?) {
         /** Units that keys have whatever the scenario's are. */
         val FIXED = mapOf(
             "distanceInKm" to "km",
+            "radiusInKm" to "km",
+            "gravitationalParameter" to "km^3/s^2",
             "massInKg" to "kg",
             "lengthInMetres" to "m",
             "speedInCmPerSecond" to "cm/s",

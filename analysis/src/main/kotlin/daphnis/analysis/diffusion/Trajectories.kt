@@ -1,6 +1,7 @@
 package daphnis.analysis.diffusion
 
 import daphnis.core.format.Snapshot
+import daphnis.core.orbit.OrbitalFrequencies
 
 /** A coordinate in which particles may diffuse. */
 public sealed interface Coordinate {
@@ -19,14 +20,17 @@ public sealed interface Coordinate {
     }
 
     /**
-     * Guiding centre X = 4x + 2 v_y/Ω in Hill's frame of angular speed [omega]; like x, it grows by L_x per box
-     * outward.
+     * Guiding centre X of orbits with these [frequencies] in Hill's frame; like x, it grows by L_x per box outward.
      */
-    public class GuidingCentre(private val omega: Double) : Coordinate {
+    public class GuidingCentre(private val frequencies: OrbitalFrequencies) : Coordinate {
+        /** Around a point mass, in a frame of angular speed [omega]. */
+        public constructor(omega: Double) : this(OrbitalFrequencies(omega))
+
         override val name: String = "X"
 
         override fun of(snapshot: Snapshot, index: Int): Double =
-            4 * snapshot.position[0][index] + 2 * snapshot.velocity[1][index] / omega + crossed(snapshot, 0, index)
+            frequencies.guidingX(snapshot.position[0][index], snapshot.velocity[1][index]) +
+                crossed(snapshot, 0, index)
     }
 
     private companion object {

@@ -10,12 +10,12 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.PackedFile
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
 import daphnis.core.run.atHome
-import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
@@ -31,6 +31,7 @@ import kotlin.io.path.isRegularFile
  * What there is to analyse: the states of a run or of a foreign file, and what is known about them.
  *
  * @property times time of each state, ascending
+ * @property frequencies of orbits in Hill's frame, or null when there is none
  * @property transport of a run that wrote it, else null
  * @property series the time series of a run that wrote it, else null
  * @property impacts the distribution of impact speeds of a run that wrote it, else null
@@ -46,7 +47,7 @@ public class AnalysisInput internal constructor(
     public val times: DoubleArray,
     private val load: (Int) -> Snapshot,
     private val around: (Int) -> BoundaryConditions,
-    public val omega: Double?,
+    public val frequencies: OrbitalFrequencies?,
     public val transport: TransportTable?,
     public val series: SeriesTable?,
     public val impacts: ImpactTable?,
@@ -58,6 +59,9 @@ public class AnalysisInput internal constructor(
 ) {
     /** Names of the units of all numbers. */
     public val units: UnitNames = UnitNames(scenario?.units, if (hasTimes) null else "steps")
+
+    /** Angular speed of Hill's frame, or null when there is none. */
+    public val omega: Double? get() = frequencies?.omega
 
     /** Number of states. */
     public val size: Int get() = times.size
@@ -90,8 +94,7 @@ public class AnalysisInput internal constructor(
 
     /** State [k], which [snapshot], as [snapshot] gives it, is: without a second look into the file. */
     public fun state(k: Int, snapshot: Snapshot): State {
-        val factor = (scenario?.frame as? FrameSpec.Hill)?.verticalFactor ?: 1.0
-        return State(snapshot.population(), boundary(k), times[k], omega, firstBody, factor)
+        return State(snapshot.population(), boundary(k), times[k], frequencies, firstBody)
     }
 
     /**
@@ -137,7 +140,7 @@ public class AnalysisInput internal constructor(
             val times = DoubleArray(steps.size) { k ->
                 if (dt != null) clock.time(steps[k], dt) else run.readSnapshot(steps[k]).time
             }
-            return ofRun(run, scenario.name, scenario, steps, times, around.boundary, around.angularSpeed, notices)
+            return ofRun(run, scenario.name, scenario, steps, times, around.boundary, around.frequencies, notices)
         }
 
         /** The run of a program's own: the box and whether it repeats are what its snapshots say. */
@@ -180,7 +183,7 @@ public class AnalysisInput internal constructor(
             }
             // Which laws and forces were at work, only the program knows.
             val known = scenario.copy(description = "")
-            return ofRun(run, record.program, known, steps, times, around.boundary, around.angularSpeed, notices)
+            return ofRun(run, record.program, known, steps, times, around.boundary, around.frequencies, notices)
         }
 
         private fun steps(run: RunDirectory): List<Long> = run.snapshotSteps().ifEmpty {
@@ -194,7 +197,7 @@ public class AnalysisInput internal constructor(
             steps: List<Long>,
             times: DoubleArray,
             boundary: BoundaryConditions,
-            omega: Double?,
+            frequencies: OrbitalFrequencies?,
             notices: List<String>,
         ): AnalysisInput {
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
@@ -203,7 +206,7 @@ public class AnalysisInput internal constructor(
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
             val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
             return AnalysisInput(
-                name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, { boundary }, omega,
+                name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, { boundary }, frequencies,
                 transport, series, impacts, run, notices, true, null, true,
             )
         }
@@ -244,7 +247,7 @@ public class AnalysisInput internal constructor(
                 PackedFile.plainName(path).substringBeforeLast('.'), scenario, firstBody, null,
                 DoubleArray(states.size) { states[it].time }, { states[it] },
                 { k -> boxes?.boundaries?.get(k) ?: around!!.boundary },
-                around?.angularSpeed, null, null, null, null,
+                around?.frequencies, null, null, null, null,
                 file.notices + boxes?.notices.orEmpty(), file.hasTimes, file.common, file.hasVelocities,
             )
         }
@@ -253,7 +256,7 @@ public class AnalysisInput internal constructor(
          * States that a program has by other means, in one box, without a scenario.
          *
          * @param times of each state, ascending
-         * @param omega angular speed of a rotating frame, or null
+         * @param frequencies of orbits in Hill's frame, or null
          * @param read state k, 0 until the number of [times]; may be called from one thread at a time, and anew for the
          *   same k
          */
@@ -262,13 +265,13 @@ public class AnalysisInput internal constructor(
             name: String,
             times: DoubleArray,
             boundary: BoundaryConditions,
-            omega: Double?,
+            frequencies: OrbitalFrequencies?,
             read: IntFunction<Snapshot>,
         ): AnalysisInput {
             require(times.isNotEmpty()) { "there is no state" }
             return AnalysisInput(
-                name, null, Int.MAX_VALUE, null, times, read::apply, { boundary }, omega, null, null, null, null,
-                emptyList(), true, null, true,
+                name, null, Int.MAX_VALUE, null, times, read::apply, { boundary }, frequencies, null, null, null,
+                null, emptyList(), true, null, true,
             )
         }
     }

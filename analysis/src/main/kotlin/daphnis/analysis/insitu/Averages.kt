@@ -4,6 +4,7 @@ import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.Output
 import daphnis.core.OutputState
 import daphnis.core.Simulation
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.abs
 
 /**
@@ -14,13 +15,13 @@ import kotlin.math.abs
  *
  * @param from states before this time are left out
  * @param every steps between samples when used as an output
- * @param omega angular speed of Hill's frame, or null
+ * @param frequencies of orbits in Hill's frame, or null
  */
 public class Averages @JvmOverloads constructor(
     private val measure: Measure,
     private val from: Double = Double.NEGATIVE_INFINITY,
     private val every: Long = 1,
-    private val omega: Double? = null,
+    private val frequencies: OrbitalFrequencies? = null,
 ) : Output {
     private val samples = ArrayList<DoubleArray>()
     private val pooled = measure as? PooledMeasure
@@ -37,7 +38,7 @@ public class Averages @JvmOverloads constructor(
     public val width: Int get() = if (samples.isEmpty()) 0 else numbers(0).size
 
     override fun write(simulation: Simulation) {
-        if (simulation.time >= from && simulation.step % every == 0L) add(State.of(simulation, omega))
+        if (simulation.time >= from && simulation.step % every == 0L) add(State.of(simulation, frequencies))
     }
 
     override fun save(state: OutputState) {

@@ -2,14 +2,14 @@ package daphnis.analysis.insitu
 
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 
 /**
  * A state to be measured: a population as it stands, shared and not copied, in its boundary conditions. Of a live
  * simulation between two steps, or of a file.
  *
- * @property omega angular speed of Hill's frame, or null when there is none
- * @property verticalFactor vertical over orbital frequency in Hill's frame
+ * @property frequencies of orbits in Hill's frame, or null when there is none
  * @property firstBody spheres with ids from this on are bodies, such as moonlets, which most quantities leave out;
  *   [Int.MAX_VALUE] for none
  */
@@ -17,10 +17,22 @@ public class State @JvmOverloads constructor(
     public val population: Population,
     public val boundary: BoundaryConditions,
     public val time: Double,
-    public val omega: Double? = null,
+    public val frequencies: OrbitalFrequencies? = null,
     public val firstBody: Int = Int.MAX_VALUE,
-    public val verticalFactor: Double = 1.0,
 ) {
+    /** In Hill's frame of angular speed [omega] around a point mass. */
+    @JvmOverloads
+    public constructor(
+        population: Population,
+        boundary: BoundaryConditions,
+        time: Double,
+        omega: Double,
+        firstBody: Int = Int.MAX_VALUE,
+    ) : this(population, boundary, time, OrbitalFrequencies(omega), firstBody)
+
+    /** Angular speed of Hill's frame, or null when there is none. */
+    public val omega: Double? get() = frequencies?.omega
+
     /** Area of the box in the x-y plane. */
     public val area: Double get() = boundary.box.length(0) * boundary.box.length(1)
 
@@ -43,7 +55,7 @@ public class State @JvmOverloads constructor(
         /** The state of [simulation] between two steps. */
         @JvmStatic
         @JvmOverloads
-        public fun of(simulation: Simulation, omega: Double? = null): State =
-            State(simulation.population, simulation.boundary, simulation.time, omega)
+        public fun of(simulation: Simulation, frequencies: OrbitalFrequencies? = null): State =
+            State(simulation.population, simulation.boundary, simulation.time, frequencies)
     }
 }

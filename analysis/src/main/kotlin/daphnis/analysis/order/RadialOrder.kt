@@ -1,7 +1,7 @@
 package daphnis.analysis.order
 
 import daphnis.analysis.insitu.State
-import daphnis.core.hill.Epicycle
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
@@ -56,8 +56,8 @@ public class RadialOrder @JvmOverloads constructor(
      */
     public fun sort(state: State, key: RadialKey): RadialOrder {
         val p = state.population
-        val omega = state.omega
-        require(key != RadialKey.GUIDING_CENTRE || omega != null) { "order by guiding centre needs Hill's frame" }
+        val orbits = state.frequencies
+        require(key != RadialKey.GUIDING_CENTRE || orbits != null) { "order by guiding centre needs Hill's frame" }
         require(key != RadialKey.DISTANCE || planetDistance.isFinite()) {
             "order by distance needs the distance of the planet"
         }
@@ -67,7 +67,7 @@ public class RadialOrder @JvmOverloads constructor(
         loop.run(size) { _, from, to ->
             for (rank in from until to) {
                 keys[rank] =
-                    sortable(value(p, order[rank], key, omega ?: 1.0))
+                    sortable(value(p, order[rank], key, orbits))
             }
         }
         wasNearlySorted = insert()
@@ -80,9 +80,9 @@ public class RadialOrder @JvmOverloads constructor(
     /** Rank by index in the population. Allocates. */
     public fun ranks(): IntArray = IntArray(size).also { for (rank in 0 until size) it[order[rank]] = rank }
 
-    private fun value(p: Population, k: Int, key: RadialKey, omega: Double): Double = when (key) {
+    private fun value(p: Population, k: Int, key: RadialKey, orbits: OrbitalFrequencies?): Double = when (key) {
         RadialKey.X -> p.x[k]
-        RadialKey.GUIDING_CENTRE -> Epicycle.guidingX(p.x[k], p.vy[k], omega)
+        RadialKey.GUIDING_CENTRE -> orbits!!.guidingX(p.x[k], p.vy[k])
         RadialKey.DISTANCE -> sqrt((p.x[k] + planetDistance) * (p.x[k] + planetDistance) + p.y[k] * p.y[k])
     }
 

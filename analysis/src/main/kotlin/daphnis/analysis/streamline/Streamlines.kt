@@ -3,6 +3,7 @@ package daphnis.analysis.streamline
 import daphnis.analysis.insitu.State
 import daphnis.analysis.order.RadialKey
 import daphnis.analysis.order.RadialOrder
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.hypot
@@ -141,16 +142,16 @@ public class Streamlines private constructor(
         // Squares around a mean that is taken from n particles vary less than those around the true one.
         val part = n.toDouble() / (n - 1)
         if (square > 0) dispersionError[entry] = sqrt(spread / n * part) * part / (2 * sqrt(square)) orNone n
-        val omega = state.omega
-        if (omega == null) guidingX[entry] = meanX[entry] else epicycles(state, omega, group, entry)
+        val orbits = state.frequencies
+        if (orbits == null) guidingX[entry] = meanX[entry] else epicycles(state, orbits, group, entry)
     }
 
-    private fun epicycles(state: State, omega: Double, group: StreamlineGroup, entry: Int) {
+    private fun epicycles(state: State, orbits: OrbitalFrequencies, group: StreamlineGroup, entry: Int) {
         val p = state.population
         val n = group.size
-        val vertical = omega * Math.max(state.verticalFactor, 1e-300)
-        fun cosine(k: Int) = 3 * p.x[k] + 2 * p.vy[k] / omega
-        fun sine(k: Int) = p.vx[k] / omega
+        val vertical = orbits.omega * Math.max(orbits.verticalFactor, 1e-300)
+        fun cosine(k: Int) = orbits.inwards(p.x[k], p.vy[k])
+        fun sine(k: Int) = p.vx[k] / orbits.kappa
         guidingX[entry] = group.mean { p.x[it] + cosine(it) }
         if (key == RadialKey.GUIDING_CENTRE) meanXError[entry] = sqrt(group.variance { cosine(it) } / n) orNone n
         meanE[entry] = group.mean { hypot(cosine(it), sine(it)) }

@@ -1,11 +1,15 @@
 package daphnis.analysis.streamline
 
 import daphnis.core.hill.Epicycle
+import daphnis.core.orbit.OrbitalFrequencies
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
+import kotlin.math.cosh
+import kotlin.math.exp
 import kotlin.math.sqrt
 
 class EncounterTest {
@@ -90,5 +94,25 @@ class EncounterTest {
         assertTrue(deep.amplitudeAt(0.0).isNaN() && deep.largestAmplitude.isNaN() && deep.leastAmplitude.isNaN())
         assertThrows(IllegalArgumentException::class.java) { Encounter(10.0, 1e-9, 1e5, -1.0) }
         assertThrows(IllegalArgumentException::class.java) { Encounter(0.0, 1e-9, 1e5) }
+    }
+
+    /** Exact for a circle: with s the shear and p = κ/s, the impulse is (2p/κs) ((2/κ) K₀(p) + K₁(p)). */
+    @Test
+    fun `around an oblate planet the impulse is that of its κ and shear`() {
+        fun bessel(order: Int, x: Double) = (0 until 12_000).sumOf { k ->
+            val t = (k + 0.5) * 1e-3
+            1e-3 * exp(-x * cosh(t)) * cosh(order * t)
+        }
+        for (kappa in listOf(0.9, 1.0, 1.1)) {
+            val encounter = Encounter(10.0, 1e-9, 1e5, frequencies = OrbitalFrequencies(3.0, kappa))
+            val shear = (4 - kappa * kappa) / 2
+            val p = kappa / shear
+            val expected = 1e4 * 2 * p / (kappa * shear) * (2 / kappa * bessel(0, p) + bessel(1, p))
+            assertEquals(expected, encounter.amplitude, 5e-4 * expected)
+            assertEquals(2 * PI * shear / kappa * 10, encounter.wavelength, 1e-12)
+            assertEquals(1e5 / (shear * 10), encounter.synodicOrbits, 1e-9)
+            assertEquals(shear / kappa * 100 / 0.5, encounter.crossing(0.5), 1e-12)
+        }
+        assertFalse(Encounter(10.0, 1e-9, 1e5, frequencies = OrbitalFrequencies(3.0, 0.9)).isKeplerian)
     }
 }

@@ -9,6 +9,7 @@ import daphnis.core.boundary.Open
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -129,11 +130,11 @@ class StreamlinesTest {
         fun error(value: (Int) -> Double) = sqrt(variance(value) / n)
 
         val x = { k: Int -> p.x[k] }
-        val cosine = { k: Int -> 3 * p.x[k] + 2 * p.vy[k] / omega }
-        val sine = { k: Int -> p.vx[k] / omega }
-        val guiding = { k: Int -> 4 * p.x[k] + 2 * p.vy[k] / omega }
+        val cosine = { k: Int -> ((4 - 0.81) * p.x[k] + 2 * p.vy[k] / omega) / 0.81 }
+        val sine = { k: Int -> p.vx[k] / (0.9 * omega) }
+        val guiding = { k: Int -> (4 * p.x[k] + 2 * p.vy[k] / omega) / 0.81 }
         val e = { k: Int -> hypot(cosine(k), sine(k)) }
-        val i = { k: Int -> hypot(p.z[k], p.vz[k] / (omega * state.verticalFactor)) }
+        val i = { k: Int -> hypot(p.z[k], p.vz[k] / (omega * 2.5)) }
         val area = { k: Int -> PI * p.radius[k] * p.radius[k] }
         val forced = hypot(mean(cosine), mean(sine))
         val noise = (variance(cosine) + variance(sine)) / n
@@ -164,7 +165,7 @@ class StreamlinesTest {
         val radius = DoubleArray(count) { random.nextDouble(0.1, 0.5) }
         val p = Population(x, column(30.0), column(1.0), vx, vy, column(0.8), radius, DoubleArray(count) { 1.0 })
         val boundary = HillSheet(Box.centred(20.0, 60.0, 2.0), omega, radiallyOpen = isOpen)
-        return State(p, boundary, 0.0, omega, verticalFactor = 2.5)
+        return State(p, boundary, 0.0, OrbitalFrequencies(omega, 0.9, 2.5))
     }
 
     @Test

@@ -26,6 +26,7 @@ import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
 
@@ -42,6 +43,7 @@ class Draw(override val seed: Long) : Case {
 
     /** Of Hill's frame, where the boundary is its sheet. */
     private val omega = random.nextDouble(0.02, 0.2)
+    private val orbits = OrbitalFrequencies(omega, if (seed % 2 == 0L) 1.0 else 0.8, 1.5)
     private val radii = drawRadii()
     private val volume = radii.sumOf { 4.0 / 3 * Math.PI * it * it * it } / filling
     private val box = drawBox()
@@ -101,7 +103,7 @@ class Draw(override val seed: Long) : Case {
         3 -> Walls(box, 1.0, booleanArrayOf(false, true, false), surface.walls)
         4 -> ShearedPeriodic(box, random.nextDouble(-1.0, 1.0))
         5, 6 -> LeesEdwards(box, random.nextDouble(-0.3, 0.3))
-        7, 8 -> HillSheet(box, omega, radiallyOpen = random.nextInt(4) == 0)
+        7, 8 -> HillSheet(box, orbits, radiallyOpen = random.nextInt(4) == 0)
         else -> Periodic(box)
     }
 
@@ -165,8 +167,8 @@ class Draw(override val seed: Long) : Case {
      */
     private fun forces(): List<Force> {
         if (boundary !is HillSheet || dt * omega > 1) return emptyList()
-        val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), omega, softening = 0.5)
-        val frame = HillFrame(omega, verticalFactor = 1.5)
+        val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), orbits, softening = 0.5)
+        val frame = HillFrame(orbits)
         return if (seed % 3 == 0L) {
             listOf(frame, moon, SelfGravity(boundary, omega * omega / 50))
         } else {

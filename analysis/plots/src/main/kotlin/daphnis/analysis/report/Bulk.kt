@@ -35,7 +35,7 @@ internal class Bulk(state: State, input: AnalysisInput) {
             ?.let { it.constant ?: units.gravitationalConstant }
     }
 
-    /** Toomre's 4π² G Σ/Ω²; NaN without self-gravity. */
+    /** Toomre's 4π² G Σ/κ²; NaN without self-gravity. */
     val criticalWavelength: Double =
-        input.omega?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) } ?: Double.NaN
+        input.frequencies?.kappa?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) } ?: Double.NaN
 }

@@ -162,7 +162,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     }
 
     private fun coordinates(snapshot: Snapshot, boundary: BoundaryConditions): List<Coordinate> = if (omega != null) {
-        listOf(Coordinate.GuidingCentre(omega), Coordinate.Position(0))
+        listOf(Coordinate.GuidingCentre(input.frequencies!!), Coordinate.Position(0))
     } else {
         (0..2).filter { snapshot.periodic[it] && it != boundary.meanFlow?.flowAxis }.map { Coordinate.Position(it) }
     }

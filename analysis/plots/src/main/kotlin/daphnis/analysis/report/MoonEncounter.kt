@@ -3,6 +3,7 @@ package daphnis.analysis.report
 import daphnis.analysis.streamline.Encounter
 import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.Scenario
@@ -10,20 +11,21 @@ import daphnis.core.scenario.Scenario
 /** The passage of a scenario's moon by its patch: the [Encounter] it makes, and its rows in the report. */
 internal object MoonEncounter {
     /**
-     * For the middle of [box], in a frame of angular speed [omega]; null without a moon, and where the unit of length
+     * For the middle of [box], among these [orbits]; null without a moon, and where the unit of length
      * is not known or the moon is in the middle.
      */
-    fun of(scenario: Scenario?, omega: Double, box: Box): Encounter? {
+    fun of(scenario: Scenario?, orbits: OrbitalFrequencies, box: Box): Encounter? {
         val moon = scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull() ?: return null
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
         val metres = scenario.units.lengthInMetres ?: return null
-        val planet = scenario.units.gravitationalParameter(frame.planet) ?: return null
+        val planet = scenario.units.gravitationalParameter(frame) ?: return null
         val constant = moon.constant ?: scenario.units.gravitationalConstant ?: return null
         val ratio = moon.massRatio ?: moon.mass?.let { it * constant / planet } ?: return null
         // Kepler, where the frame is given by its angular speed.
-        val frameAxis = frame.distanceInKm?.let { it * METRES_PER_KM / metres } ?: Math.cbrt(planet / (omega * omega))
+        val frameAxis = frame.distanceInKm?.let { it * METRES_PER_KM / metres }
+            ?: Math.cbrt(planet / (orbits.omega * orbits.omega))
         val distance = (box.lowerX + box.upperX) / 2 - moon.x
-        return if (distance == 0.0) null else Encounter(distance, ratio, frameAxis + moon.x, moon.e)
+        return if (distance == 0.0) null else Encounter(distance, ratio, frameAxis + moon.x, moon.e, orbits)
     }
 
     fun rows(e: Encounter, box: Box, units: UnitNames): List<NumberRow> {
@@ -37,7 +39,7 @@ internal object MoonEncounter {
             units.length,
             if (e.moonE > 0) swing else "",
         )
-        rows.number("wavelength 3π|Δa|", e.wavelength, units.length)
+        rows.number(if (e.isKeplerian) "wavelength 3π|Δa|" else "wavelength 2π (s/κ) |Δa|", e.wavelength, units.length)
         amplitudes(rows, e, units)
         rows.number("time between passages", e.synodicOrbits, "orbits")
         val resonances = e.resonances(box.lowerX - moonX, box.upperX - moonX).size.toDouble()

@@ -4,17 +4,18 @@ import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.streamline.Streamlines
 import daphnis.core.hill.Epicycle
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.ForceSpec
 import kotlin.math.sign
 
 /** What the [moon] of a scenario does to streamlines; nothing but its place where its encounter is not known. */
-internal class MoonPart private constructor(private val study: Study, moon: ForceSpec.Satellite, omega: Double) {
+internal class MoonPart private constructor(private val study: Study, moon: ForceSpec.Satellite, orbits: OrbitalFrequencies) {
     private val units = study.units
     private val last = study.last
-    private val encounter = MoonEncounter.of(study.input.scenario, omega, last.boundary.box)
+    private val encounter = MoonEncounter.of(study.input.scenario, orbits, last.boundary.box)
 
     /** Where the moon is along the orbit, at the time of the last state. */
-    val y: Double = Epicycle(moon.x, moon.y, moon.e, moon.phase).after(last.time, omega).state(omega)[1]
+    val y: Double = Epicycle(moon.x, moon.y, moon.e, moon.phase).after(last.time, orbits).state(orbits)[1]
 
     /** What an axis along the orbit says. */
     val azimuth: String = "azimuth from the moon [${units.length}]"
@@ -49,7 +50,7 @@ internal class MoonPart private constructor(private val study: Study, moon: Forc
         /** Of the first satellite of the scenario; null without one, or without Hill's frame. */
         fun of(study: Study): MoonPart? {
             val moon = study.input.scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull()
-            return if (moon == null) null else study.input.omega?.let { MoonPart(study, moon, it) }
+            return if (moon == null) null else study.input.frequencies?.let { MoonPart(study, moon, it) }
         }
     }
 }

@@ -99,7 +99,7 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
 
     private companion object {
         val OF_STATE: Measure = Measure { state ->
-            val m = VelocityMoments.of(state.population, state.boundary.meanFlow, state.omega, state.firstBody)
+            val m = VelocityMoments.of(state.population, state.boundary.meanFlow, state.frequencies, state.firstBody)
             m.moments + DoubleArray(OfState.entries.size) { OfState.entries[it].of(state, m) }
         }
     }

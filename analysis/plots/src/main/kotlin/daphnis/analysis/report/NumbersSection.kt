@@ -11,7 +11,7 @@ internal class NumbersSection(private val study: Study, private val others: List
     override val over = study.overMotion
 
     override fun numbers(): List<NumberRow> =
-        study.input.omega?.let { RingNumbers(study, it).rows() } ?: BoxNumbers(study).rows()
+        study.input.frequencies?.let { RingNumbers(study, it).rows() } ?: BoxNumbers(study).rows()
 
     /** All rows of the table; without errors where the run is not steady. */
     fun rows(): List<NumberRow> = study.judgement.shown(numbers() + others.flatMap { it.numbers() })

@@ -1,8 +1,8 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
@@ -69,17 +69,17 @@ internal object References {
     )
 
     /** Of a ring patch, in units of r and Ω; [last] is its last state. */
-    fun ofPatch(scenario: Scenario, last: State, omega: Double, opticalDepth: Double): Map<String, Reference> {
+    fun ofPatch(scenario: Scenario, last: State, orbits: OrbitalFrequencies, opticalDepth: Double): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Bridges ?: return emptyMap()
         val sheet = scenario.boundary as? BoundarySpec.HillSheet ?: return emptyMap()
-        val frame = scenario.frame as? FrameSpec.Hill ?: return emptyMap()
         if (!isPlain(scenario, last)) return emptyMap()
-        val speed = last.population.radius[0] * omega * scenario.units.speedInCmPerSecond
+        val speed = last.population.radius[0] * orbits.omega * scenario.units.speedInCmPerSecond
         val same =
             law.prefactor == 0.34 &&
                 law.exponent == -0.234 &&
                 !sheet.radiallyOpen &&
-                frame.verticalFactor == 1.0 &&
+                orbits.radialFactor == 1.0 &&
+                orbits.verticalFactor == 1.0 &&
                 abs(speed / 0.01948 - 1) < SAME_SCALE
         if (!same) return emptyMap()
         val row = PATCHES.find { abs(opticalDepth / it[0] - 1) < 0.01 } ?: return emptyMap()

@@ -2,10 +2,13 @@ package daphnis.analysis.report
 
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.transport.Transport
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.PI
 
-/** The quantities of a patch in Hill's frame of angular speed [omega], in units of r and Ω. */
-internal class RingNumbers(private val study: Study, private val omega: Double) {
+/** The quantities of a patch in Hill's frame with these [orbits], in units of r and Ω. */
+internal class RingNumbers(private val study: Study, private val orbits: OrbitalFrequencies) {
+    private val omega = orbits.omega
+    private val isKeplerian = orbits.radialFactor == 1.0
     private val units = study.units
     private val bulk = study.bulk
     private val motion = study.motion
@@ -13,7 +16,7 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
     private val scenario = study.input.scenario
     private val speedUnit = SpeedUnit(scenario, units.speed)
     private val rows =
-        NumberRows(study.physics?.let { References.ofPatch(it, study.last, omega, bulk.opticalDepth) } ?: emptyMap())
+        NumberRows(study.physics?.let { References.ofPatch(it, study.last, orbits, bulk.opticalDepth) } ?: emptyMap())
 
     fun rows(): List<NumberRow> {
         patch()
@@ -102,7 +105,7 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
         )
         rows.average(
             "shear_work_over_dissipation",
-            "(9/4) Ω² ν over dissipation",
+            if (isKeplerian) "(9/4) Ω² ν over dissipation" else "s² ν over dissipation, s = (2 − ½ κ²/Ω²) Ω",
             transport.energyBalance per 1.0,
             "",
             "1 in a steady state",
@@ -110,11 +113,11 @@ internal class RingNumbers(private val study: Study, private val omega: Double) 
     }
 
     private fun gravity(constant: Double) {
-        val marginal = 3.36 * constant * bulk.surfaceDensity / omega
+        val marginal = 3.36 * constant * bulk.surfaceDensity / orbits.kappa
         if (study.input.hasVelocities) {
-            rows.average("toomre_q", "Toomre's Q", motion.moment("xx").root() per marginal, "", "σ_x Ω / (3.36 G Σ)")
+            rows.average("toomre_q", "Toomre's Q", motion.moment("xx").root() per marginal, "", if (isKeplerian) "σ_x Ω / (3.36 G Σ)" else "σ_x κ / (3.36 G Σ)")
         }
-        rows.exact("critical_wavelength", "critical wavelength 4π² G Σ/Ω²", bulk.criticalWavelength, units.length)
+        rows.exact("critical_wavelength", if (isKeplerian) "critical wavelength 4π² G Σ/Ω²" else "critical wavelength 4π² G Σ/κ²", bulk.criticalWavelength, units.length)
     }
 
     private infix fun BlockAverage.per(unit: Double) = this * (1 / unit)

@@ -2,6 +2,7 @@ package daphnis.analysis.report
 
 import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.UnitsSpec
@@ -14,18 +15,19 @@ import org.junit.jupiter.api.Test
 class MoonEncounterTest {
     private val box = Box.centred(10.0, 12600.0, 0.6)
     private val omega = 1.259e-4
+    private val orbits = OrbitalFrequencies(omega)
 
     private fun wake(vararg settings: String): Scenario = BuiltIn.scenario("satellite-wake", settings.asList())
 
     @Test
     fun `a moon given by its mass has the encounter of the same moon given by its ratio`() {
-        val ratio = MoonEncounter.of(wake(), omega, box)!!
+        val ratio = MoonEncounter.of(wake(), orbits, box)!!
         assertEquals(1.667, ratio.amplitude, 0.01)
         // GM of Saturn over G, in kilograms.
         val mass = 8.71e-12 * 3.7931206e16 / UnitsSpec.GRAVITATIONAL_CONSTANT
         val byMass = MoonEncounter.of(
             wake("forces=[{\"type\":\"satellite\",\"mass\":$mass,\"x\":-167,\"y\":-7500}]"),
-            omega,
+            orbits,
             box,
         )!!
         assertEquals(ratio.massRatio, byMass.massRatio, 1e-12 * ratio.massRatio)
@@ -36,7 +38,7 @@ class MoonEncounterTest {
     @Test
     fun `a frame given by its angular speed is where Kepler puts it`() {
         val given = wake("frame={\"type\":\"hill\",\"planet\":\"saturn\",\"angularSpeed\":$omega}")
-        val kepler = MoonEncounter.of(given, omega, box)!!
+        val kepler = MoonEncounter.of(given, orbits, box)!!
         assertEquals(Math.cbrt(3.7931206e7 / (omega * omega)) - 167, kepler.semiMajorAxis, 1e-6)
         assertEquals(167.0, kepler.distance)
     }
@@ -47,7 +49,7 @@ class MoonEncounterTest {
         fun rows(e: Double) = MoonEncounter.rows(
             MoonEncounter.of(
                 wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":-167,\"y\":-7500,\"e\":$e}]"),
-                omega,
+                orbits,
                 box,
             )!!,
             box,
@@ -68,12 +70,12 @@ class MoonEncounterTest {
 
     @Test
     fun `no moon, no encounter`() {
-        assertNull(MoonEncounter.of(wake("forces=[]"), omega, box))
-        assertNull(MoonEncounter.of(null, omega, box))
+        assertNull(MoonEncounter.of(wake("forces=[]"), orbits, box))
+        assertNull(MoonEncounter.of(null, orbits, box))
         assertNull(
             MoonEncounter.of(
                 wake("forces=[{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"x\":0,\"y\":-7500}]"),
-                omega,
+                orbits,
                 box,
             ),
         )

@@ -84,14 +84,14 @@ class ReferenceTest {
             settings: Array<out String>,
             use: (ScenarioSetup, State) -> Map<String, Reference>,
         ) = ScenarioSetup.of(BuiltIn.scenario(name, settings.asList()), name).let { setup ->
-            use(setup, State(setup.population, setup.boundary, 0.0, setup.angularSpeed))
+            use(setup, State(setup.population, setup.boundary, 0.0, setup.frequencies))
         }
 
         /** References of `ring-patch`, with [settings], as the directory of a run has it: all is resolved. */
         fun patch(vararg settings: String) = of("ring-patch", settings) { setup, state ->
             val p = state.population
             val depth = p.radius.filterIndexed { k, _ -> p.radius[k] < 4 }.sumOf { PI * it * it } / state.area
-            References.ofPatch(written(setup), state, setup.angularSpeed!!, depth)
+            References.ofPatch(written(setup), state, setup.frequencies!!, depth)
         }
 
         /** References of `shear-cell`. */

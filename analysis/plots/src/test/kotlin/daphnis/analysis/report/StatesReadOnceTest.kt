@@ -5,6 +5,7 @@ import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
 import daphnis.core.format.Snapshot
 import daphnis.core.hill.HillSheet
+import daphnis.core.orbit.OrbitalFrequencies
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
@@ -30,7 +31,7 @@ class StatesReadOnceTest {
         val reads = IntArray(snapshots.size)
         val read = IntFunction { k -> snapshots[k].also { reads[k]++ } }
         val times = DoubleArray(snapshots.size) { it.toDouble() }
-        val input = AnalysisInput.ofStates("made", times, boundary, omega, read)
+        val input = AnalysisInput.ofStates("made", times, boundary, OrbitalFrequencies(omega), read)
         // Five are averaged, twenty are followed for diffusion, and the last is pictured.
         Analysis(input, AnalysisOptions(from = 4.0, frames = 5)).write(directory)
         assertTrue(">Diffusion</h2>" in Files.readString(directory.resolve("report.html")))

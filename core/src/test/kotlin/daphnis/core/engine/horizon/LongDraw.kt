@@ -24,6 +24,7 @@ import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.hill.Satellite
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 
 /**
@@ -39,6 +40,7 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
     private val isMixed = random.nextInt(3) == 0
     private val hasGiants = random.nextInt(3) == 0
     private val omega = random.nextDouble(0.02, 0.1)
+    private val orbits = OrbitalFrequencies(omega, if (random.nextInt(2) == 0) 1.0 else 0.8, 1.5)
     private val low = if (random.nextInt(3) == 0) random.nextDouble(-300.0, 300.0) else -apart * edge / 2
     private val box = Box(low, low, low, low + apart * edge, low + apart * edge, low + apart * edge)
     val boundary: BoundaryConditions = when (random.nextInt(10)) {
@@ -46,7 +48,7 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
         1 -> Periodic(box, periodicX = false)
         2, 3 -> LeesEdwards(box, random.nextDouble(-0.2, 0.2))
         4 -> ShearedPeriodic(box, random.nextDouble(-2.0, 2.0))
-        5, 6 -> HillSheet(box, omega)
+        5, 6 -> HillSheet(box, orbits)
         7 -> Walls(box, random.nextDouble(0.3, 1.0), roughness = surface.walls)
         8 -> Walls(box, 1.0, booleanArrayOf(false, true, random.nextInt(2) == 0), surface.walls)
         else -> Periodic(box)
@@ -96,8 +98,8 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
             for (k in 0 until p.size) p.vz[k] -= spring * duration * (p.z[k] - middle)
         }
         if (boundary is HillSheet) {
-            val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), omega, softening = 0.5)
-            return listOf(moon, HillFrame(omega, verticalFactor = 1.5))
+            val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), orbits, softening = 0.5)
+            return listOf(moon, HillFrame(orbits))
         }
         val fall = Kick { p, _, duration -> for (k in 0 until p.size) p.vy[k] -= 4 * spring * duration }
         return if (!hasForce) emptyList() else listOf(if (boundary is Walls) fall else pull)
