@@ -81,7 +81,7 @@ def test_what_the_documentation_shows_has_the_right_types(tmp_path: Path) -> Non
 
 def test_what_a_run_has_is_no_maybe() -> None:
     """Without mypy too: what documents use plainly is typed plainly."""
-    plain = {daphnis.Run: ("scenario", "summary", "units"), daphnis.Scenario: ("omega", "orbit", "units")}
+    plain = {daphnis.Run: ("scenario", "summary", "units"), daphnis.Scenario: ("omega", "kappa", "nu", "orbit", "units")}
     for kind, names in plain.items():
         for name in names:
             assert "None" not in str(getattr(kind, name).fget.__annotations__["return"]), name

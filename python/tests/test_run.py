@@ -58,6 +58,9 @@ def test_states_are_read_one_by_one_and_by_time(ring: daphnis.Run) -> None:
     assert found.step == 40
     assert np.array_equal(found.position, states[2].position)
     assert ring.scenario.is_hill
+    assert ring.scenario.kappa == ring.scenario.nu == ring.scenario.omega
+    oblate = daphnis.scenario("ring-patch", set={"frame.radialFactor": 0.9, "frame.verticalFactor": 1.1})
+    assert (oblate.kappa, oblate.nu) == (0.9 * oblate.omega, 1.1 * oblate.omega)
     orbits = states[1].time / ring.scenario.orbit
     assert ring.at(orbits=orbits).step == 20
     with pytest.raises(daphnis.InputError, match="next to it are those of step"):

@@ -60,14 +60,27 @@ class Scenario:
         return speed
 
     @property
+    def kappa(self) -> float:
+        """Radial frequency κ of epicycles, radians per unit of time. Raises InputError where there is no Hill's frame."""
+        return self.omega * float(self._frequencies().getRadialFactor())
+
+    @property
+    def nu(self) -> float:
+        """Vertical frequency ν, radians per unit of time. Raises InputError where there is no Hill's frame."""
+        return self.omega * float(self._frequencies().getVerticalFactor())
+
+    @property
     def orbit(self) -> float:
         """Length of an orbit, 2π/Ω, in units of time. Raises InputError where there is no Hill's frame."""
         return 2 * math.pi / self.omega
 
     def _speed(self) -> float | None:
+        frequencies = self._frequencies()
+        return None if frequencies is None else float(frequencies.getOmega())
+
+    def _frequencies(self) -> Any:
         with translated():
-            speed = java("daphnis.core.scenario.FrameSetup").angularSpeed(self._java, self._source)
-        return None if speed is None else float(speed)
+            return java("daphnis.core.scenario.FrameSetup").frequencies(self._java, self._source)
 
     @property
     def units(self) -> Units:

@@ -57,6 +57,14 @@ class DescribeTest {
     }
 
     @Test
+    fun `around an oblate planet apses and nodes turn`() {
+        val harmonics = """frame.oblateness={"radiusInKm":60330,"j2":16290.71e-6,"j4":-935.83e-6,"j6":86.14e-6}"""
+        val row = row(describe("ring-patch", harmonics, "frame.distanceInKm=140224"), "epicycles")
+        assertTrue("apses turn by 2.698 degrees a day, nodes by -2.6" in row) { row }
+        assertFalse("epicycles" in describe("ring-patch"))
+    }
+
+    @Test
     fun `a patch of ring in numbers`() {
         val text = describe("ring-patch")
         assertNear(0.5, row(text, "optical depth"))

@@ -7,7 +7,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums

@@ -36,7 +36,23 @@ fun uniform(
         for (k in 0 until count) v[flow.flowAxis][k] += flow.rate * across[k]
     }
     val radii = DoubleArray(count) { radius }
-    return State(Population(x, y, z, v[0], v[1], v[2], radii, DoubleArray(count) { 1.0 }), boundary, 0.0, omega?.let { OrbitalFrequencies(it) })
+    return State(
+        Population(
+            x,
+            y,
+            z,
+            v[0],
+            v[1],
+            v[2],
+            radii,
+            DoubleArray(count) {
+                1.0
+            },
+        ),
+        boundary,
+        0.0,
+        omega?.let { OrbitalFrequencies(it) },
+    )
 }
 
 /** Particles on the epicycles given, in a frame of angular speed [omega]. */

@@ -93,9 +93,8 @@ public class AnalysisInput internal constructor(
     public fun state(k: Int): State = state(k, snapshot(k))
 
     /** State [k], which [snapshot], as [snapshot] gives it, is: without a second look into the file. */
-    public fun state(k: Int, snapshot: Snapshot): State {
-        return State(snapshot.population(), boundary(k), times[k], frequencies, firstBody)
-    }
+    public fun state(k: Int, snapshot: Snapshot): State =
+        State(snapshot.population(), boundary(k), times[k], frequencies, firstBody)
 
     /**
      * What is around state [k], as in [state], without a look into its file. Of open space it is the box around the last

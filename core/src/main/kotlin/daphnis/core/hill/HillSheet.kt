@@ -9,11 +9,10 @@ import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.MeanFlow
 
 /**
- * The shearing sheet for Hill's frame (Wisdom & Tremaine 1988, AJ 95, 925): a patch of a ring
- * that is continued by its own images, radially with the shear s of circular orbits and along the orbit without it, and is open
- * vertically. The image at +L_x slides with −s L_x along y. A sphere that leaves outward comes back at the inner
- * face displaced by +s L_x t along y (mod L_y) and faster by s L_x; e, φ, i and ζ of its epicycle do not
- * change.
+ * The shearing sheet for Hill's frame (Wisdom & Tremaine 1988, AJ 95, 925): a patch of a ring that is continued by its
+ * own images, radially with the shear s of circular orbits and along the orbit without it, and is open vertically. The
+ * image at +L_x slides with −s L_x along y. A sphere that leaves outward comes back at the inner face displaced by
+ * +s L_x t along y (mod L_y) and faster by s L_x; e, φ, i and ζ of its epicycle do not change.
  *
  * ```
  *   x ▲ (outward)    image: ◀── ○ ○  −s L_x

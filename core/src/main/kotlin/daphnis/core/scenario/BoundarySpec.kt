@@ -102,7 +102,8 @@ public sealed interface BoundarySpec {
     @SerialName("hill-sheet")
     public class HillSheet @JvmOverloads constructor(public val radiallyOpen: Boolean = false) : BoundarySpec {
         override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions {
-            val orbits = frequencies ?: ValueCheck(source).fail("boundary", "is a hill-sheet; it needs a frame of type hill")
+            val orbits =
+                frequencies ?: ValueCheck(source).fail("boundary", "is a hill-sheet; it needs a frame of type hill")
             return daphnis.core.hill.HillSheet(box, orbits, radiallyOpen)
         }
 

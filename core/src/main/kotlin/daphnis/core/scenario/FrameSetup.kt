@@ -87,7 +87,12 @@ public object FrameSetup {
             } else {
                 val radius = oblate.radiusInKm * METRES_PER_KM
                 OrbitalFrequencies.around(
-                    frame.gravitationalParameterInSi, metres, radius, oblate.j2, oblate.j4, oblate.j6,
+                    frame.gravitationalParameterInSi,
+                    metres,
+                    radius,
+                    oblate.j2,
+                    oblate.j4,
+                    oblate.j6,
                 )
             }
         } catch (e: IllegalArgumentException) {

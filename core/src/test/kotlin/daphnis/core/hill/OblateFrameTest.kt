@@ -33,7 +33,11 @@ class OblateFrameTest {
                 val expected = start.after(simulation.time, f).state(f)
                 val found = doubleArrayOf(p.x[0], p.y[0], p.z[0], p.vx[0], p.vy[0], p.vz[0])
                 val scale = maxOf(1.0, abs(expected[1]))
-                for (k in 0..5) assertEquals(expected[k], found[k], 1e-11 * scale) { "component $k of $f, $steps steps" }
+                for (k in 0..5) {
+                    assertEquals(expected[k], found[k], 1e-11 * scale) {
+                        "component $k of $f, $steps steps"
+                    }
+                }
             }
         }
     }

@@ -35,7 +35,11 @@ class OblatePatchTest {
             }
         }
         val simulation = Simulation(
-            setup.population, setup.boundary, setup.collisions(recordCollisions = true), setup.timeStep, setup.forces,
+            setup.population,
+            setup.boundary,
+            setup.collisions(recordCollisions = true),
+            setup.timeStep,
+            setup.forces,
             listOf(statistics, sampling),
         )
         while (simulation.time < orbits * orbit) simulation.advance()

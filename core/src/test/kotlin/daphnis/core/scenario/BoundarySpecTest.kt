@@ -3,11 +3,11 @@ package daphnis.core.scenario
 import daphnis.core.Repository
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.everyBoundary
+import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.PolymorphicKind
 import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.descriptors.elementDescriptors
-import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.json.Json
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

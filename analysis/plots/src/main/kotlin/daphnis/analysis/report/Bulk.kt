@@ -37,5 +37,6 @@ internal class Bulk(state: State, input: AnalysisInput) {
 
     /** Toomre's 4π² G Σ/κ²; NaN without self-gravity. */
     val criticalWavelength: Double =
-        input.frequencies?.kappa?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) } ?: Double.NaN
+        input.frequencies?.kappa?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) }
+            ?: Double.NaN
 }

@@ -9,7 +9,11 @@ import daphnis.core.scenario.ForceSpec
 import kotlin.math.sign
 
 /** What the [moon] of a scenario does to streamlines; nothing but its place where its encounter is not known. */
-internal class MoonPart private constructor(private val study: Study, moon: ForceSpec.Satellite, orbits: OrbitalFrequencies) {
+internal class MoonPart private constructor(
+    private val study: Study,
+    moon: ForceSpec.Satellite,
+    orbits: OrbitalFrequencies,
+) {
     private val units = study.units
     private val last = study.last
     private val encounter = MoonEncounter.of(study.input.scenario, orbits, last.boundary.box)

@@ -69,7 +69,12 @@ internal object References {
     )
 
     /** Of a ring patch, in units of r and Ω; [last] is its last state. */
-    fun ofPatch(scenario: Scenario, last: State, orbits: OrbitalFrequencies, opticalDepth: Double): Map<String, Reference> {
+    fun ofPatch(
+        scenario: Scenario,
+        last: State,
+        orbits: OrbitalFrequencies,
+        opticalDepth: Double,
+    ): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Bridges ?: return emptyMap()
         val sheet = scenario.boundary as? BoundarySpec.HillSheet ?: return emptyMap()
         if (!isPlain(scenario, last)) return emptyMap()

@@ -115,9 +115,20 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
     private fun gravity(constant: Double) {
         val marginal = 3.36 * constant * bulk.surfaceDensity / orbits.kappa
         if (study.input.hasVelocities) {
-            rows.average("toomre_q", "Toomre's Q", motion.moment("xx").root() per marginal, "", if (isKeplerian) "σ_x Ω / (3.36 G Σ)" else "σ_x κ / (3.36 G Σ)")
+            rows.average(
+                "toomre_q",
+                "Toomre's Q",
+                motion.moment("xx").root() per marginal,
+                "",
+                if (isKeplerian) "σ_x Ω / (3.36 G Σ)" else "σ_x κ / (3.36 G Σ)",
+            )
         }
-        rows.exact("critical_wavelength", if (isKeplerian) "critical wavelength 4π² G Σ/Ω²" else "critical wavelength 4π² G Σ/κ²", bulk.criticalWavelength, units.length)
+        rows.exact(
+            "critical_wavelength",
+            if (isKeplerian) "critical wavelength 4π² G Σ/Ω²" else "critical wavelength 4π² G Σ/κ²",
+            bulk.criticalWavelength,
+            units.length,
+        )
     }
 
     private infix fun BlockAverage.per(unit: Double) = this * (1 / unit)
