@@ -8,10 +8,7 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.collision.BorderiesRestitution
-import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
@@ -135,8 +132,9 @@ public class ScenarioSetup private constructor(
             checkRun(scenario, check)
             val output = OutputTimesCheck(scenario, around, check).settled()
             FreePath.check(scenario, around.boundary, check)
-            val restitution = restitution(scenario, check)
-            val initial = InitialState(scenario, around.box, around.boundary, check, start)
+            val restitution = scenario.restitution.law("restitution", scenario.units, check)
+            val materials = Materials(scenario, check)
+            val initial = InitialState(scenario, around.box, around.boundary, check, materials, start)
             val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
             val isMade = state == null && scenario.placement !is PlacementSpec.File
@@ -145,7 +143,7 @@ public class ScenarioSetup private constructor(
             val forceSetup = ForceSetup(scenario, around.angularSpeed, check)
             val forces = forceSetup.forces(around.boundary, firstBody)
             val boundary = forceSetup.boundary
-            val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
+            val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario), population, check)
             val timeStepSpec = resolve(around.timeStep, around, population)
             val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStep(resolved, boundary, check)
@@ -168,35 +166,15 @@ public class ScenarioSetup private constructor(
             }
         }
 
-        private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
-            val unit = scenario.units.speedInCmPerSecond
-            return when (val spec = scenario.restitution) {
-                is RestitutionSpec.Constant -> {
-                    check.fraction("restitution.coefficient", spec.coefficient)
-                    ConstantRestitution(spec.coefficient)
-                }
-                is RestitutionSpec.Bridges -> {
-                    check.positive("restitution.prefactor", spec.prefactor)
-                    check.that("restitution.exponent", spec.exponent, spec.exponent <= 0) { "must be <= 0" }
-                    BridgesRestitution(spec.prefactor, spec.exponent, unit)
-                }
-                is RestitutionSpec.Borderies -> {
-                    check.positive("restitution.criticalSpeed", spec.criticalSpeed)
-                    BorderiesRestitution(spec.criticalSpeed, unit)
-                }
-            }
-        }
-
         /**
          * A constant ε < 1 can collapse, so it gets a guard far below any speed that matters; the other laws are
          * elastic at low speed.
          */
-        private fun defaultGuard(restitution: RestitutionSpec): GuardSpec =
-            if (restitution is RestitutionSpec.Constant && restitution.coefficient < 1) {
-                GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR)
-            } else {
-                GuardSpec.None()
-            }
+        private fun defaultGuard(scenario: Scenario): GuardSpec {
+            val all = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
+            val mayCollapse = all.any { it is RestitutionSpec.Constant && it.coefficient < 1 }
+            return if (mayCollapse) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
+        }
 
         /** A floor speed given in initial rms speeds becomes one in units of speed. */
         private fun resolve(spec: GuardSpec, population: Population, check: ValueCheck): GuardSpec {
