@@ -8,14 +8,10 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.collision.BorderiesRestitution
-import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
@@ -25,6 +21,7 @@ import daphnis.core.measure
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
+import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
@@ -42,7 +39,8 @@ public class ScenarioSetup private constructor(
     public val scenario: ResolvedScenario,
     public val population: Population,
     public val boundary: BoundaryConditions,
-    public val restitution: Restitution,
+    /** ε, of which β is [roughness]. */
+    public val restitution: ContactLaw,
     public val guard: CollapseGuard,
     public val forces: List<Force>,
     public val timeStep: TimeStep,
@@ -58,15 +56,17 @@ public class ScenarioSetup private constructor(
      * The collisions of a simulation of this, computed by [engine].
      *
      * @param recordCollisions see [CollisionForcing]
-     * @param restitution another law in place of the scenario's
+     * @param law another one in place of the scenario's restitution
+     * @param roughness another one in place of the scenario's; null for that of [law]
      */
     @JvmOverloads
     public fun collisions(
         engine: CollisionEngine = SerialEngine(),
         recordCollisions: Boolean = false,
-        restitution: Restitution = this.restitution,
+        law: ContactLaw = restitution,
+        roughness: Roughness? = this.roughness,
     ): CollisionForcing =
-        CollisionForcing(restitution, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
+        CollisionForcing(law, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
 
     /** Length of the first step of a run. */
     public fun firstStep(): Double {
@@ -135,7 +135,7 @@ public class ScenarioSetup private constructor(
             checkRun(scenario, check)
             val output = OutputTimesCheck(scenario, around, check).settled()
             FreePath.check(scenario, around.boundary, check)
-            val restitution = restitution(scenario, check)
+            val restitution = scenario.restitution.law(scenario.units, check)
             val initial = InitialState(scenario, around.box, around.boundary, check, start)
             val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
@@ -165,25 +165,6 @@ public class ScenarioSetup private constructor(
         private fun checkRun(scenario: Scenario, check: ValueCheck) {
             check.that("engine.threads", scenario.engine.threads, scenario.engine.threads in 0..ThreadHandler.MOST) {
                 "must be in 1..${ThreadHandler.MOST}, or 0 for one per core"
-            }
-        }
-
-        private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
-            val unit = scenario.units.speedInCmPerSecond
-            return when (val spec = scenario.restitution) {
-                is RestitutionSpec.Constant -> {
-                    check.fraction("restitution.coefficient", spec.coefficient)
-                    ConstantRestitution(spec.coefficient)
-                }
-                is RestitutionSpec.Bridges -> {
-                    check.positive("restitution.prefactor", spec.prefactor)
-                    check.that("restitution.exponent", spec.exponent, spec.exponent <= 0) { "must be <= 0" }
-                    BridgesRestitution(spec.prefactor, spec.exponent, unit)
-                }
-                is RestitutionSpec.Borderies -> {
-                    check.positive("restitution.criticalSpeed", spec.criticalSpeed)
-                    BorderiesRestitution(spec.criticalSpeed, unit)
-                }
             }
         }
 

@@ -1,9 +1,12 @@
 package daphnis.core.engine
 
+import daphnis.core.collision.Restitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRoughness
+import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.CoulombRoughness
+import daphnis.core.surface.RoughContact
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 
@@ -15,11 +18,38 @@ class SurfaceDraw(seed: Long) {
     private val random = SeededRandom(seed + APART)
     private val isRough = random.nextInt(3) == 0
 
-    val roughness: Roughness? = drawn()
+    /** Whether the law is one of both coefficients that looks at all there is to see. */
+    private val isTold = SeededRandom(seed + FURTHER).nextInt(4) == 0
+
+    private val roughness: Roughness? = drawn()
     val momentFactor: Double = if (isRough) random.nextDouble(0.1, 0.66) else SurfaceContact.SOLID
 
     /** Some rough, some smooth; none where nothing is rough. */
     val walls: List<Roughness?> = if (isRough) List(FACES) { drawn() } else emptyList()
+
+    /** The law of spheres whose ε is at least that of [restitution], so that they collapse no sooner. */
+    fun law(restitution: Restitution): ContactLaw = when {
+        isTold -> Told(restitution, isRough)
+        roughness == null -> restitution
+        else -> RoughContact(restitution, roughness)
+    }
+
+    private class Told(private val restitution: Restitution, override val isRough: Boolean) : ContactLaw {
+        override fun restitution(contact: SurfaceContact): Double {
+            val least = restitution.coefficient(contact.normalSpeed)
+            return least + (1 - least) * share(contact)
+        }
+
+        override fun roughness(contact: SurfaceContact): Double = share(contact) - contact.restitution
+
+        /** In [0, 1], and other than for another contact. */
+        private fun share(c: SurfaceContact): Double {
+            val sizes = c.firstRadius / (c.firstRadius + 2 * c.secondRadius)
+            val masses = c.firstMass / (c.firstMass + c.secondMass)
+            val speeds = if (c.tangentialSpeed == 0.0) 1.0 else c.normalSpeed / (c.normalSpeed + c.tangentialSpeed)
+            return sizes * masses * speeds
+        }
+    }
 
     private fun drawn(): Roughness? {
         if (!isRough) return null
@@ -44,10 +74,11 @@ class SurfaceDraw(seed: Long) {
         return population.withSpin(spins(), spins(), spins())
     }
 
-    override fun toString(): String = if (isRough) ", rough" else ""
+    override fun toString(): String = (if (isRough) ", rough" else "") + if (isTold) ", law of both" else ""
 
     private companion object {
         const val APART = 1L shl 40
+        const val FURTHER = 1L shl 41
         const val FACES = 6
     }
 }
