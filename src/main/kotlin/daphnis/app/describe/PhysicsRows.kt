@@ -9,6 +9,7 @@ import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.surface.SurfaceContact
 import java.util.Locale
 import kotlin.math.sqrt
 
@@ -101,8 +102,10 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun collisions() {
         val c = dispersion()
-        fun at(speed: Double) =
-            String.format(Locale.ROOT, "%.3f at %s", setup.restitution.coefficient(speed), say.speed(speed))
+        fun at(speed: Double): String {
+            val contact = SurfaceContact.headOn(speed, middle(population.radius), middle(population.mass))
+            return String.format(Locale.ROOT, "%.3f at %s", setup.restitution.restitution(contact), say.speed(speed))
+        }
         val centimetre = 1 / scenario.units.speedInCmPerSecond
         val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
         val law = when (val law = scenario.restitution) {
@@ -122,6 +125,10 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             )
         }
     }
+
+    /** The mean over particles; over bodies where there are none. */
+    private fun middle(column: DoubleArray) =
+        if (particles.isEmpty()) column.average() else particles.map { column[it] }.average()
 
     /** Nothing of smooth spheres without spin. */
     private fun surfaces() {

@@ -1,18 +1,25 @@
 package daphnis.core.collision
 
+import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
 
 /**
- * The coefficient of restitution ε as a function of the impact speed.
+ * The coefficient of restitution ε as a function of the impact speed: the law of smooth spheres that depends on nothing
+ * else. Rough ones have a [daphnis.core.surface.Roughness] beside it.
  *
  * Must be a pure function that gives the same bits on every machine: use [StrictMath] for `pow`, `exp`, `sin`.
  */
-public fun interface Restitution {
+public fun interface Restitution : ContactLaw {
     /**
      * @param impactSpeed normal component of the relative velocity at contact, ≥ 0, in the scenario's unit of speed
      * @return ε in [0, 1]; any other number ends the step with an [IllegalArgumentException]
      */
     public fun coefficient(impactSpeed: Double): Double
+
+    override val isRough: Boolean get() = false
+
+    override fun restitution(contact: SurfaceContact): Double = coefficient(contact.normalSpeed)
 }
 
 /** ε = [value] at every impact speed. */

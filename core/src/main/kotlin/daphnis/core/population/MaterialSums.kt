@@ -4,17 +4,17 @@ package daphnis.core.population
  * Partial temperatures of a population whose spheres have materials, from exact sums ([ExactSum]), so that they are the
  * same to the last bit for every order of the arrays. Made once and filled by [take].
  *
- * @param materials number of materials
+ * @property materials names by number, see [Population.materials]
  * @param flow the mean flow that the boundary drives, or null
  * @param firstBody spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
  */
 public class MaterialSums @JvmOverloads constructor(
-    private val materials: Int,
+    public val materials: List<String>,
     private val flow: MeanFlow? = null,
     private val firstBody: Int = Int.MAX_VALUE,
 ) {
-    private val energies = Array(materials) { ExactSum() }
-    private val counts = LongArray(materials)
+    private val energies = Array(materials.size) { ExactSum() }
+    private val counts = LongArray(materials.size)
 
     /** Number of spheres of the material of [number]. */
     public fun count(number: Int): Long = counts[number]

@@ -48,9 +48,9 @@ private fun spinSums(simulation: Simulation): SpinSums? {
 }
 
 private fun materialSums(simulation: Simulation, scenario: ResolvedScenario?): MaterialSums? {
-    val count = simulation.population.materials.size
-    if (count == 0) return null
-    return MaterialSums(count, simulation.boundary.meanFlow, scenario?.firstBody ?: Int.MAX_VALUE)
+    val names = simulation.population.materials
+    if (names.isEmpty()) return null
+    return MaterialSums(names, simulation.boundary.meanFlow, scenario?.firstBody ?: Int.MAX_VALUE)
 }
 
 /**

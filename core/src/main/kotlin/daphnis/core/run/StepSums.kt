@@ -16,10 +16,13 @@ import daphnis.core.population.SpinSums
 internal class StepSums(
     private val sums: PopulationSums,
     private val spins: SpinSums? = null,
-    private val materials: MaterialSums? = null,
+    private val byMaterial: MaterialSums? = null,
 ) {
     private var spinsTakenAt = -1L
     private var materialsTakenAt = -1L
+
+    /** Names of the materials that there are sums of. */
+    val materials: List<String> get() = byMaterial?.materials.orEmpty()
 
     /** Whether there are sums over spins. */
     val haveSpins: Boolean get() = spins != null
@@ -44,11 +47,11 @@ internal class StepSums(
 
     /** Sums by material of the same state, likewise; null where spheres have none. */
     fun materials(simulation: Simulation): MaterialSums? {
-        if (materials == null || materialsTakenAt == simulation.step) return materials
+        if (byMaterial == null || materialsTakenAt == simulation.step) return byMaterial
         materialsTakenAt = -1
-        materials.take(simulation.population, of(simulation))
+        byMaterial.take(simulation.population, of(simulation))
         materialsTakenAt = simulation.step
-        return materials
+        return byMaterial
     }
 
     /** Takes the sums again, and energies when they are asked for. */

@@ -135,25 +135,6 @@ public sealed interface SizesSpec {
 }
 
 @Serializable
-public sealed interface RestitutionSpec {
-    @Serializable
-    @SerialName("constant")
-    public class Constant(public val coefficient: Double) : RestitutionSpec
-
-    @Serializable
-    @SerialName("bridges")
-    public class Bridges @JvmOverloads constructor(
-        public val prefactor: Double = 0.34,
-        public val exponent: Double = -0.234,
-    ) : RestitutionSpec
-
-    /** @property criticalSpeed in cm/s */
-    @Serializable
-    @SerialName("borderies")
-    public class Borderies(public val criticalSpeed: Double) : RestitutionSpec
-}
-
-@Serializable
 public sealed interface GuardSpec {
     @Serializable
     @SerialName("none")

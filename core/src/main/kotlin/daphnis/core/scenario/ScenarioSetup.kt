@@ -12,7 +12,6 @@ import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
@@ -22,6 +21,7 @@ import daphnis.core.measure
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
+import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
@@ -39,7 +39,8 @@ public class ScenarioSetup private constructor(
     public val scenario: ResolvedScenario,
     public val population: Population,
     public val boundary: BoundaryConditions,
-    public val restitution: Restitution,
+    /** ε, of which β is [roughness]. */
+    public val restitution: ContactLaw,
     public val guard: CollapseGuard,
     public val forces: List<Force>,
     public val timeStep: TimeStep,
@@ -55,15 +56,17 @@ public class ScenarioSetup private constructor(
      * The collisions of a simulation of this, computed by [engine].
      *
      * @param recordCollisions see [CollisionForcing]
-     * @param restitution another law in place of the scenario's
+     * @param law another one in place of the scenario's restitution
+     * @param roughness another one in place of the scenario's; null for that of [law]
      */
     @JvmOverloads
     public fun collisions(
         engine: CollisionEngine = SerialEngine(),
         recordCollisions: Boolean = false,
-        restitution: Restitution = this.restitution,
+        law: ContactLaw = restitution,
+        roughness: Roughness? = this.roughness,
     ): CollisionForcing =
-        CollisionForcing(restitution, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
+        CollisionForcing(law, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
 
     /** Length of the first step of a run. */
     public fun firstStep(): Double {
@@ -132,8 +135,8 @@ public class ScenarioSetup private constructor(
             checkRun(scenario, check)
             val output = OutputTimesCheck(scenario, around, check).settled()
             FreePath.check(scenario, around.boundary, check)
-            val restitution = scenario.restitution.law("restitution", scenario.units, check)
             val materials = Materials(scenario, check)
+            val laws = ContactLaws(scenario, materials, check)
             val initial = InitialState(scenario, around.box, around.boundary, check, materials, start)
             val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
@@ -155,8 +158,8 @@ public class ScenarioSetup private constructor(
             }
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
-                resolved, population, boundary, restitution, guard, forces, timeStep, around.angularSpeed,
-                initial.notices, scenario.roughness?.law("roughness", check),
+                resolved, population, boundary, laws.restitution, guard, forces, timeStep, around.angularSpeed,
+                initial.notices, laws.roughness,
             )
         }
 
