@@ -24,8 +24,11 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     /** Rows of the population besides bodies. */
     private val particles = population.radius.indices.filter { !scenario.isBody(population.id[it]) }
 
+    private val materials = MaterialRows(setup, say, rows)
+
     fun write() {
         if (particles.isNotEmpty()) describeSpheres()
+        materials.materials()
         bodies()
         surroundings()
         if (particles.isNotEmpty()) fullness()
@@ -59,10 +62,13 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             val at = listOf(population.x[k], population.y[k], population.z[k]).joinToString { say.length(it) }
             rows.add(
                 "bodies",
-                "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, at $at",
+                "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, " +
+                    (population.materials.getOrNull(materialOf(k))?.let { "of $it, " } ?: "") + "at $at",
             )
         }
     }
+
+    private fun materialOf(k: Int) = if (population.hasMaterials) population.material[k].toInt() else -1
 
     private fun surroundings() {
         val edges = scenario.box.lengths.joinToString(" x ") { say.length(it) }
@@ -116,6 +122,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         }
         rows.add("restitution", law)
         surfaces()
+        materials.contacts()
         when (val guard = scenario.guard) {
             is GuardSpec.None -> rows.add("guard", "none")
             is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")

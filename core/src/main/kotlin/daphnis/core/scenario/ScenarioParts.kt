@@ -44,6 +44,22 @@ public interface ScenarioParts {
         return ((named ?: listOf(MaterialSpec.PARTICLES)) + ofBodies).distinct()
     }
 
+    /**
+     * What impacts of each pair of [materials] are like, each with its restitution, and null for smooth surfaces; one entry
+     * between none where nothing is named.
+     */
+    public val impacts: List<ContactSpec> get() {
+        val names = materials
+        if (names.isEmpty()) return listOf(ContactSpec(emptyList(), restitution, roughness))
+        return names.indices.flatMap { i ->
+            (i until names.size).map { j ->
+                val pair = listOf(names[i], names[j])
+                val own = contacts.find { it.between.toSet() == pair.toSet() }
+                ContactSpec(pair, own?.restitution ?: restitution, own?.roughness ?: roughness)
+            }
+        }
+    }
+
     /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
     public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
 

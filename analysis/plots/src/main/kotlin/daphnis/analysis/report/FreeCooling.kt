@@ -25,9 +25,9 @@ internal object FreeCooling {
     /** @param dispersion of velocities along an axis, at the end of the run */
     fun isOf(scenario: Scenario, dispersion: Double): Boolean {
         // Laws that are elastic for slow impacts come to an end of cooling.
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return false
-        if (isRubbing(scenario.roughness)) return !isDriven(scenario)
-        return law.coefficient < 1 && !isDriven(scenario) && !isElastic(scenario.guard, dispersion)
+        val laws = scenario.impacts.map { it.restitution as? RestitutionSpec.Constant ?: return false }
+        if (scenario.impacts.any { isRubbing(it.roughness) }) return !isDriven(scenario)
+        return laws.any { it.coefficient < 1 } && !isDriven(scenario) && !isElastic(scenario.guard, dispersion)
     }
 
     /** Whether surfaces lose energy: friction does so at every speed, and a guard does not end it. */
