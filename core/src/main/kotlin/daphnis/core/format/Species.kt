@@ -20,10 +20,10 @@ internal class Species(private val of: IntArray, private val words: List<String>
      * @throws FormatException for a word that is neither
      */
     fun numbers(names: List<String>): IntArray {
-        val isNamed = words.all { it in names }
+        val isNumbered = words.any { it !in names } && words.all { it.toIntOrNull() != null }
         val numbers = IntArray(words.size) { k ->
             val word = words[k]
-            val number = if (isNamed) names.indexOf(word) else word.toIntOrNull()?.minus(first) ?: -1
+            val number = if (isNumbered) word.toInt() - first else names.indexOf(word)
             if (number !in names.indices) {
                 val range = if (names.size == 1) "$first" else "$first to ${first + names.size - 1}"
                 throw FormatException(
