@@ -135,7 +135,7 @@ public class ScenarioSetup private constructor(
             checkRun(scenario, check)
             val output = OutputTimesCheck(scenario, around, check).settled()
             FreePath.check(scenario, around.boundary, check)
-            val restitution = scenario.restitution.law(scenario.units, check)
+            val restitution = scenario.restitution.law(scenario, check)
             val initial = InitialState(scenario, around.box, around.boundary, check, start)
             val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
@@ -169,15 +169,11 @@ public class ScenarioSetup private constructor(
         }
 
         /**
-         * A constant ε < 1 can collapse, so it gets a guard far below any speed that matters; the other laws are
-         * elastic at low speed.
+         * What has ε < 1 at the lowest speeds can collapse, so it gets a guard far below any speed that matters; other
+         * laws are elastic there.
          */
         private fun defaultGuard(restitution: RestitutionSpec): GuardSpec =
-            if (restitution is RestitutionSpec.Constant && restitution.coefficient < 1) {
-                GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR)
-            } else {
-                GuardSpec.None()
-            }
+            if (restitution.atRest < 1) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
 
         /** A floor speed given in initial rms speeds becomes one in units of speed. */
         private fun resolve(spec: GuardSpec, population: Population, check: ValueCheck): GuardSpec {
