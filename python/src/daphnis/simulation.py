@@ -13,8 +13,8 @@ from . import _arrays, laws
 from ._errors import InputError, PythonFailure, RunError, noted, translated
 from ._interrupts import CtrlC
 from ._jvm import java
-from .laws import Force, Law
-from .program import engines, guarded, setup_of, simulation_of
+from .laws import BothLaw, Force, Law, Surface
+from .program import engines, fitted, setup_of, simulation_of
 from .scenarios import ScenarioLike, Settings
 from .scenarios import scenario as as_scenario
 from .states import State
@@ -43,8 +43,8 @@ class Simulation:
         position: centres, shape (n, 3), in units of length; in any order and layout. Copied, like all arrays.
         velocity: shape (n, 3), in units of length per unit of time; at rest without it. In Hill's frame those in the
             rotating frame, whose mean flow is v_y = −(3/2) Ω x.
-        spin: angular velocities, shape (n, 3), in radians per unit of time, of a scenario with ``roughness``; none
-            without it. In Hill's frame relative to the frame.
+        spin: angular velocities, shape (n, 3), in radians per unit of time, of a scenario with ``roughness``, or a
+            law for it; none without it. In Hill's frame relative to the frame.
         radius: one number, or shape (n,).
         mass: one number, or shape (n,); without it as of ``particles.density``, or 1 per volume.
         id: distinct whole numbers ≥ 0, shape (n,); 0, 1, 2, … without it.
@@ -54,6 +54,8 @@ class Simulation:
         engine: as for `daphnis.run`; "serial" without it.
         threads: of the engine.
         restitution: a law of Python in place of the scenario's.
+        roughness: the same, of surfaces; spheres then have spins.
+        contact_law: a law of Python for both coefficients.
         forces: forces of Python beside the scenario's.
 
     Raises:
@@ -77,9 +79,11 @@ class Simulation:
         engine: str | None = None,
         threads: int | None = None,
         restitution: Law | None = None,
+        roughness: Surface | None = None,
+        contact_law: BothLaw | None = None,
         forces: Sequence[Force] = (),
     ) -> None:
-        law = laws.as_law(restitution)
+        given = laws.as_laws(restitution, roughness, contact_law)
         kicks = laws.as_forces(forces)
         begin = None if time is None else float(_arrays.numbers("time", time, ()))
         settings = dict(set or {})
@@ -88,8 +92,7 @@ class Simulation:
             settings["engine.name"] = engine
         if threads is not None or engines().isSpecification(str(settings["engine.name"])):
             settings["engine.threads"] = 0 if threads is None else threads
-        if law is not None:
-            settings = guarded(scenario, settings)
+        settings = fitted(scenario, settings, given)
         self.scenario = as_scenario(scenario, set=settings, seed=seed)
         asked = self.scenario.to_dict()
         endless = asked.get("until") is None and asked.get("untilOrbits") is None
@@ -127,7 +130,7 @@ class Simulation:
                 setup,
                 self.scenario.source,
                 setup.getPopulation(),
-                law,
+                given,
                 kicks,
                 self._failure,
                 records=False,
