@@ -93,3 +93,26 @@ public class BorderiesRestitution @JvmOverloads constructor(
         return minOf(1.0, sqrt(maxOf(0.0, -2.0 / 3.0 * x + sqrt(10.0 / 3.0 * x - 5.0 / 9.0 * x * x))))
     }
 }
+
+/**
+ * ε = [below] at impact speeds below [speed], elastic unless given, and [coefficient] from there on.
+ *
+ * @property speed in cm/s
+ * @property cmPerSecond how many cm/s one unit of speed of the scenario is
+ */
+public class StepRestitution @JvmOverloads constructor(
+    public val speed: Double,
+    public val coefficient: Double,
+    public val below: Double = 1.0,
+    public val cmPerSecond: Double = 1.0,
+) : Restitution {
+    init {
+        require(speed > 0 && speed.isFinite()) { "the speed of the step is $speed cm/s; it must be > 0" }
+        require(coefficient in 0.0..1.0) { "coefficient of restitution is $coefficient; it must be in [0, 1]" }
+        require(below in 0.0..1.0) { "coefficient of restitution below the step is $below; it must be in [0, 1]" }
+        require(cmPerSecond > 0 && cmPerSecond.isFinite()) { "one unit of speed is $cmPerSecond cm/s; it must be > 0" }
+    }
+
+    override fun coefficient(impactSpeed: Double): Double =
+        if (impactSpeed * cmPerSecond < speed) below else coefficient
+}

@@ -14,17 +14,19 @@ internal class ContactLaws(private val scenario: Scenario, private val materials
     val roughness: Roughness?
 
     init {
-        val all = scenario.restitution.law(scenario.units, check)
+        val all = scenario.restitution.law(scenario, check)
         val surface = scenario.roughness?.law("roughness", check)
         var laws = MaterialLaws(all)
         var surfaces = MaterialRoughness(surface)
         var isRough = surface != null
         scenario.contacts.forEachIndexed { k, contact ->
             val (first, second) = materials.pair(contact)
-            val its = check.within("contacts[$k]")
-            contact.restitution?.let { laws = laws.between(first, second, it.law(scenario.units, its)) }
+            val key = "contacts[$k]"
+            contact.restitution?.let {
+                laws = laws.between(first, second, it.law(scenario, check, "$key.restitution"))
+            }
             contact.roughness?.let { spec ->
-                val law = spec.law("roughness", its)
+                val law = spec.law("$key.roughness", check)
                 surfaces = surfaces.between(first, second, law)
                 isRough = isRough || law != null
             }

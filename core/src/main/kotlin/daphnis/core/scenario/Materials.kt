@@ -3,10 +3,18 @@ package daphnis.core.scenario
 import daphnis.core.population.MaterialNames
 import kotlin.math.abs
 
-/** Names and numbers of the materials of a [scenario], checked. */
-internal class Materials(private val scenario: Scenario, private val check: ValueCheck) {
+/**
+ * Names and numbers of the materials of a [scenario], checked.
+ *
+ * @param given those of a state with which the scenario goes on, where it knows them
+ */
+internal class Materials(
+    private val scenario: Scenario,
+    private val check: ValueCheck,
+    given: List<String> = emptyList(),
+) {
     /** By number; empty where nothing is named. */
-    val names: List<String> get() = scenario.materials
+    val names: List<String> = scenario.materials.ifEmpty { given }
 
     init {
         scenario.particles?.materials?.let { ofParticles(it) }
@@ -18,6 +26,9 @@ internal class Materials(private val scenario: Scenario, private val check: Valu
         scenario.bodies.forEachIndexed { k, body -> ofBody("bodies[$k].material", body.material, file != null) }
         check.must("particles.materials", names.size <= MaterialNames.MOST) {
             "and bodies have ${names.size} materials; there can be ${MaterialNames.MOST}"
+        }
+        check.must("particles.materials", given.isEmpty() || given == names) {
+            "and bodies have materials $names; those of the spheres are $given"
         }
         contacts()
     }

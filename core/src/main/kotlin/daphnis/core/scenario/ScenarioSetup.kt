@@ -135,7 +135,7 @@ public class ScenarioSetup private constructor(
             checkRun(scenario, check)
             val output = OutputTimesCheck(scenario, around, check).settled()
             FreePath.check(scenario, around.boundary, check)
-            val materials = Materials(scenario, check)
+            val materials = Materials(scenario, check, state?.materials.orEmpty())
             val laws = ContactLaws(scenario, materials, check)
             val initial = InitialState(scenario, around.box, around.boundary, check, materials, start)
             val population = state ?: initial.population(isPlaced)
@@ -170,12 +170,12 @@ public class ScenarioSetup private constructor(
         }
 
         /**
-         * A constant ε < 1 can collapse, so it gets a guard far below any speed that matters; the other laws are
-         * elastic at low speed.
+         * What has ε < 1 at the lowest speeds can collapse, so it gets a guard far below any speed that matters; other
+         * laws are elastic there.
          */
         private fun defaultGuard(scenario: Scenario): GuardSpec {
-            val all = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
-            val mayCollapse = all.any { it is RestitutionSpec.Constant && it.coefficient < 1 }
+            val laws = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
+            val mayCollapse = laws.any { it.atRest < 1 }
             return if (mayCollapse) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
         }
 

@@ -3,15 +3,8 @@ package daphnis.core.scenario
 import daphnis.core.format.SnapshotCheck
 import kotlin.math.abs
 
-/**
- * Turns a wrong value into an [InputException] that names the [source], the key and the value.
- *
- * @param within what comes before all keys, with a dot
- */
-internal class ValueCheck(val source: String, private val within: String = "") {
-    /** Checks of what stands in the object at [key]. */
-    fun within(key: String): ValueCheck = ValueCheck(source, "$within$key.")
-
+/** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
+internal class ValueCheck(val source: String) {
     inline fun that(key: String, value: Any?, ok: Boolean, problem: () -> String) {
         if (!ok) fail(key, "is ${brief(value)}; ${problem()}")
     }
@@ -46,7 +39,7 @@ internal class ValueCheck(val source: String, private val within: String = "") {
         return if (text.length > MOST_SHOWN) text.take(MOST_SHOWN) + "…" else text
     }
 
-    fun fail(key: String, problem: String): Nothing = throw InputException(source, within + key, problem)
+    fun fail(key: String, problem: String): Nothing = throw InputException(source, key, problem)
 
     private companion object {
         const val MOST_SHOWN = 100
