@@ -234,3 +234,166 @@ def test_a_force_that_gives_none_is_told_in_one_line(gas: dict[str, Any], sphere
     with daphnis.Simulation(gas, **spheres, forces=[nothing]) as simulation:
         with pytest.raises(daphnis.InputError, match="nothing: gives None; it must be an array of shape"):
             simulation.advance(1)
+
+
+@daphnis.roughness
+def friction(contact: daphnis.Contact) -> float:
+    """Walton's law, μ = 0.3 and β₀ = 0.25."""
+    q = contact.moment_factor
+    assert contact.restitution is not None
+    most = 0.3 * ((1 + contact.restitution) * contact.normal_speed) * ((1 + q) / q)
+    return min(0.25, most / contact.tangential_speed - 1)
+
+
+@daphnis.contact_law
+def both(contact: daphnis.Contact) -> tuple[float, float]:
+    """Of sizes, masses and both speeds."""
+    share = contact.normal_speed / (contact.normal_speed + contact.tangential_speed)
+    (r1, r2), (m1, m2) = contact.radii, contact.masses
+    e = 0.5 + 0.5 * share * r1 / (r1 + 2 * r2)
+    return e, share * m1 / (m1 + 2 * m2) - (e if contact.restitution is None else contact.restitution)
+
+
+# Spheres that spin.
+PASSABLE: dict[str, Any] = {"roughness": lambda contact: 0.0}
+
+
+@pytest.fixture
+def unequal(spheres: dict[str, Any]) -> dict[str, Any]:
+    random = np.random.default_rng(5)
+    spin = random.normal(size=(1000, 3))
+    return {**spheres, "radius": random.uniform(0.3, 0.9, 1000), "mass": random.uniform(0.5, 2.0, 1000), "spin": spin}
+
+
+@pytest.mark.parametrize("guard", [{"type": "floor-speed", "speed": 0.5}, {"type": "none"}])
+@pytest.mark.parametrize("given", [{"roughness": friction}, {"contact_law": both}])
+def test_laws_of_surfaces_give_the_same_bits_with_every_engine(
+    gas: dict[str, Any], unequal: dict[str, Any], given: dict[str, Any], guard: dict[str, Any]
+) -> None:
+    digests = set()
+    for engine, count in (("serial", 1), ("horizon", 2), ("islands", 2), ("thread-pool", 2)):
+        with daphnis.Simulation({**gas, "guard": guard}, **unequal, engine=engine, threads=count, **given) as one:
+            digests.add(one.advance(10).digest)
+            assert one.collisions > 100 and not np.array_equal(one.state().spin, unequal["spin"])
+    assert len(digests) == 1
+
+
+def test_laws_of_surfaces_of_python_are_those_of_java_when_they_give_the_same(
+    gas: dict[str, Any], unequal: dict[str, Any]
+) -> None:
+    named = {**gas, "roughness": {"type": "coulomb", "friction": 0.3, "sticking": 0.25, "momentFactor": 0.3}}
+    # In place of what the scenario says, but for the moment of inertia.
+    other = {**gas, "roughness": {"type": "smooth", "momentFactor": 0.3}}
+
+    def one(contact: daphnis.Contact) -> tuple[float, float]:
+        return 0.9, friction(contact._replace(restitution=contact.restitution or 0.9))
+
+    ways: list[tuple[dict[str, Any], dict[str, Any]]] = [
+        (other, {"roughness": friction}),
+        (other, {"roughness": friction, "restitution": lambda speed: 0.9}),
+        (other, {"contact_law": one}),
+        ({**named, "roughness": {**named["roughness"], "friction": 9.0}}, {"contact_law": one}),
+    ]
+    for guard in ({"type": "floor-speed", "speed": 0.5}, {"type": "none"}):
+        with daphnis.Simulation({**named, "guard": guard}, **unequal) as java:
+            there = java.advance(20).state()
+        for scenario, given in ways:
+            with daphnis.Simulation({**scenario, "guard": guard}, **unequal, **given) as python:
+                here = python.advance(20).state()
+            # Java has 1 + β as such, Python β.
+            assert here.velocity == pytest.approx(there.velocity, abs=1e-9), given
+            assert here.spin == pytest.approx(there.spin, abs=1e-9), given
+
+
+def test_a_law_is_told_of_both_spheres_and_asked_for_both_coefficients_at_once(gas: dict[str, Any]) -> None:
+    pair = {
+        "position": [[-3.0, 0, 0], [0, 0, 0]],
+        "velocity": [[4.0, 0.5, 0], [0, 0, 0]],
+        "radius": [0.5, 1.0],
+        "mass": [2.0, 3.0],
+    }
+    told: list[daphnis.Contact] = []
+
+    def law(contact: daphnis.Contact) -> tuple[float, float]:
+        told.append(contact)
+        return 0.75, 0.0
+
+    gas = {**gas, "timeStep": {"type": "fixed", "dt": 1.0}}
+    for guard, restitution in (("none", None), ("floor-speed", 1.0)):
+        told.clear()
+        guards = {"type": guard} if guard == "none" else {"type": guard, "speed": 9.0}
+        with daphnis.Simulation({**gas, "guard": guards}, **pair, contact_law=law) as one:
+            one.advance()
+            assert one.collisions == 1
+        # A step that is done again asks again.
+        (contact,) = set(told)
+        assert contact[2:] == (restitution, 0.4, (0.5, 1.0), (2.0, 3.0), (0, 0))
+        assert np.hypot(*contact[:2]) == pytest.approx(np.hypot(4.0, 0.5)) and 3.9 < contact.normal_speed < 4.0
+    with daphnis.Simulation(gas, **pair, roughness=lambda contact: told.append(contact) or 0.0) as one:
+        one.advance()
+    assert told[-1].restitution == 0.9
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"roughness": lambda contact: None}, r"gives None where surfaces slide at .* \[-1, 1\]; does it lack a return"),
+        ({"roughness": lambda contact: -1.5}, r"gives -1.5 where surfaces slide at .* must be in \[-1, 1\]"),
+        ({"contact_law": lambda contact: None}, r"gives None; it must be a pair, \(ε, β\); does it lack a return"),
+        ({"contact_law": lambda contact: 0.5}, r"gives 0.5; it must be a pair"),
+        ({"contact_law": lambda contact: (2, 0)}, r"gives 2 as ε at an impact speed of .* must be in \[0, 1\]"),
+        ({"contact_law": lambda contact: (1, "x")}, r"gives 'x' as β where surfaces slide at .* \[-1, 1\]"),
+    ],
+)
+def test_what_is_no_coefficient_of_surfaces_is_told_in_one_line(
+    gas: dict[str, Any], unequal: dict[str, Any], given: dict[str, Any], words: str
+) -> None:
+    with daphnis.Simulation(gas, **unequal, **given) as simulation:
+        with pytest.raises(daphnis.InputError, match=words) as caught:
+            simulation.advance(10)
+        step, digest = simulation.step, simulation.digest
+        assert "\n" not in str(caught.value)
+    with daphnis.Simulation(gas, **unequal, **PASSABLE) as simulation:
+        assert simulation.advance(step).digest == digest and simulation.collisions == 0
+
+
+def test_laws_that_contradict_each_other_or_are_none_are_refused(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    for other in ({"restitution": ice}, {"roughness": friction}):
+        with pytest.raises(daphnis.InputError, match="contact_law: gives both coefficients"):
+            daphnis.Simulation(gas, **spheres, contact_law=both, **other)
+    for name in ("roughness", "contact_law"):
+        with pytest.raises(daphnis.InputError, match=f"{name}: is 0.5; it must be a function of the contact"):
+            daphnis.Simulation(gas, **spheres, **{name: 0.5})
+    assert friction(daphnis.Contact(1.0, 1.0, 1.0, 0.4, (1.0, 1.0), (1.0, 1.0), (0, 0))) == 0.25
+
+
+def test_an_exception_in_a_law_of_surfaces_comes_out_and_leaves_the_state(
+    gas: dict[str, Any], unequal: dict[str, Any]
+) -> None:
+    def fails(contact: daphnis.Contact) -> Any:
+        raise ZeroDivisionError("in the law")
+
+    for given in ({"roughness": fails}, {"contact_law": fails}):
+        with daphnis.Simulation(gas, **unequal, **given, engine="horizon", threads=2) as simulation:
+            with pytest.raises(ZeroDivisionError, match="in the law"):
+                simulation.advance(10)
+            step, digest = simulation.step, simulation.digest
+        with daphnis.Simulation(gas, **unequal, **PASSABLE) as simulation:
+            assert simulation.advance(step).digest == digest and simulation.collisions == 0
+
+
+def test_a_run_with_laws_of_surfaces_goes_on_to_the_same_bits_and_with_these_only(tmp_path: Path) -> None:
+    gas = {"particles.count": 100, "box.lengths": [6, 6, 6], "output.checkpointEvery": 5}
+    for given, other in (
+        ({"roughness": friction}, {"roughness": lambda contact: 0.5}),
+        ({"contact_law": both}, {"roughness": both.function}),
+    ):
+        home = tmp_path / next(iter(given))
+        whole = daphnis.run("cooling-gas", home / "whole", set=gas, steps=20, **given)
+        assert whole.last().spin.any() and whole.series["rotational_energy"].iloc[-1] > 0
+        asked: dict[str, Any] = {"set": {**gas, "until": whole.summary["time"]}, **given}
+        part = daphnis.run("cooling-gas", home / "part", **asked, watch=lambda simulation: simulation.step == 11)
+        with pytest.raises(daphnis.InputError, match="would make another run"):
+            daphnis.resume(part.path, "cooling-gas", set=asked["set"], **other)
+        rest = daphnis.resume(part.path, "cooling-gas", **asked)
+        assert rest.summary["stateDigest"] == whole.summary["stateDigest"]

@@ -6,14 +6,26 @@
     print(run.analyze().numbers)
 
 `run`, `resume` and `open` give a `Run`, with tables as pandas and states as NumPy arrays. `Simulation` is the same in
-memory, step by step. Laws and forces may be functions of Python: `restitution`, `kick`, `acceleration`. Lengths, times
-and masses are in the scenario's units. docs/python.md is the guide.
+memory, step by step. Laws and forces may be functions of Python: `restitution`, `roughness`, `contact_law`, `kick`,
+`acceleration`. Lengths, times and masses are in the scenario's units. docs/python.md is the guide.
 """
 
 from ._errors import DaphnisError, DaphnisWarning, FormatError, InputError, Interrupted, JavaError, RunError
 from ._jvm import start
 from ._version import __version__
-from .laws import Force, Restitution, Spheres, acceleration, kick, restitution
+from .laws import (
+    Contact,
+    ContactLaw,
+    Force,
+    Restitution,
+    Roughness,
+    Spheres,
+    acceleration,
+    contact_law,
+    kick,
+    restitution,
+    roughness,
+)
 from .mdanalysis import universe
 from .report import Picture, Report, analyze
 from .runs import Run
@@ -26,6 +38,8 @@ from .starting import resume, run
 from .states import State, States
 
 __all__ = [
+    "Contact",
+    "ContactLaw",
     "DaphnisError",
     "DaphnisWarning",
     "Force",
@@ -36,6 +50,7 @@ __all__ = [
     "Picture",
     "Report",
     "Restitution",
+    "Roughness",
     "Run",
     "RunError",
     "Scenario",
@@ -46,9 +61,11 @@ __all__ = [
     "__version__",
     "acceleration",
     "analyze",
+    "contact_law",
     "kick",
     "restitution",
     "resume",
+    "roughness",
     "run",
     "scenario",
     "scenarios",

@@ -1,13 +1,14 @@
-"""Laws of restitution and forces written in Python."""
+"""Laws of impacts and forces written in Python."""
 
 from __future__ import annotations
 
 import functools
 import hashlib
 import math
+import threading
 from collections.abc import Callable, Sequence
 from types import CodeType
-from typing import Any
+from typing import Any, NamedTuple
 
 import jpype
 import numpy as np
@@ -75,6 +76,68 @@ def _read_only(array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
+class Contact(NamedTuple):
+    """An impact as a law of surfaces sees it. Of two spheres the one with the lower id is the first.
+
+    Attributes:
+        normal_speed: normal component of the relative velocity before the impact, ≥ 0, in units of speed.
+        tangential_speed: speed with which the surfaces slide on one another, ≥ 0; > 0 where only β is asked for.
+        restitution: ε of this impact, 1 where a guard has made it elastic; None where it is asked for.
+        moment_factor: moment of inertia over mass · radius², of every sphere.
+        radii: of both, in units of length.
+        masses: of both, in units of mass.
+        materials: numbers of both, 0 where spheres have no materials.
+    """
+
+    normal_speed: float
+    tangential_speed: float
+    restitution: float | None
+    moment_factor: float
+    radii: tuple[float, float]
+    masses: tuple[float, float]
+    materials: tuple[int, int]
+
+    @classmethod
+    def _of(cls, contact: Any, is_asked: bool) -> Contact:
+        """Of a ``SurfaceContact``, in which ε is asked for or known."""
+        return cls(
+            float(contact.getNormalSpeed()),
+            float(contact.getTangentialSpeed()),
+            None if is_asked else float(contact.getRestitution()),
+            float(contact.getMomentFactor()),
+            (float(contact.getFirstRadius()), float(contact.getSecondRadius())),
+            (float(contact.getFirstMass()), float(contact.getSecondMass())),
+            (int(contact.getFirstMaterial()), int(contact.getSecondMaterial())),
+        )
+
+
+def _coefficient(function: Any, given: Any, least: int, where: str) -> float:
+    """`given` as a coefficient in [`least`, 1]."""
+    try:
+        value = float(given)
+    except (TypeError, ValueError):
+        value = math.nan
+    # NaN is in no range.
+    if not least <= value <= 1.0:
+        name = getattr(function, "__name__", "restitution")
+        lost = "; does it lack a return?" if given is None else ""
+        raise InputError(f"{name}: gives {given!r} {where}; it must be in [{least}, 1]{lost}")
+    return value
+
+
+def _kept(failure: PythonFailure, function: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """`function`, whose exceptions are kept for the caller of the step."""
+
+    def call(argument: Any) -> Any:
+        try:
+            return function(argument)
+        except BaseException as e:
+            failure.keep(e)
+            raise
+
+    return call
+
+
 class Restitution:
     """A law of restitution: the coefficient ε in [0, 1] for an impact speed. Made by `restitution`."""
 
@@ -92,24 +155,109 @@ class Restitution:
         function = self.function
 
         def coefficient(speed: float) -> float:
-            try:
-                given = function(float(speed))
-                try:
-                    value = float(given)
-                except (TypeError, ValueError):
-                    value = math.nan
-                # NaN is in no range.
-                if not 0.0 <= value <= 1.0:
-                    name = getattr(function, "__name__", "restitution")
-                    lost = "; does it lack a return?" if given is None else ""
-                    right = f"it must be in [0, 1]{lost}"
-                    raise InputError(f"{name}: gives {given!r} at an impact speed of {float(speed)}; {right}")
-                return value
-            except BaseException as e:
-                failure.keep(e)
-                raise
+            speed = float(speed)
+            return _coefficient(function, function(speed), 0, f"at an impact speed of {speed}")
 
-        return jpype.JProxy(java("daphnis.core.collision.Restitution"), dict={"coefficient": coefficient})
+        # JPype calls no default method that has arguments, so each is there.
+        calls = {
+            "coefficient": _kept(failure, coefficient),
+            "restitution": _kept(failure, lambda contact: coefficient(contact.getNormalSpeed())),
+        }
+        return jpype.JProxy(java("daphnis.core.collision.Restitution"), dict=calls)
+
+
+class Roughness:
+    """A law of tangential restitution: the coefficient β in [−1, 1] of a `Contact`. Made by `roughness`."""
+
+    def __init__(self, function: Callable[[Contact], float]) -> None:
+        if not callable(function):
+            raise InputError(f"roughness: is {function!r}; it must be a function of the contact")
+        self.function = function
+        functools.update_wrapper(self, function)
+
+    def __call__(self, contact: Contact) -> float:
+        return self.function(contact)
+
+    def proxy(self, failure: PythonFailure) -> Any:
+        """What Java calls."""
+        function = self.function
+
+        def coefficient(contact: Any) -> float:
+            seen = Contact._of(contact, is_asked=False)
+            return _coefficient(function, function(seen), -1, f"where surfaces slide at {seen.tangential_speed}")
+
+        calls = {
+            "coefficient": _kept(failure, coefficient),
+            "change": _kept(failure, lambda contact: 1.0 + coefficient(contact)),
+        }
+        return jpype.JProxy(java("daphnis.core.surface.Roughness"), dict=calls)
+
+
+class ContactLaw:
+    """A law of both coefficients, (ε, β) of a `Contact`. Made by `contact_law`."""
+
+    def __init__(self, function: Callable[[Contact], tuple[float, float]]) -> None:
+        if not callable(function):
+            raise InputError(f"contact_law: is {function!r}; it must be a function of the contact")
+        self.function = function
+        functools.update_wrapper(self, function)
+
+    def __call__(self, contact: Contact) -> tuple[float, float]:
+        return self.function(contact)
+
+    def _both(self, contact: Contact) -> tuple[float, float]:
+        given = self.function(contact)
+        try:
+            e, b = given
+        except (TypeError, ValueError):
+            name = getattr(self.function, "__name__", "contact_law")
+            lost = "; does it lack a return?" if given is None else ""
+            raise InputError(f"{name}: gives {given!r}; it must be a pair, (ε, β){lost}") from None
+        return (
+            _coefficient(self.function, e, 0, f"as ε at an impact speed of {contact.normal_speed}"),
+            _coefficient(self.function, b, -1, f"as β where surfaces slide at {contact.tangential_speed}"),
+        )
+
+    def proxy(self, failure: PythonFailure) -> Any:
+        """What Java calls: for ε first, and then in the same thread for β, if surfaces slide."""
+        known: dict[int, tuple[Contact, float]] = {}
+
+        def restitution(contact: Any) -> float:
+            seen = Contact._of(contact, is_asked=True)
+            e, b = self._both(seen)
+            known[threading.get_ident()] = seen, b
+            return e
+
+        def roughness(contact: Any) -> float:
+            seen = Contact._of(contact, is_asked=False)
+            asked, b = known.pop(threading.get_ident(), (None, 0.0))
+            # Where a guard made the impact elastic, nobody has asked for ε.
+            return b if asked == seen._replace(restitution=None) else self._both(seen)[1]
+
+        calls = {
+            "isRough": lambda: True,
+            "restitution": _kept(failure, restitution),
+            "roughness": _kept(failure, roughness),
+            "change": _kept(failure, lambda contact: 1.0 + roughness(contact)),
+        }
+        return jpype.JProxy(java("daphnis.core.surface.ContactLaw"), dict=calls)
+
+
+class Laws(NamedTuple):
+    """The laws of Python that take the place of the scenario's."""
+
+    restitution: Restitution | None
+    roughness: Roughness | None
+    contact: ContactLaw | None
+
+    def __bool__(self) -> bool:
+        return any(law is not None for law in self)
+
+    @property
+    def parts(self) -> list[Any]:
+        """What a `fingerprint` is taken of."""
+        named = {"roughness": self.roughness, "contact_law": self.contact}
+        return [self.restitution, *(part for word, law in named.items() if law is not None for part in (word, law))]
 
 
 def _given(name: str, value: Any, shape: tuple[int, ...]) -> Any:
@@ -185,6 +333,8 @@ class Force:
 
 
 Law = Restitution | Callable[[float], float]
+Surface = Roughness | Callable[[Contact], float]
+BothLaw = ContactLaw | Callable[[Contact], "tuple[float, float]"]
 
 
 def restitution(function: Callable[[float], float]) -> Restitution:
@@ -201,6 +351,37 @@ def restitution(function: Callable[[float], float]) -> Restitution:
             return min(1.0, 0.34 * v**-0.234) if v > 0 else 1.0
     """
     return Restitution(function)
+
+
+def roughness(function: Callable[[Contact], float]) -> Roughness:
+    """Makes a law of roughness of a function.
+
+    ``function(contact)`` is given a `Contact`, with its ``restitution``, and gives the coefficient of tangential
+    restitution β in [−1, 1]: −1 is smooth, 1 perfectly rough. Spheres then have spins. Otherwise as `restitution`.
+
+        @daphnis.roughness
+        def friction(contact):
+            # Walton's law with μ = 0.3 and β₀ = 0.
+            q = contact.moment_factor
+            most = 0.3 * (1 + contact.restitution) * contact.normal_speed * (1 + q) / q
+            return min(0.0, most / contact.tangential_speed - 1)
+    """
+    return Roughness(function)
+
+
+def contact_law(function: Callable[[Contact], tuple[float, float]]) -> ContactLaw:
+    """Makes a law of both coefficients of a function.
+
+    ``function(contact)`` is given a `Contact` and gives (ε, β), ε in [0, 1] and β in [−1, 1]. The contact's
+    ``restitution`` is None, or 1 where a guard has made the impact elastic: then only β counts. Spheres then have
+    spins. Otherwise as `restitution`.
+
+        @daphnis.contact_law
+        def dusty(contact):
+            r1, r2 = contact.radii
+            return 0.9 if r1 + r2 > 1 else 0.5, 0.2
+    """
+    return ContactLaw(function)
 
 
 def kick(
@@ -241,8 +422,14 @@ def acceleration(
     return Force(function, False, potential)
 
 
-def as_law(law: Law | None) -> Restitution | None:
-    return law if law is None or isinstance(law, Restitution) else Restitution(law)
+def as_laws(restitution: Law | None, roughness: Surface | None, contact: BothLaw | None) -> Laws:
+    if contact is not None and (restitution is not None or roughness is not None):
+        raise InputError("contact_law: gives both coefficients; restitution and roughness must be left out")
+    return Laws(
+        restitution if restitution is None or isinstance(restitution, Restitution) else Restitution(restitution),
+        roughness if roughness is None or isinstance(roughness, Roughness) else Roughness(roughness),
+        contact if contact is None or isinstance(contact, ContactLaw) else ContactLaw(contact),
+    )
 
 
 def as_forces(forces: Sequence[Force]) -> list[Force]:

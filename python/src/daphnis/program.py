@@ -10,7 +10,7 @@ import jpype
 from . import laws
 from ._errors import PythonFailure, translated
 from ._jvm import java
-from .laws import Force, Restitution
+from .laws import Force, Laws
 from .scenarios import Scenario, ScenarioLike
 from .scenarios import scenario as as_scenario
 
@@ -22,14 +22,21 @@ def engines() -> Any:
     return java("daphnis.core.engine.CombinedEngines")(jpype.JArray(factory)(every))
 
 
-def guarded(scenario: ScenarioLike, settings: dict[str, Any]) -> dict[str, Any]:
-    """`settings` with a guard against collapse, if neither they nor `scenario` have one.
+def fitted(scenario: ScenarioLike, settings: dict[str, Any], given: Laws) -> dict[str, Any]:
+    """`settings` with what laws of Python need, where neither they nor `scenario` have it.
 
-    Nobody knows whether a law of Python is elastic at low speed, so the guard is that of a constant coefficient.
+    Nobody knows whether a law of Python is elastic at low speed, so the guard is that of a constant coefficient. Where
+    surfaces are rough, spheres spin.
     """
-    if as_scenario(scenario, set=settings).to_dict().get("guard"):
+    needed: dict[str, Any] = {}
+    if given.restitution is not None or given.contact is not None:
+        needed["guard"] = {"type": "floor-speed", "relative": 1e-6}
+    if given.roughness is not None or given.contact is not None:
+        needed["roughness"] = {"type": "smooth"}
+    if not needed:
         return settings
-    return {**settings, "guard": {"type": "floor-speed", "relative": 1e-6}}
+    asked = as_scenario(scenario, set=settings).to_dict()
+    return {**settings, **{key: value for key, value in needed.items() if not asked.get(key)}}
 
 
 def setup_of(scenario: Scenario, population: Any = None) -> Any:
@@ -45,7 +52,7 @@ def simulation_of(
     setup: Any,
     source: str,
     population: Any,
-    law: Restitution | None,
+    given: Laws,
     forces: Sequence[Force],
     failure: PythonFailure,
     *,
@@ -53,11 +60,17 @@ def simulation_of(
     time: float,
     time_step: Any = None,
 ) -> Any:
-    """The ``Simulation`` of `setup` with `law` and `time_step` in place of its own, and with `forces` besides."""
+    """The ``Simulation`` of `setup` with `given` laws and `time_step` in place of its own, and with `forces` besides."""
     resolved = setup.getScenario()
     engine = java("daphnis.core.run.ScenarioEngine").of(resolved, source, engines())
-    restitution = setup.getRestitution() if law is None else law.proxy(failure)
-    collisions = setup.collisions(engine, records, restitution)
+    restitution, roughness = setup.getRestitution(), setup.getRoughness()
+    if given.restitution is not None:
+        restitution = given.restitution.proxy(failure)
+    if given.roughness is not None:
+        roughness = given.roughness.proxy(failure)
+    if given.contact is not None:
+        restitution, roughness = given.contact.proxy(failure), None
+    collisions = setup.collisions(engine, records, restitution, roughness)
     every = java("java.util.ArrayList")(setup.getForces())
     for force in forces:
         every.add(force.proxy(failure))
@@ -73,13 +86,13 @@ class Program:
     def __init__(
         self,
         scenario: Scenario,
-        law: Restitution | None,
+        given: Laws,
         forces: Sequence[Force],
         failure: PythonFailure,
         until: float | None = None,
     ) -> None:
         self._scenario = scenario
-        self._law = law
+        self._given = given
         self._forces = forces
         self._failure = failure
         # What is relative to the initial state, such as a guard, stays so at a resume.
@@ -88,7 +101,7 @@ class Program:
         # What does not change a bit is not part of the version.
         told = {key: value for key, value in scenario.to_dict().items() if key not in _HARMLESS}
         potentials = [force.potential for force in forces if force.potential is not None]
-        self._version = laws.fingerprint(told, law, *forces, *potentials)
+        self._version = laws.fingerprint(told, *given.parts, *forces, *potentials)
 
     def proxy(self) -> Any:
         """What Java calls."""
@@ -102,7 +115,7 @@ class Program:
                 self._setup,
                 self._scenario.source,
                 population,
-                self._law,
+                self._given,
                 self._forces,
                 self._failure,
                 records=records,

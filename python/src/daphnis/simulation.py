@@ -13,8 +13,8 @@ from . import _arrays, laws
 from ._errors import InputError, PythonFailure, RunError, noted, translated
 from ._interrupts import CtrlC
 from ._jvm import java
-from .laws import Force, Law
-from .program import engines, guarded, setup_of, simulation_of
+from .laws import BothLaw, Force, Law, Surface
+from .program import engines, fitted, setup_of, simulation_of
 from .scenarios import ScenarioLike, Settings
 from .scenarios import scenario as as_scenario
 from .states import State
@@ -43,17 +43,22 @@ class Simulation:
         position: centres, shape (n, 3), in units of length; in any order and layout. Copied, like all arrays.
         velocity: shape (n, 3), in units of length per unit of time; at rest without it. In Hill's frame those in the
             rotating frame, whose mean flow is v_y = −(3/2) Ω x.
-        spin: angular velocities, shape (n, 3), in radians per unit of time, of a scenario with ``roughness``; none
-            without it. In Hill's frame relative to the frame.
+        spin: angular velocities, shape (n, 3), in radians per unit of time, of a scenario with ``roughness``, or a
+            law for it; none without it. In Hill's frame relative to the frame.
         radius: one number, or shape (n,).
         mass: one number, or shape (n,); without it as of ``particles.density``, or 1 per volume.
         id: distinct whole numbers ≥ 0, shape (n,); 0, 1, 2, … without it.
+        material: the name of the material of each sphere, or its number in `materials`, shape (n,); none without it.
+        materials: names of materials by number, words of letters, digits, _ and -; without them those of the scenario,
+            or else those in `material` as they come up.
         set: values for keys of the scenario.
         seed: of the initial state, without arrays.
         time: of the initial state, in units of time; it sets where sliding images and satellites are.
         engine: as for `daphnis.run`; "serial" without it.
         threads: of the engine.
         restitution: a law of Python in place of the scenario's.
+        roughness: the same, of surfaces; spheres then have spins.
+        contact_law: a law of Python for both coefficients.
         forces: forces of Python beside the scenario's.
 
     Raises:
@@ -71,15 +76,19 @@ class Simulation:
         radius: ArrayLike | None = None,
         mass: ArrayLike | None = None,
         id: ArrayLike | None = None,
+        material: ArrayLike | None = None,
+        materials: Sequence[str] | None = None,
         set: Settings | None = None,
         seed: int | None = None,
         time: float | None = None,
         engine: str | None = None,
         threads: int | None = None,
         restitution: Law | None = None,
+        roughness: Surface | None = None,
+        contact_law: BothLaw | None = None,
         forces: Sequence[Force] = (),
     ) -> None:
-        law = laws.as_law(restitution)
+        given = laws.as_laws(restitution, roughness, contact_law)
         kicks = laws.as_forces(forces)
         begin = None if time is None else float(_arrays.numbers("time", time, ()))
         settings = dict(set or {})
@@ -88,8 +97,7 @@ class Simulation:
             settings["engine.name"] = engine
         if threads is not None or engines().isSpecification(str(settings["engine.name"])):
             settings["engine.threads"] = 0 if threads is None else threads
-        if law is not None:
-            settings = guarded(scenario, settings)
+        settings = fitted(scenario, settings, given)
         self.scenario = as_scenario(scenario, set=settings, seed=seed)
         asked = self.scenario.to_dict()
         endless = asked.get("until") is None and asked.get("untilOrbits") is None
@@ -107,6 +115,8 @@ class Simulation:
                 ("radius", radius),
                 ("mass", mass),
                 ("id", id),
+                ("material", material),
+                ("materials", materials),
                 ("time", time),
             ):
                 if array is not None:
@@ -115,6 +125,8 @@ class Simulation:
             if seed is not None:
                 raise InputError("seed: is of an initial state; position is one")
             population = self._population(position, velocity, spin, radius, mass, id)
+            if material is not None or materials is not None:
+                population = self._made(population, material, materials)
         setup = setup_of(self.scenario, population)
         start = float(setup.getScenario().getStartTime()) if begin is None else begin
         if population is not None:
@@ -127,7 +139,7 @@ class Simulation:
                 setup,
                 self.scenario.source,
                 setup.getPopulation(),
-                law,
+                given,
                 kicks,
                 self._failure,
                 records=False,
@@ -157,6 +169,7 @@ class Simulation:
         columns = [*places.T, *speeds.T, radii, masses]
         asked = self.scenario.to_dict()
         is_rough = "roughness" in asked or "roughness" in (asked.get("boundary") or {})
+        is_rough = is_rough or any("roughness" in contact for contact in asked.get("contacts") or [])
         if spin is not None and not is_rough:
             raise InputError("spin: is of spheres that spin; the scenario needs roughness")
         spins = np.zeros((n, 3)) if spin is None else _arrays.numbers("spin", spin, (n, 3))
@@ -165,6 +178,34 @@ class Simulation:
                 *[_arrays.doubles(column) for column in columns], _arrays.ints(_arrays.ids(id, n))
             )
             return population.withSpin(*[_arrays.doubles(column) for column in spins.T]) if is_rough else population
+
+    def _made(self, population: Any, material: Any, materials: Sequence[str] | None) -> Any:
+        """The spheres with materials."""
+        n = int(population.getSize())
+        if material is None:
+            raise InputError("materials: is given without material")
+        given = np.asarray(material)
+        if given.shape != (n,):
+            raise InputError(f"material: has the shape {given.shape}; it must be ({n},)")
+        names = [str(name) for name in (self.scenario.java.getMaterials() if materials is None else materials)]
+        if given.dtype.kind in "US":
+            words = [str(word) for word in given]
+            names = names or list(dict.fromkeys(words))
+            unknown = next((word for word in words if word not in names), None)
+            if unknown is not None:
+                raise InputError(f"material: has {unknown!r}; it must be one of {', '.join(names)}")
+            numbers = np.array([names.index(word) for word in words], dtype=np.int32)
+        else:
+            if given.dtype.kind not in "iu":
+                raise InputError(f"material: has the type {given.dtype}; it must be names or whole numbers")
+            if not names:
+                raise InputError("materials: is missing; give a name for each number in material")
+            wrong = given[(given < 0) | (given >= len(names))]
+            if len(wrong) > 0:
+                raise InputError(f"material: has {wrong[0]}; it must be a number in 0..{len(names) - 1}")
+            numbers = given.astype(np.int32)
+        with translated():
+            return population.withMaterial(_arrays.ints(numbers), java("java.util.ArrayList")(names))
 
     @classmethod
     def _watched(cls, simulation: Any) -> Simulation:

@@ -13,8 +13,8 @@ from . import laws
 from ._errors import InputError, PythonFailure, translated
 from ._execution import Watch, carried_out
 from ._jvm import java, java_path
-from .laws import Force, Law
-from .program import Program, engines, guarded
+from .laws import BothLaw, Force, Law, Surface
+from .program import Program, engines, fitted
 from .runs import Run
 from .scenarios import Scenario, ScenarioLike, Settings
 from .scenarios import scenario as as_scenario
@@ -38,6 +38,8 @@ def run(
     from_: Origin | None = None,
     force: bool = False,
     restitution: Law | None = None,
+    roughness: Surface | None = None,
+    contact_law: BothLaw | None = None,
     forces: Sequence[Force] = (),
     watch: Watch | None = None,
     progress: bool | None = None,
@@ -60,6 +62,8 @@ def run(
         force: whether a run that is in the directory is replaced.
         restitution: a law of Python in place of the scenario's, see `daphnis.restitution`. The scenario's guard holds;
             one without a guard gets a ``floor-speed`` of 1e-6 initial rms speeds.
+        roughness: a law of Python in place of the scenario's, see `daphnis.roughness`.
+        contact_law: one for both coefficients, see `daphnis.contact_law`; guards are as for `restitution`.
         forces: forces of Python beside the scenario's.
         watch: called with the `Simulation` after each step; it must not be advanced. True from it ends the run with a
             checkpoint.
@@ -72,7 +76,7 @@ def run(
     """
     if until is not None and steps is not None:
         raise InputError("steps: is given together with until; one of the two is enough")
-    law = laws.as_law(restitution)
+    given = laws.as_laws(restitution, roughness, contact_law)
     kicks = laws.as_forces(forces)
     origin = None if from_ is None else _origin(from_)
     if origin is not None:
@@ -85,11 +89,10 @@ def run(
             settings[key] = value
     if steps is not None:
         settings["until"] = _end(scenario, settings, steps, origin)
-    if law is not None:
-        settings = guarded(scenario, settings)
+    settings = fitted(scenario, settings, given)
     asked = as_scenario(scenario, set=settings, seed=seed)
     directory = _free(asked.name) if out is None else Path(out)
-    if law is None and not kicks:
+    if not given and not kicks:
         if origin is not None:
             _check_end(asked, origin, until is not None or steps is not None)
 
@@ -102,7 +105,7 @@ def run(
     if origin is not None:
         raise InputError("from_: a run with laws or forces of Python starts from its scenario; give placement a file")
     failure = PythonFailure()
-    program = Program(asked, law, kicks, failure)
+    program = Program(asked, given, kicks, failure)
     return _carried(
         lambda: java("daphnis.core.run.Run").start(program.proxy(), java_path(directory), force),
         directory,
@@ -120,6 +123,8 @@ def resume(
     until: float | None = None,
     accept_loss: bool = False,
     restitution: Law | None = None,
+    roughness: Surface | None = None,
+    contact_law: BothLaw | None = None,
     forces: Sequence[Force] = (),
     watch: Watch | None = None,
     progress: bool | None = None,
@@ -134,6 +139,8 @@ def resume(
         until: a new end, in units of time.
         accept_loss: whether it goes on with damaged tables as they are; ``notices`` tell what is lost.
         restitution: as at the start. Another law is refused: the run knows the code of its functions.
+        roughness: as `restitution`.
+        contact_law: as `restitution`.
         forces: as `restitution`.
         watch: as for `run`.
         progress: as for `run`.
@@ -144,9 +151,9 @@ def resume(
         Interrupted: after Ctrl-C.
     """
     directory = Path(path)
-    law = laws.as_law(restitution)
+    given = laws.as_laws(restitution, roughness, contact_law)
     kicks = laws.as_forces(forces)
-    if law is None and not kicks:
+    if not given and not kicks:
         if scenario is not None or set is not None:
             raise InputError("scenario: is for runs with laws or forces of Python; others have theirs")
 
@@ -158,10 +165,9 @@ def resume(
     if scenario is None:
         raise InputError("scenario: is missing; a run with laws or forces of Python is resumed with its scenario")
     settings = dict(set or {})
-    if law is not None:
-        settings = guarded(scenario, settings)
+    settings = fitted(scenario, settings, given)
     failure = PythonFailure()
-    program = Program(as_scenario(scenario, set=settings), law, kicks, failure, until)
+    program = Program(as_scenario(scenario, set=settings), given, kicks, failure, until)
     return _carried(
         lambda: java("daphnis.core.run.Run").resume(program.proxy(), java_path(directory), accept_loss),
         directory,

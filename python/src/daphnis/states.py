@@ -82,6 +82,18 @@ class State:
         return _arrays.columns(self._java.getWx(), self._java.getWy(), self._java.getWz())
 
     @functools.cached_property
+    def material(self) -> NDArray[np.int64] | None:
+        """Numbers of materials, shape (n,), of which `materials` has the names; None for spheres without any."""
+        if not self._java.getHasMaterials():
+            return None
+        return _arrays.of_doubles(self._java.getMaterial()).astype(np.int64)
+
+    @property
+    def materials(self) -> list[str]:
+        """Names of materials by number; empty for spheres without any."""
+        return [str(name) for name in self._java.getMaterials()]
+
+    @functools.cached_property
     def radius(self) -> NDArray[np.float64]:
         """Radii, shape (n,), in units of length."""
         return _arrays.of_doubles(self._java.getRadius())
@@ -127,13 +139,14 @@ class State:
         import pandas as pd
 
         names = [str(name) for name in self._java.getColumnNames()]
+        places = dict(zip(names, [int(place) for place in self._java.getColumnPlaces()]))
         table = pd.DataFrame(
-            {name: _arrays.of_doubles(self._java.column(place)) for place, name in enumerate(names)},
+            {name: _arrays.of_doubles(self._java.column(place)) for name, place in places.items()},
             index=pd.Index(self.id, name="id"),
         )
         if self.units is not None:
             table.attrs["units"] = {
-                name: self.units.of(str(self._java.dimension(place))) for place, name in enumerate(names)
+                name: self.units.of(str(self._java.dimension(place))) for name, place in places.items()
             }
         return table
 

@@ -4,11 +4,13 @@ import daphnis.core.format.Snapshot
 
 /** The first thing in which two states are not the same to the last bit, in words; null when there is none. */
 internal fun firstDifference(a: Snapshot, b: Snapshot): String? = ofWhole(a, b)
-    ?: a.columnNames.let { names -> (0 until a.size).firstNotNullOfOrNull { ofParticle(a, b, names, it) } }
+    ?: (0 until a.size).firstNotNullOfOrNull { ofParticle(a, b, it) }
 
 private fun ofWhole(a: Snapshot, b: Snapshot): String? {
     if (!a.id.contentEquals(b.id)) return "the particles are not the same (${a.size} and ${b.size})"
     if (a.hasSpin != b.hasSpin) return "the particles of one have angular velocities, those of the other have none"
+    if (a.hasMaterials != b.hasMaterials) return "the particles of one have materials, those of the other have none"
+    if (a.materials != b.materials) return "materials are ${a.materials} against ${b.materials}"
     if (a.step != b.step) return "step ${a.step} against ${b.step}"
     if ((a.image == null) != (b.image == null)) {
         return "one knows the boxes that particles have crossed, the other does not"
@@ -22,9 +24,9 @@ private fun ofWhole(a: Snapshot, b: Snapshot): String? {
     return number("the offset of images", a.shearOffset, b.shearOffset)
 }
 
-private fun ofParticle(a: Snapshot, b: Snapshot, names: List<String>, k: Int): String? {
+private fun ofParticle(a: Snapshot, b: Snapshot, k: Int): String? {
     val particle = "particle ${a.id[k]},"
-    for ((place, name) in names.withIndex()) {
+    for ((place, name) in a.columnPlaces.zip(a.columnNames)) {
         number("$particle $name", a.column(place)[k], b.column(place)[k])?.let { return it }
     }
     for (axis in 0..2) {

@@ -140,16 +140,59 @@ class DescribeTest {
     }
 
     @Test
+    fun `laws by name say what they are, and the coefficient at two speeds`() {
+        val units = """units={"speedInCmPerSecond":2}"""
+        fun said(law: String) = row(describe("cooling-gas", "restitution=$law", units), "restitution")
+        val speed = "at 1.999 cm/s (as at the start)"
+        assertEquals(
+            "step, 0.9 below 1.5 cm/s, 0.4 from there on: 0.400 $speed, 0.900 at 1 cm/s",
+            said("""{"type":"step","speed":1.5,"coefficient":0.4,"below":0.9}"""),
+        )
+        assertEquals(
+            "table of 3 points from 0.9 at 0.5 cm/s to 0.1 at 3 cm/s: 0.367 $speed, 0.700 at 1 cm/s",
+            said("""{"type":"table","points":[[0.5,0.9],[1.5,0.5],[3,0.1]]}"""),
+        )
+        assertEquals(
+            "viscoelastic; of two spheres of radius 0.5 length units and mass 1 mass unit: 0.800 $speed, 0.822 at 1 cm/s",
+            said("""{"type":"viscoelastic","coefficient":0.8,"speed":2}"""),
+        )
+    }
+
+    @Test
     fun `rough spheres have a law of surfaces, a moment of inertia and spins, smooth ones no such rows`() {
         val text = describe("rough-gas", """spins={"type":"rest","mean":[3,0,4]}""")
         assertEquals("0.5 of the tangential velocity is reversed; moment of inertia 0.4 m r^2", row(text, "roughness"))
-        assertEquals("5 radians per unit of time at the start (root mean square)", row(text, "spins"))
+        assertEquals("5 radians per unit of time (root mean square) at the start", row(text, "spins"))
         val coulomb = """roughness={"type":"coulomb","friction":0.3,"sticking":0.2,"momentFactor":0.5}"""
         val words = "sticking 0.2 unless friction 0.3 is too weak for that; moment of inertia 0.5 m r^2"
         assertEquals(words, row(describe("ring-patch", coulomb), "roughness"))
-        val walls = """{"type":"walls","axes":"z","roughness":{"all":{"type":"constant","coefficient":0}}}"""
-        val between = describe("cooling-gas", "boundary=$walls")
-        assertTrue(row(between, "box").endsWith("walls across z, rough")) { between }
+        val inMetres = """spins={"type":"rest","mean":[0,1,0]}"""
+        val ring = describe("ring-patch", coulomb, inMetres, "units={\"lengthInMetres\":1,\"speedInCmPerSecond\":0.02}")
+        assertEquals("0.0002 rad/s (root mean square) at the start", row(ring, "spins"))
+        assertEquals("none at the start", row(describe("rough-gas"), "spins"))
+        val half = """{"type":"constant","coefficient":0.5}"""
+        fun between(walls: String) = describe("cooling-gas", """boundary={"type":"walls","axes":"z",$walls}""")
+        fun box(walls: String) = row(between(walls), "box").substringAfter(", walls")
+        val all = "0.5 of the tangential velocity is reversed"
+        assertEquals(" across z, restitution 1, surfaces smooth", box(""""restitution":1"""))
+        assertEquals(
+            " across z, restitution 0.8, surfaces $all",
+            box(""""restitution":0.8,"roughness":{"all":$half}"""),
+        )
+        val slippery = """"roughness":{"lowerZ":{"type":"coulomb","friction":0.3,"sticking":0},"all":$half}"""
+        assertEquals(
+            " across z, restitution 1, surfaces lowerZ sticking 0 unless friction 0.3 is too weak for that; others $all",
+            box(slippery),
+        )
+        assertEquals(
+            " across z, restitution 1, surfaces upperZ $all; others smooth",
+            box(""""roughness":{"upperZ":$half}"""),
+        )
+        assertEquals(
+            " across z, restitution 1, surfaces lowerZ $all; upperZ smooth",
+            box(""""roughness":{"lowerZ":$half,"upperZ":{"type":"smooth"}}"""),
+        )
+        val between = between(slippery)
         assertEquals("smooth; moment of inertia 0.4 m r^2", row(between, "roughness"))
         val smooth = describe("cooling-gas")
         assertFalse("roughness" in smooth || "spins" in smooth) { smooth }

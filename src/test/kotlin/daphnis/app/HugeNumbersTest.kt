@@ -28,7 +28,13 @@ class HugeNumbersTest {
         listOf("restitution.prefactor", """restitution={"type":"bridges","prefactor":0.3,"exponent":-0.2}"""),
         listOf("restitution.exponent", """restitution={"type":"bridges","prefactor":0.3,"exponent":-0.2}"""),
         listOf("restitution.criticalSpeed", """restitution={"type":"borderies","criticalSpeed":1}"""),
+        listOf("restitution.speed", """restitution={"type":"step","speed":1,"coefficient":0.5}"""),
+        listOf("restitution.points[0][0]", """restitution={"type":"table","points":[[0,0.5],[1e301,0.4]]}"""),
+        listOf("restitution.speed", VISCOELASTIC),
+        listOf("restitution.radius", VISCOELASTIC),
+        listOf("restitution.mass", VISCOELASTIC),
         listOf("units.speedInCmPerSecond"),
+        listOf("units.speedInCmPerSecond", VISCOELASTIC),
     )
 
     @Test
@@ -59,5 +65,10 @@ class HugeNumbersTest {
             assertRefused(daphnis(command, "cooling-gas", *words), "boundary.velocityJump: is 1.0E300; must be in")
         }
         assertTrue(assertDone(daphnis("describe", "cooling-gas", "--set", sheared)).isNotEmpty())
+    }
+
+    private companion object {
+        const val VISCOELASTIC =
+            """restitution={"type":"viscoelastic","coefficient":0.5,"speed":1,"radius":1,"mass":1}"""
     }
 }

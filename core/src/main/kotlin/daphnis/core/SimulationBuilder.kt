@@ -6,11 +6,12 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.population.Population
+import daphnis.core.surface.ContactLaw
 
 /**
  * The parts of a [Simulation] by their names, from [Simulation.builder]. It needs a boundary, a time step, and one of
- * [restitution], [collisions] and [withoutCollisions]. A part that is given again replaces the former one; forces and
- * outputs are added.
+ * [restitution], [contactLaw], [collisions] and [withoutCollisions]. A part that is given again replaces the former one;
+ * forces and outputs are added.
  *
  * ```java
  * Simulation simulation = Simulation.builder(population)
@@ -23,7 +24,7 @@ import daphnis.core.population.Population
 public class SimulationBuilder internal constructor(private val population: Population) {
     private var boundary: BoundaryConditions? = null
     private var collisions: CollisionForcing? = null
-    private var restitution: Restitution? = null
+    private var law: ContactLaw? = null
     private var isWithoutCollisions = false
     private var timeStep: TimeStep? = null
     private val forces = ArrayList<Force>()
@@ -36,7 +37,10 @@ public class SimulationBuilder internal constructor(private val population: Popu
     public fun boundary(boundary: BoundaryConditions): SimulationBuilder = apply { this.boundary = boundary }
 
     /** Collisions by this law, on the serial engine; [collisions] says more. */
-    public fun restitution(law: Restitution): SimulationBuilder = apply { restitution = law }
+    public fun restitution(law: Restitution): SimulationBuilder = contactLaw(law)
+
+    /** The same by a [law] of both coefficients; if it is rough, the population needs spins. */
+    public fun contactLaw(law: ContactLaw): SimulationBuilder = apply { this.law = law }
 
     /** Collisions with a guard, an engine or a record of them, from [CollisionForcing.builder]. */
     public fun collisions(collisions: CollisionForcing): SimulationBuilder = apply { this.collisions = collisions }
@@ -93,7 +97,8 @@ public class SimulationBuilder internal constructor(private val population: Popu
 
     private fun forcing(): CollisionForcing? {
         val given = listOfNotNull(
-            "restitution(…)".takeIf { restitution != null },
+            "restitution(…)".takeIf { law is Restitution },
+            "contactLaw(…)".takeIf { law != null && law !is Restitution },
             "collisions(…)".takeIf { collisions != null },
             "withoutCollisions()".takeIf { isWithoutCollisions },
         )
@@ -101,6 +106,6 @@ public class SimulationBuilder internal constructor(private val population: Popu
             "the simulation does not say how spheres collide; give restitution(…), collisions(…) or withoutCollisions()"
         }
         require(given.size == 1) { "${given.joinToString(" and ")} contradict each other; one of them is enough" }
-        return collisions ?: restitution?.let { CollisionForcing(it) }
+        return collisions ?: law?.let { CollisionForcing(it) }
     }
 }

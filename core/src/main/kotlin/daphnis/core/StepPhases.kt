@@ -31,7 +31,7 @@ public class StepPhases(
     private val loop: RangeLoop,
 ) {
     init {
-        forces.firstNotNullOfOrNull { it as? Drift }?.let { collisions?.turning = it.turning }
+        collisions?.turning = forces.firstNotNullOfOrNull { it as? Drift }?.turning ?: 0.0
     }
 
     private val undo = StepUndo(population, collisions?.counters)

@@ -4,6 +4,7 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
+import daphnis.core.population.optional
 
 /**
  * What a population and its counters were before the step under way, so that the step can be taken back. The engine
@@ -12,7 +13,7 @@ import daphnis.core.population.SphereQuantity
  */
 internal class StepUndo(private val population: Population, private val counters: CollisionCounters?) {
     /** Places of the columns that forces change. */
-    private val kicked = SphereQuantity.present(population.hasSpin)
+    private val kicked = SphereQuantity.present(population.optional)
         .filter { SphereQuantity.at(it).change == SphereQuantity.Change.KICKED }.toIntArray()
     private val kept = Array(kicked.size) { DoubleArray(0) }
     private var hasVelocities = false

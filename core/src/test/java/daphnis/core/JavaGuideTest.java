@@ -39,6 +39,8 @@ import daphnis.core.scenario.Scenario;
 import daphnis.core.search.NearPairs;
 import daphnis.core.search.Overlap;
 import daphnis.core.search.SearchStructure;
+import daphnis.core.surface.ContactLaw;
+import daphnis.core.surface.SurfaceContact;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -305,6 +307,54 @@ class JavaGuideTest {
             assertTrue(e.getMessage().startsWith(wrong), e.getMessage());
         }
         assertFalse(Files.exists(path));
+    }
+
+    @Test
+    void aLawSaysBothCoefficients() {
+        double[] x = {-3.0, 0.0, 30.0};
+        double[] vx = {4.0, 0.0, 0.0};
+        double[] y = {0.0, 1.0, 0.0};
+        double[] zero = new double[3];
+        Population smooth = Population.builder()
+            .positions(x, y, zero).velocities(vx, zero, zero).radius(1.0).masses(new double[] {3.0, 4.0, 1.0}).build();
+        // example: contactLawInJava
+        ContactLaw dusty = new ContactLaw() {
+            @Override public boolean isRough() { return true; } // β is not always −1
+
+            @Override public double restitution(SurfaceContact contact) {
+                return contact.getReducedMass() > 1 ? 0.9 : 0.5;
+            }
+
+            @Override public double roughness(SurfaceContact contact) { // asked after ε, where surfaces slide
+                return contact.getTangentialSpeed() > contact.getNormalSpeed() ? 0.5 : -contact.getRestitution();
+            }
+        };
+        double[] none = new double[3];
+        Simulation simulation = Simulation.builder(smooth.withSpin(none, none, none))
+            .boundary(BoundaryConditions.open())
+            .contactLaw(dusty)
+            .timeStep(0.1)
+            .build();
+        // end
+        while (simulation.getTime() < 1.0) simulation.advance();
+        assertEquals(1, simulation.getCollisions().getCounters().getCollisions());
+        // Spins by equal impulses on equal radii are as the inverses of the masses.
+        Population after = simulation.getPopulation();
+        double[] w = after.getWz();
+        assertEquals(4.0 / 3, w[after.indexOf(0)] / w[after.indexOf(1)], 1e-12);
+        assertEquals(0.9, dusty.restitution(SurfaceContact.headOn(1.0, 1.0, 3.0)));
+        assertEquals(0.5, dusty.restitution(SurfaceContact.headOn(1.0, 1.0, 1.0)));
+        simulation.close();
+        CollisionForcing forcing = CollisionForcing.builder(dusty).guard(new FloorSpeedGuard(9.0)).build();
+        try (Simulation guarded = Simulation.builder(smooth.withSpin(none, none, none))
+                .boundary(BoundaryConditions.open()).collisions(forcing).timeStep(1.0).build()) {
+            guarded.advance();
+            assertEquals(1, forcing.getCounters().getGuardActivations());
+        }
+        refuses(
+            "contactLaw(…) and withoutCollisions() contradict each other; one of them is enough",
+            Simulation.builder(smooth).boundary(BoundaryConditions.open()).timeStep(1.0).contactLaw(dusty)
+                .withoutCollisions()::build);
     }
 
     @Test

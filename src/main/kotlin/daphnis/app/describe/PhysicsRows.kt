@@ -8,8 +8,9 @@ import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
-import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.surface.MaterialLaws
+import daphnis.core.surface.SurfaceContact
 import java.util.Locale
 import kotlin.math.sqrt
 
@@ -24,8 +25,11 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     /** Rows of the population besides bodies. */
     private val particles = population.radius.indices.filter { !scenario.isBody(population.id[it]) }
 
+    private val materials = MaterialRows(setup, say, rows)
+
     fun write() {
         if (particles.isNotEmpty()) describeSpheres()
+        materials.materials()
         bodies()
         surroundings()
         if (particles.isNotEmpty()) fullness()
@@ -59,10 +63,13 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             val at = listOf(population.x[k], population.y[k], population.z[k]).joinToString { say.length(it) }
             rows.add(
                 "bodies",
-                "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, at $at",
+                "radius ${say.length(population.radius[k])}, mass ${say.mass(population.mass[k])}, " +
+                    (population.materials.getOrNull(materialOf(k))?.let { "of $it, " } ?: "") + "at $at",
             )
         }
     }
+
+    private fun materialOf(k: Int) = if (population.hasMaterials) population.material[k].toInt() else -1
 
     private fun surroundings() {
         val edges = scenario.box.lengths.joinToString(" x ") { say.length(it) }
@@ -115,19 +122,9 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
 
     private fun collisions() {
-        val c = dispersion()
-        fun at(speed: Double) =
-            String.format(Locale.ROOT, "%.3f at %s", setup.restitution.coefficient(speed), say.speed(speed))
-        val centimetre = 1 / scenario.units.speedInCmPerSecond
-        val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
-        val law = when (val law = scenario.restitution) {
-            is RestitutionSpec.Constant -> "${number(law.coefficient)} at every speed"
-            is RestitutionSpec.Bridges ->
-                "bridges, ${number(law.prefactor)} v^${number(law.exponent)} with v in cm/s: $examples"
-            is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
-        }
-        rows.add("restitution", law)
+        rows.add("restitution", restitution())
         surfaces()
+        materials.contacts()
         when (val guard = scenario.guard) {
             is GuardSpec.None -> rows.add("guard", "none")
             is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")
@@ -138,22 +135,51 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         }
     }
 
+    private fun restitution(): String {
+        val ofAll = setup.restitution.let { (it as? MaterialLaws)?.others ?: it }
+        val radius = middle(population.radius)
+        val mass = middle(population.mass)
+
+        fun at(speed: Double): String {
+            val contact = SurfaceContact.headOn(speed, radius, mass)
+            return String.format(Locale.ROOT, "%.3f at %s", ofAll.restitution(contact), say.speed(speed))
+        }
+        val c = dispersion()
+        val centimetre = 1 / scenario.units.speedInCmPerSecond
+        val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
+        return when (val law = scenario.restitution) {
+            is RestitutionSpec.Constant -> "${number(law.coefficient)} at every speed"
+            is RestitutionSpec.Bridges ->
+                "bridges, ${number(law.prefactor)} v^${number(law.exponent)} with v in cm/s: $examples"
+            is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
+            is RestitutionSpec.Step ->
+                "step, ${number(law.below)} below ${number(law.speed)} cm/s, ${number(law.coefficient)} from there on: " +
+                    examples
+            is RestitutionSpec.Table -> "table of ${law.points.size} points from ${law.points.first().inWords()} " +
+                "to ${law.points.last().inWords()}: $examples"
+            is RestitutionSpec.Viscoelastic ->
+                "viscoelastic; of two spheres of radius ${say.length(radius)} and mass ${say.mass(mass)}: $examples"
+        }
+    }
+
+    private fun List<Double>.inWords() = "${number(this[1])} at ${number(this[0])} cm/s"
+
+    /** The mean over particles; over bodies where there are none. */
+    private fun middle(column: DoubleArray) =
+        if (particles.isEmpty()) column.average() else particles.map { column[it] }.average()
+
     /** Nothing of smooth spheres without spin. */
     private fun surfaces() {
         if (!population.hasSpin) return
-        val law = when (val law = scenario.roughness) {
-            null, is RoughnessSpec.Smooth -> "smooth"
-            is RoughnessSpec.Constant -> "${number(law.coefficient)} of the tangential velocity is reversed"
-            is RoughnessSpec.Coulomb ->
-                "sticking ${number(law.sticking)} unless friction ${number(law.friction)} is too weak for that"
-        }
+        val law = scenario.roughness?.inWords(::number) ?: "smooth"
         rows.add("roughness", "$law; moment of inertia ${number(setup.momentFactor)} m r^2")
         val squares = particles.sumOf { k ->
             population.wx[k] * population.wx[k] + population.wy[k] * population.wy[k] +
                 population.wz[k] * population.wz[k]
         }
         val spin = if (particles.isEmpty()) 0.0 else sqrt(squares / particles.size)
-        rows.add("spins", "${number(spin)} radians per unit of time at the start (root mean square)")
+        val size = if (spin == 0.0) "none" else "${say.angularSpeed(spin)} (root mean square)"
+        rows.add("spins", "$size at the start")
     }
 
     private companion object {

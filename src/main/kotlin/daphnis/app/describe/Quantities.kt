@@ -42,6 +42,12 @@ internal class Quantities(scenario: ScenarioParts) {
     fun speed(value: Double): String =
         if (speedKnown) number(value * units.speedInCmPerSecond) + " cm/s" else plain(value, "units of speed")
 
+    fun angularSpeed(value: Double): String = if (si == null) {
+        plain(value, "radians per unit of time")
+    } else {
+        number(value / si.seconds) + " rad/s"
+    }
+
     fun mass(value: Double): String = if (si == null) {
         plain(value, "mass units")
     } else {

@@ -12,7 +12,7 @@ internal class KeyLabel(units: UnitsSpec?) {
     fun of(path: String): String {
         val last = path.substringAfterLast('.')
         val name = last.substringBefore('[')
-        val unit = FIXED[name] ?: units.of(if (path == SIGMA) Dimension.SPEED else DIMENSIONS[name].orEmpty())
+        val unit = FIXED[path] ?: FIXED[name] ?: units.of(DIMENSIONS[path] ?: DIMENSIONS[name].orEmpty())
         val before = if (last == path) "" else "${words(path.substringBeforeLast('.'))}: "
         return before + UnitNames.axis(words(UNITS_IN_NAME.replace(last, "")), unit)
     }
@@ -21,8 +21,6 @@ internal class KeyLabel(units: UnitsSpec?) {
     private fun words(key: String) = key.replace(Regex("(?<=[a-z])[A-Z]")) { " ${it.value.lowercase()}" }
 
     private companion object {
-        /** `particles.sizes.sigma`, of ln r, is a number. */
-        const val SIGMA = "velocities.sigma"
         val UNITS_IN_NAME = Regex("In(Km|Kg|Metres|CmPerSecond)$|Orbits$")
 
         /** Units that keys have whatever the scenario's are. */
@@ -36,16 +34,22 @@ internal class KeyLabel(units: UnitsSpec?) {
             "criticalSpeed" to "cm/s",
             "untilOrbits" to "orbits",
             "phase" to "rad",
+            // Laws of restitution are in cm/s.
+            "restitution.speed" to "cm/s",
         )
 
-        /** Dimensions of keys by their last part, which mean the same wherever they stand; others are pure numbers. */
+        /**
+         * Dimensions of keys by their last part, which mean the same wherever they stand, or by all of it; others are
+         * pure numbers, such as `particles.sizes.sigma`, which is of ln r.
+         */
         val DIMENSIONS: Map<String, String> = listOf(
             Dimension.LENGTH to "lengths radius radii minimum maximum median position softening x y e cell",
             Dimension.TIME to "until dt duration longest time",
             Dimension.MASS to "mass",
-            Dimension.SPEED to "velocityJump halfWidth speed velocity",
+            Dimension.SPEED to "velocityJump halfWidth speed velocity velocities.sigma",
             Dimension.SPEED_SQUARED to "temperature",
-            "1/time" to "angularSpeed shearRate",
+            Dimension.ANGULAR_SPEED to "angularSpeed shearRate spins.sigma spins.mean",
+            Dimension.ENERGY to "spins.temperature",
             "length/time^2" to "acceleration",
             "mass/length^2" to "surfaceDensity",
             "mass/length^3" to "density",

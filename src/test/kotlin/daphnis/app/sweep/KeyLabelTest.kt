@@ -23,6 +23,7 @@ class KeyLabelTest {
             assertEquals("frame: distance [km]", label.of("frame.distanceInKm"))
             assertEquals("until [orbits]", label.of("untilOrbits"))
             assertEquals("restitution: critical speed [cm/s]", label.of("restitution.criticalSpeed"))
+            assertEquals("restitution: speed [cm/s]", label.of("restitution.speed"))
         }
         assertEquals("time step: dt [units of time]", KeyLabel(UnitsSpec()).of("timeStep.dt"))
     }
@@ -31,5 +32,13 @@ class KeyLabelTest {
     fun `sigma is a speed of velocities, and a pure number of sizes`() {
         assertEquals("velocities: sigma [m/s]", metric.of("velocities.sigma"))
         assertEquals("particles.sizes: sigma", metric.of("particles.sizes.sigma"))
+        assertEquals("guard: speed [m/s]", metric.of("guard.speed"))
+        assertEquals("spins: sigma [1/s]", metric.of("spins.sigma"))
+        assertEquals("restitution: radius [m]", metric.of("restitution.radius"))
+    }
+
+    @Test
+    fun `the temperature of spins is an energy, that of velocities a speed squared`() {
+        assertEquals("spins: temperature [J]", metric.of("spins.temperature"))
     }
 }

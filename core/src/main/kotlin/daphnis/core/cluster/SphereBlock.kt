@@ -3,18 +3,19 @@ package daphnis.core.cluster
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
+import daphnis.core.population.optional
 import java.nio.ByteBuffer
 
-/** Spheres in a message: whether they have spins, their columns one after the other in the order of places, the ids. */
+/** Spheres in a message: the set of optional quantities that they have, their columns one after the other in the order of places, the ids. */
 internal object SphereBlock {
     /** Bytes of [count] of these [spheres], with their number. */
     fun bytes(spheres: SphereColumns, count: Int): Int =
-        count * (SphereQuantity.present(spheres.hasSpin).size * Double.SIZE_BYTES + Int.SIZE_BYTES) + HEAD
+        count * (SphereQuantity.present(spheres.optional).size * Double.SIZE_BYTES + Int.SIZE_BYTES) + HEAD
 
     /** Reads [count] spheres. */
     fun read(from: ByteBuffer, count: Int): PopulationColumns {
         val columns = Array(SphereQuantity.WIDTH) { SphereQuantity.NONE }
-        for (place in SphereQuantity.present(from.get() != SMOOTH)) columns[place] = from.doubles(count)
+        for (place in SphereQuantity.present(from.get().toInt())) columns[place] = from.doubles(count)
         return PopulationColumns(columns, from.ints(count))
     }
 
@@ -29,15 +30,13 @@ internal object SphereBlock {
 
     /** Writes the entries of all ranges that [eachRange] goes through. */
     inline fun write(to: MessageWriter, spheres: SphereColumns, eachRange: ((from: Int, until: Int) -> Unit) -> Unit) {
-        to.byte(if (spheres.hasSpin) SPINNING else SMOOTH.toInt())
-        for (place in SphereQuantity.present(spheres.hasSpin)) {
+        to.byte(spheres.optional)
+        for (place in SphereQuantity.present(spheres.optional)) {
             val column = spheres.column(place)
             eachRange { from, until -> to.doubles(column, from, until) }
         }
         eachRange { from, until -> to.ints(spheres.id, from, until) }
     }
 
-    const val SMOOTH: Byte = 0
-    const val SPINNING: Int = 1
     private const val HEAD = Int.SIZE_BYTES + Byte.SIZE_BYTES
 }

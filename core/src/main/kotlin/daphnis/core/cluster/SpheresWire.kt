@@ -3,12 +3,13 @@ package daphnis.core.cluster
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
+import daphnis.core.population.optional
 
 /** Any number of spheres as messages of limited length. */
 internal object SpheresWire {
     /** Sends the entries [from] until [until] of [spheres]. */
     fun send(mail: Mail, to: Int, spheres: SphereColumns, from: Int, until: Int) {
-        val head = MessageWriter().int(until - from).byte(if (spheres.hasSpin) 1 else 0)
+        val head = MessageWriter().int(until - from).byte(spheres.optional)
         mail.send(to, head.message())
         var at = from
         while (at < until) {
@@ -25,10 +26,10 @@ internal object SpheresWire {
         val head = mail.receive(from)
         val count = head.int
         // Told apart from the blocks, of which there may be none.
-        val hasSpin = head.get() != SphereBlock.SMOOTH
+        val optional = head.get().toInt()
         val blocks = ArrayList<PopulationColumns>()
         receive(mail, from, count) { blocks += it }
-        return blocks.singleOrNull() ?: PopulationColumns.joined(blocks, hasSpin)
+        return blocks.singleOrNull() ?: PopulationColumns.joined(blocks, optional)
     }
 
     /** Receives the [count] spheres that follow their number, and hands each message of them to [take]. */

@@ -4,6 +4,8 @@ import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.RoughContact
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 import kotlin.math.abs
@@ -11,23 +13,33 @@ import kotlin.math.sqrt
 
 /**
  * What a collision does: brings both spheres to the moment of contact and exchanges momentum along the line of centres,
- * with coefficient ε of [restitution] unless [guard] makes the collision elastic. Tangential velocities and spins change
- * where there is a [roughness], also in a collision that the guard makes elastic: what ends collapse is ε = 1, and
+ * with coefficient ε of a [ContactLaw] unless [guard] makes the collision elastic. Tangential velocities and spins
+ * change where that law is rough, also in a collision that the guard makes elastic: what ends collapse is ε = 1, and
  * friction alone leads to none.
  *
  * A law is immutable, and the outcome is a pure function of the two states, so any number of workers can share one law.
  *
- * @property roughness null for smooth spheres, whose spins, if they have any, stay
+ * @param law of both coefficients; a [Restitution] for smooth spheres
+ * @param roughness β in place of that of [law]; null for the law's own. Spins of smooth spheres stay
  * @property momentFactor moment of inertia of spheres over mass · radius²
  * @param turning angular speed about z of the axes in which spins are given: Ω in Hill's frame, else 0
  */
 public class CollisionLaw @JvmOverloads constructor(
-    public val restitution: Restitution,
+    law: ContactLaw,
     public val guard: CollapseGuard = NoGuard,
-    public val roughness: Roughness? = null,
+    roughness: Roughness? = null,
     public val momentFactor: Double = SurfaceContact.SOLID,
     turning: Double = 0.0,
 ) {
+    /** Both coefficients. */
+    public val contactLaw: ContactLaw = if (roughness == null) law else RoughContact(law, roughness)
+
+    /** Of smooth spheres whose ε depends on the impact speed alone, for which no contact is described; else null. */
+    private val restitution = contactLaw as? Restitution
+
+    /** Whether spheres need spins. */
+    internal val isRough: Boolean = restitution == null && contactLaw.isRough
+
     init {
         require(momentFactor > 0 && momentFactor <= HOLLOW) {
             "the moment of inertia is $momentFactor m r²; the factor must be > 0 and at most 2/3, that of a hollow sphere"
@@ -43,7 +55,7 @@ public class CollisionLaw @JvmOverloads constructor(
      *
      * @return false when the spheres recede because of round-off at a grazing contact; then only their local times have
      *   changed, and [outcome] is as it was
-     * @throws IllegalArgumentException when [restitution] gives a number that is not in [0, 1]
+     * @throws IllegalArgumentException when the law gives an ε that is not in [0, 1], or a β that is not in [−1, 1]
      */
     public fun collide(
         rows: StepRows,
@@ -70,12 +82,15 @@ public class CollisionLaw @JvmOverloads constructor(
             outcome.separationY = dy
             outcome.separationZ = dz
             outcome.impactSpeed = -b / sqrt(d2)
-            judge(rows, first, second, time, outcome)
-            // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
-            // energy.
-            exchange(rows, first, second, (1.0 + outcome.coefficient) * b / d2, outcome)
-            outcome.forgetSurfaces()
-            if (roughness != null) spins.collide(rows, roughness, first, second, ux, uy, uz, b, d2, time, outcome)
+            val restitution = restitution
+            if (restitution != null) {
+                askGuard(rows, first, second, time, outcome)
+                outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(outcome.impactSpeed)
+                settle(rows, first, second, b, d2, time, outcome)
+                outcome.forgetSurfaces()
+            } else {
+                touch(rows, first, second, ux, uy, uz, b, d2, time, outcome)
+            }
             // From the reduced mass, so that it is the same to the last bit from either side.
             val m1 = rows.mass[first]
             val m2 = rows.mass[second]
@@ -88,8 +103,29 @@ public class CollisionLaw @JvmOverloads constructor(
         return true
     }
 
-    /** Finds the coefficient of restitution from the impact speed and the guard. */
-    private fun judge(rows: StepRows, first: Int, second: Int, time: Double, outcome: CollisionOutcome) {
+    /** The exchange by a law that is told of more than the impact speed; what is given is as in [SpinExchange.meet]. */
+    private fun touch(
+        rows: StepRows,
+        first: Int,
+        second: Int,
+        ux: Double,
+        uy: Double,
+        uz: Double,
+        b: Double,
+        d2: Double,
+        time: Double,
+        outcome: CollisionOutcome,
+    ) {
+        spins.meet(rows, first, second, ux, uy, uz, b, d2, time, outcome)
+        askGuard(rows, first, second, time, outcome)
+        outcome.coefficient = if (outcome.guarded) 1.0 else contactLaw.restitution(outcome.contact)
+        settle(rows, first, second, b, d2, time, outcome)
+        outcome.contact.restitution = outcome.coefficient
+        if (isRough) spins.rub(rows, contactLaw, first, second, outcome) else outcome.forgetSurfaces()
+    }
+
+    /** Whether the guard makes the collision elastic. */
+    private fun askGuard(rows: StepRows, first: Int, second: Int, time: Double, outcome: CollisionOutcome) {
         val speed = outcome.impactSpeed
         if (guard.needsLastCollision) {
             val last = rows.lastCollision
@@ -97,13 +133,28 @@ public class CollisionLaw @JvmOverloads constructor(
         } else {
             outcome.guarded = guard.makesElastic(speed, 0.0, 0.0)
         }
-        outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(speed)
+    }
+
+    /** Exchanges momentum along the normal, with the coefficient of [outcome] if that is one. */
+    private fun settle(
+        rows: StepRows,
+        first: Int,
+        second: Int,
+        b: Double,
+        d2: Double,
+        time: Double,
+        outcome: CollisionOutcome,
+    ) {
+        val coefficient = outcome.coefficient
         // NaN is in no range.
-        if (!(outcome.coefficient >= 0.0 && outcome.coefficient <= 1.0)) refuse(outcome.coefficient, speed)
+        if (!(coefficient >= 0.0 && coefficient <= 1.0)) refuse(coefficient, outcome.impactSpeed)
         if (guard.needsLastCollision) {
             rows.lastCollision[first] = time
             rows.lastCollision[second] = time
         }
+        // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
+        // energy.
+        exchange(rows, first, second, (1.0 + coefficient) * b / d2, outcome)
     }
 
     private fun refuse(coefficient: Double, speed: Double): Nothing = throw IllegalArgumentException(

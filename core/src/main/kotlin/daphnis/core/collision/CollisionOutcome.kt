@@ -52,8 +52,12 @@ public class CollisionOutcome {
     public var rank: Int = 0
         internal set
 
-    /** What a law of roughness is asked about. */
+    /** What laws are asked about. */
     internal val contact = SurfaceContact()
+
+    /** Of the angle by which axes have turned at the impact. */
+    internal var cosine = 1.0
+    internal var sine = 0.0
 
     /** Whether the guard made the collision elastic. */
     public var guarded: Boolean = false

@@ -1,18 +1,25 @@
 package daphnis.core.collision
 
+import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
 
 /**
- * The coefficient of restitution ε as a function of the impact speed.
+ * The coefficient of restitution ε as a function of the impact speed: the law of smooth spheres that depends on nothing
+ * else. Rough ones have a [daphnis.core.surface.Roughness] beside it.
  *
  * Must be a pure function that gives the same bits on every machine: use [StrictMath] for `pow`, `exp`, `sin`.
  */
-public fun interface Restitution {
+public fun interface Restitution : ContactLaw {
     /**
      * @param impactSpeed normal component of the relative velocity at contact, ≥ 0, in the scenario's unit of speed
      * @return ε in [0, 1]; any other number ends the step with an [IllegalArgumentException]
      */
     public fun coefficient(impactSpeed: Double): Double
+
+    override val isRough: Boolean get() = false
+
+    override fun restitution(contact: SurfaceContact): Double = coefficient(contact.normalSpeed)
 }
 
 /** ε = [value] at every impact speed. */
@@ -85,4 +92,27 @@ public class BorderiesRestitution @JvmOverloads constructor(
         val x = ratio * ratio
         return minOf(1.0, sqrt(maxOf(0.0, -2.0 / 3.0 * x + sqrt(10.0 / 3.0 * x - 5.0 / 9.0 * x * x))))
     }
+}
+
+/**
+ * ε = [below] at impact speeds below [speed], elastic unless given, and [coefficient] from there on.
+ *
+ * @property speed in cm/s
+ * @property cmPerSecond how many cm/s one unit of speed of the scenario is
+ */
+public class StepRestitution @JvmOverloads constructor(
+    public val speed: Double,
+    public val coefficient: Double,
+    public val below: Double = 1.0,
+    public val cmPerSecond: Double = 1.0,
+) : Restitution {
+    init {
+        require(speed > 0 && speed.isFinite()) { "the speed of the step is $speed cm/s; it must be > 0" }
+        require(coefficient in 0.0..1.0) { "coefficient of restitution is $coefficient; it must be in [0, 1]" }
+        require(below in 0.0..1.0) { "coefficient of restitution below the step is $below; it must be in [0, 1]" }
+        require(cmPerSecond > 0 && cmPerSecond.isFinite()) { "one unit of speed is $cmPerSecond cm/s; it must be > 0" }
+    }
+
+    override fun coefficient(impactSpeed: Double): Double =
+        if (impactSpeed * cmPerSecond < speed) below else coefficient
 }

@@ -3,6 +3,7 @@ package daphnis.core.collision
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
@@ -35,14 +36,14 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
     private val inverse = 1.0 / momentFactor
 
     /**
-     * The impact of [first] and [second], whose [outcome] has speed and coefficient.
+     * Describes the impact of [first] and [second] in the contact of [outcome], which has its speed, and puts **g** in
+     * place of the momentum that [rub] finds. Of spheres without spins **g** is that of their velocities.
      *
      * @param ux relative velocity of the second, before the impact; likewise [uy], [uz]
      * @param b **d** · **u** with **d** the separation, and [d2] = d²
      */
-    fun collide(
+    fun meet(
         rows: StepRows,
-        roughness: Roughness,
         first: Int,
         second: Int,
         ux: Double,
@@ -53,38 +54,61 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         time: Double,
         outcome: CollisionOutcome,
     ) {
+        val dx = outcome.separationX
+        val dy = outcome.separationY
+        val dz = outcome.separationZ
+        var gx = ux - b / d2 * dx
+        var gy = uy - b / d2 * dy
+        var gz = uz - b / d2 * dz
+        if (rows.hasSpin) {
+            val r1 = rows.state[first * STRIDE + RADIUS]
+            val r2 = rows.state[second * STRIDE + RADIUS]
+            val reach = r1 + r2
+            val lx = dx / reach
+            val ly = dy / reach
+            val lz = dz / reach
+            val sx = r1 * rows.wx[first] + r2 * rows.wx[second]
+            val sy = r1 * rows.wy[first] + r2 * rows.wy[second]
+            val wz = r1 * rows.wz[first] + r2 * rows.wz[second]
+            val cosine = cosine(time)
+            val sine = sine(time)
+            val wx = cosine * sx + sine * sy
+            val wy = cosine * sy - sine * sx
+            gx -= wy * lz - wz * ly
+            gy -= wz * lx - wx * lz
+            gz -= wx * ly - wy * lx
+            outcome.cosine = cosine
+            outcome.sine = sine
+        }
+        outcome.slideX = gx
+        outcome.slideY = gy
+        outcome.slideZ = gz
+        val contact = outcome.contact
+        contact.ofPair(rows, first, second)
+        contact.momentFactor = momentFactor
+        contact.normalSpeed = outcome.impactSpeed
+        contact.tangentialSpeed = sqrt(gx * gx + gy * gy + gz * gz)
+        contact.restitution = Double.NaN
+    }
+
+    /** The impulse along the surfaces of [first] and [second], which [meet] has described, by β of [law]. */
+    fun rub(rows: StepRows, law: ContactLaw, first: Int, second: Int, outcome: CollisionOutcome) {
+        val contact = outcome.contact
+        val sliding = contact.tangentialSpeed
+        val factor = if (sliding == 0.0) 0.0 else checked(law.change(contact), sliding)
         val state = rows.state
         val r1 = state[first * STRIDE + RADIUS]
         val r2 = state[second * STRIDE + RADIUS]
         val m1 = rows.mass[first]
         val m2 = rows.mass[second]
-        val dx = outcome.separationX
-        val dy = outcome.separationY
-        val dz = outcome.separationZ
         val reach = r1 + r2
-        val lx = dx / reach
-        val ly = dy / reach
-        val lz = dz / reach
-        val sx = r1 * rows.wx[first] + r2 * rows.wx[second]
-        val sy = r1 * rows.wy[first] + r2 * rows.wy[second]
-        val wz = r1 * rows.wz[first] + r2 * rows.wz[second]
-        val cosine = cosine(time)
-        val sine = sine(time)
-        val wx = cosine * sx + sine * sy
-        val wy = cosine * sy - sine * sx
-        var gx = ux - b / d2 * dx - (wy * lz - wz * ly)
-        var gy = uy - b / d2 * dy - (wz * lx - wx * lz)
-        var gz = uz - b / d2 * dz - (wx * ly - wy * lx)
-        val isInOrder = rows.id[first] < rows.id[second]
-        val contact = outcome.contact
-        contact.firstRadius = if (isInOrder) r1 else r2
-        contact.secondRadius = if (isInOrder) r2 else r1
-        contact.firstMass = if (isInOrder) m1 else m2
-        contact.secondMass = if (isInOrder) m2 else m1
-        contact.normalSpeed = outcome.impactSpeed
-        contact.restitution = outcome.coefficient
+        val lx = outcome.separationX / reach
+        val ly = outcome.separationY / reach
+        val lz = outcome.separationZ / reach
+        var gx = outcome.slideX
+        var gy = outcome.slideY
+        var gz = outcome.slideZ
         val g2 = gx * gx + gy * gy + gz * gz
-        val factor = change(roughness, contact, sqrt(g2))
         val compliance = 1.0 + inverse * (lx * lx + ly * ly + lz * lz)
         gx /= compliance
         gy /= compliance
@@ -102,8 +126,8 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val kx = ly * gz - lz * gy
         val ky = lz * gx - lx * gz
         val kz = lx * gy - ly * gx
-        val ax = cosine * kx - sine * ky
-        val ay = cosine * ky + sine * kx
+        val ax = outcome.cosine * kx - outcome.sine * ky
+        val ay = outcome.cosine * ky + outcome.sine * kx
         spin(rows, first, f1 * inverse / r1, ax, ay, kz)
         spin(rows, second, f2 * inverse / r2, ax, ay, kz)
     }
@@ -136,13 +160,13 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         var gx = if (axis == 0) 0.0 else -state[p] - (wy * nz - wz * ny)
         var gy = if (axis == 1) 0.0 else -state[p + 1] - (wz * nx - wx * nz)
         var gz = if (axis == 2) 0.0 else -state[p + 2] - (wx * ny - wy * nx)
-        contact.firstRadius = r
-        contact.secondRadius = Double.POSITIVE_INFINITY
-        contact.firstMass = rows.mass[slot]
-        contact.secondMass = Double.POSITIVE_INFINITY
+        val sliding = sqrt(gx * gx + gy * gy + gz * gz)
+        contact.ofWall(rows, slot)
+        contact.momentFactor = momentFactor
         contact.normalSpeed = normalSpeed
+        contact.tangentialSpeed = sliding
         contact.restitution = restitution
-        val factor = change(roughness, contact, sqrt(gx * gx + gy * gy + gz * gz))
+        val factor = if (sliding == 0.0) 0.0 else checked(roughness.change(contact), sliding)
         gx /= 1.0 + inverse
         gy /= 1.0 + inverse
         gz /= 1.0 + inverse
@@ -153,12 +177,8 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         spin(rows, slot, factor * inverse / r, cosine * kx - sine * ky, cosine * ky + sine * kx, kz)
     }
 
-    /** 1 + β of [contact], whose surfaces slide with [speed]. */
-    private fun change(roughness: Roughness, contact: SurfaceContact, speed: Double): Double {
-        if (speed == 0.0) return 0.0
-        contact.tangentialSpeed = speed
-        contact.momentFactor = momentFactor
-        val change = roughness.change(contact)
+    /** The [change] 1 + β that a law gives where surfaces slide with [speed]. */
+    private fun checked(change: Double, speed: Double): Double {
         // NaN is in no range.
         require(change >= 0.0 && change <= 2.0) {
             "the coefficient of tangential restitution is ${change - 1.0} where surfaces slide at $speed; " +

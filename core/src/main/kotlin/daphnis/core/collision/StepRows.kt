@@ -7,6 +7,7 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
+import daphnis.core.population.optional
 
 /**
  * The population during one step: a packed copy in cell order with eight doubles per sphere. A sphere in a collision is
@@ -34,7 +35,13 @@ public class StepRows : GrowingTable() {
         private set
 
     /** Whether spheres have angular velocities. */
-    public var hasSpin: Boolean = false
+    public val hasSpin: Boolean get() = optional and SPINNING != 0
+
+    /** Whether it is known what spheres are made of. */
+    internal val hasMaterials: Boolean get() = optional and MADE != 0
+
+    /** The set of optional quantities that spheres have, see [SphereQuantity.of]. */
+    internal var optional: Int = 0
         private set
 
     /** Places of the columns besides [state] that this step carries. */
@@ -42,7 +49,7 @@ public class StepRows : GrowingTable() {
         private set
 
     /** Places of those that collisions change. */
-    internal var changing: IntArray = RowColumns.changing(tracks = false, hasSpin = false)
+    internal var changing: IntArray = RowColumns.changing(tracks = false, optional = 0)
         private set
 
     /** The column at [place], which is not in [state], by slot. */
@@ -69,6 +76,9 @@ public class StepRows : GrowingTable() {
     internal val wx: DoubleArray get() = sides[SPIN]
     internal val wy: DoubleArray get() = sides[SPIN + 1]
     internal val wz: DoubleArray get() = sides[SPIN + 2]
+
+    /** Numbers of materials by slot, where there are any. */
+    internal val material: DoubleArray get() = sides[MATERIAL]
 
     /** Two numbers per slot, [rank] and [streak], which lie side by side since a collision changes both. */
     internal var marks: IntArray = IntArray(0)
@@ -106,21 +116,22 @@ public class StepRows : GrowingTable() {
         reserve(population.size)
         size = population.size
         resolution = duration * RESOLUTION
-        carry(tracksLastCollision, population.hasSpin)
+        carry(tracksLastCollision, population.optional)
         loop.run(size) { _, from, to -> loadRange(population, order, from, to) }
     }
 
-    /** From now on columns are carried for notes of collisions and for spins, or not. */
-    private fun carry(tracks: Boolean, spins: Boolean) {
-        if (spins) reserveSpins(room)
+    /** From now on columns are carried for notes of collisions, or not, and for the quantities of [optional]. */
+    private fun carry(tracks: Boolean, optional: Int) {
+        val carried = RowColumns.carried(tracks, optional)
+        reserveSides(carried, room)
         tracksLastCollision = tracks
-        hasSpin = spins
-        changing = RowColumns.changing(tracks, spins)
-        carried = RowColumns.carried(tracks, spins)
+        this.optional = optional
+        changing = RowColumns.changing(tracks, optional)
+        this.carried = carried
     }
 
-    private fun reserveSpins(room: Int) {
-        for (side in SphereQuantity.SPIN.places) if (sides[side].size < room) sides[side] = sides[side].copyOf(room)
+    private fun reserveSides(places: IntArray, room: Int) {
+        for (side in places) if (sides[side].size < room) sides[side] = sides[side].copyOf(room)
     }
 
     private fun loadRange(population: SphereColumns, order: IntArray, from: Int, to: Int) {
@@ -172,10 +183,10 @@ public class StepRows : GrowingTable() {
     }
 
     /** Removes all rows, for a step of [duration] of which some spheres are to be [included][include]. */
-    internal fun begin(duration: Double, tracksLastCollision: Boolean, hasSpin: Boolean) {
+    internal fun begin(duration: Double, tracksLastCollision: Boolean, optional: Int) {
         size = 0
         resolution = duration * RESOLUTION
-        carry(tracksLastCollision, hasSpin)
+        carry(tracksLastCollision, optional)
     }
 
     /** Appends the sphere at [index] of [population], at the start of the step, and returns its slot. */
@@ -195,7 +206,7 @@ public class StepRows : GrowingTable() {
      */
     public fun take(rows: StepRows, slot: Int): Int {
         val k = append()
-        if (carried !== rows.carried) carry(rows.tracksLastCollision, rows.hasSpin)
+        if (carried !== rows.carried) carry(rows.tracksLastCollision, rows.optional)
         resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
         for (side in carried) sides[side][k] = rows.sides[side][slot]
@@ -226,8 +237,8 @@ public class StepRows : GrowingTable() {
 
     override fun resize(room: Int) {
         state = state.copyOf(room * STRIDE)
-        for (side in NEEDED) sides[side] = sides[side].copyOf(room)
-        if (hasSpin) reserveSpins(room)
+        reserveSides(NEEDED, room)
+        reserveSides(carried, room)
         id = id.copyOf(room)
         origin = origin.copyOf(room)
         marks = marks.copyOf(room * MARKS)
@@ -235,9 +246,12 @@ public class StepRows : GrowingTable() {
 
     public companion object {
         /** Places of the columns that all rows have room for. */
-        private val NEEDED = RowColumns.carried(tracks = true, hasSpin = false)
+        private val NEEDED = RowColumns.carried(tracks = true, optional = 0)
         private val MASS = SphereQuantity.MASS.place
         private val SPIN = SphereQuantity.SPIN.place
+        private val MATERIAL = SphereQuantity.MATERIAL.place
+        private val SPINNING = SphereQuantity.SPIN.bit
+        private val MADE = SphereQuantity.MATERIAL.bit
         private val LAST_COLLISION = SphereQuantity.LAST_COLLISION.place
 
         /** Numbers per sphere in [marks]. */

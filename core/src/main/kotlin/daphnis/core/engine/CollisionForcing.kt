@@ -13,34 +13,36 @@ import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import daphnis.core.search.SearchStructure
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 
 /**
  * The collisional forcing: moves the population through a step with every collision in time order.
  *
+ * @param law of both coefficients of an impact; a [Restitution] for smooth spheres
  * @property engine moves the spheres; not asked in a run whose steps nodes compute
  * @param search how neighbours are found; affects only the time it takes
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
- * @param roughness what surfaces do to one another in a collision; null for smooth spheres
+ * @param roughness what surfaces do to one another in a collision, in place of what [law] says; null for the law's
  * @param momentFactor moment of inertia of spheres over mass · radius²
  */
 public class CollisionForcing @JvmOverloads constructor(
-    restitution: Restitution,
+    law: ContactLaw,
     guard: CollapseGuard = NoGuard,
     public val engine: CollisionEngine = SerialEngine(),
     recordCollisions: Boolean = false,
     private val search: SearchStructure = SearchStructure.AUTO,
-    private val roughness: Roughness? = null,
+    roughness: Roughness? = null,
     internal val momentFactor: Double = SurfaceContact.SOLID,
 ) : AutoCloseable {
-    private var law = CollisionLaw(restitution, guard, roughness, momentFactor)
+    private var collisionLaw = CollisionLaw(law, guard, roughness, momentFactor)
     private var step: CollisionStep? = null
 
     /** See [daphnis.core.force.Drift.turning]; to be set before the first step. */
     internal var turning = 0.0
         set(value) {
-            law = CollisionLaw(law.restitution, law.guard, roughness, law.momentFactor, value)
+            collisionLaw = CollisionLaw(collisionLaw.contactLaw, collisionLaw.guard, null, momentFactor, value)
             step = null
             field = value
         }
@@ -75,11 +77,11 @@ public class CollisionForcing @JvmOverloads constructor(
     }
 
     private fun newStep(population: Population, boundary: BoundaryConditions): CollisionStep {
-        val isRough = roughness != null || (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
+        val isRough = collisionLaw.isRough || (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
         require(!isRough || population.hasSpin) {
             "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
         }
-        return CollisionStep(population, boundary, law, counters, search)
+        return CollisionStep(population, boundary, collisionLaw, counters, search)
     }
 
     /** @throws IllegalArgumentException when spheres overlap at the time [start] */
@@ -96,5 +98,9 @@ public class CollisionForcing @JvmOverloads constructor(
         /** Names the parts of a forcing with the law [restitution] one by one. */
         @JvmStatic
         public fun builder(restitution: Restitution): CollisionForcingBuilder = CollisionForcingBuilder(restitution)
+
+        /** The same with a [law] of both coefficients. */
+        @JvmStatic
+        public fun builder(law: ContactLaw): CollisionForcingBuilder = CollisionForcingBuilder(law)
     }
 }

@@ -2,8 +2,8 @@ package daphnis.core.engine
 
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.search.SearchStructure
+import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 
@@ -18,7 +18,7 @@ import daphnis.core.surface.SurfaceContact
  *     .build();
  * ```
  */
-public class CollisionForcingBuilder internal constructor(private val restitution: Restitution) {
+public class CollisionForcingBuilder internal constructor(private val law: ContactLaw) {
     private var guard: CollapseGuard = NoGuard
     private var makeEngine: () -> CollisionEngine = { SerialEngine() }
     private var recordCollisions = false
@@ -51,7 +51,7 @@ public class CollisionForcingBuilder internal constructor(private val restitutio
     /** How neighbours are found; affects only the time it takes. */
     public fun search(search: SearchStructure): CollisionForcingBuilder = apply { this.search = search }
 
-    /** Makes spheres rough; they are smooth unless it is given. The population needs spins. */
+    /** Makes spheres rough, as nothing else than the law may; the population needs spins. */
     public fun roughness(roughness: Roughness): CollisionForcingBuilder = apply { this.roughness = roughness }
 
     /** Moment of inertia of spheres over mass · radius², > 0; 2/5 unless given. */
@@ -59,5 +59,5 @@ public class CollisionForcingBuilder internal constructor(private val restitutio
 
     /** The forcing; it is closed with the simulation. */
     public fun build(): CollisionForcing =
-        CollisionForcing(restitution, guard, makeEngine(), recordCollisions, search, roughness, momentFactor)
+        CollisionForcing(law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor)
 }

@@ -27,10 +27,13 @@ public object CartAndRad : ReadableFormat, WritableFormat {
 
     /** Writes `CartAndRad.STEP.bin` for each state. */
     override fun export(snapshots: Sequence<Snapshot>, directory: Path, options: ExportOptions): Exported {
+        var hadMaterials = false
         for (snapshot in snapshots) {
+            hadMaterials = hadMaterials || snapshot.hasMaterials
             wholeFile(directory.resolve("CartAndRad.${snapshot.step}.bin")) { write(snapshot.population(), it) }
         }
-        val left = "CartAndRad cannot store masses and ids; they are left out, " +
+        val what = if (hadMaterials) "masses, ids and materials" else "masses and ids"
+        val left = "CartAndRad cannot store $what; they are left out, " +
             "and spheres are in the order of their ids"
         return Exported(directory, remark = left)
     }

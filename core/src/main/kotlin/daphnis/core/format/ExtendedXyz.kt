@@ -31,7 +31,8 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     /**
      * Appends one [snapshot] to [out]. Lengths (and velocities) are multiplied by [scale]: OVITO interprets coordinates
      * that all lie in about [−½, ½] as reduced ones and stretches them to the cell, so small boxes are better given in
-     * particle radii.
+     * particle radii. The column `species` has the names of materials, where there are any, and the comment lists them in
+     * `Materials`.
      */
     @JvmStatic
     @JvmOverloads
@@ -44,22 +45,28 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
             out.append("Lattice=\"$edges\" ")
             out.append("Origin=\"${-l[0] / 2} ${-l[1] / 2} ${-l[2] / 2}\" ")
         }
-        val properties = snapshot.quantities.joinToString(":") { "${it.xyz[0]}:R:${it.columns.size}" }
+        val quantities = snapshot.quantities.filter { it in NUMBERED }
+        val properties = quantities.joinToString(":") { "${it.xyz[0]}:R:${it.columns.size}" }
         val shift = if (snapshot.image == null) "" else ":${XyzColumns.IMAGE[0]}:I:3"
         out.append("Properties=species:S:1:$properties:id:I:1$shift ")
+        if (snapshot.hasMaterials) out.append("Materials=\"${names(snapshot).joinToString(" ")}\" ")
         out.append("Time=${snapshot.time} Step=${snapshot.step} Scale=$scale ")
         out.append("pbc=\"${snapshot.periodic.joinToString(" ") { if (it) "T" else "F" }}\"\n")
-        val columns = snapshot.quantities.flatMap { quantity ->
+        val columns = quantities.flatMap { quantity ->
             snapshot.columns(quantity).map { it to quantity.dimension.of(scale, 1.0, 1.0) }
         }
+        val names = if (snapshot.hasMaterials) names(snapshot) else emptyList()
         for (k in 0 until snapshot.size) {
-            out.append('X')
+            out.append(if (names.isEmpty()) "X" else names[snapshot.material[k].toInt()])
             for ((column, factor) in columns) out.append(' ').append((column[k] * factor).toString())
             out.append(' ').append(snapshot.id[k].toString())
             snapshot.image?.forEach { out.append(' ').append(it[k].toString()) }
             out.append('\n')
         }
     }
+
+    private fun names(snapshot: Snapshot) =
+        snapshot.materials.ifEmpty { List(1 + (snapshot.material.maxOrNull() ?: 0.0).toInt()) { "$it" } }
 
     /**
      * A scale with which OVITO does not interpret lengths as reduced coordinates: 1 for boxes longer than 4, else 1 /
@@ -76,7 +83,7 @@ public object ExtendedXyz : ReadableFormat, WritableFormat {
     /**
      * Reads every snapshot of [path]: `Properties` must hold `pos:R:3`; `velo`, `radius` or `diameter`, `mass`, `id` and
      * `map_shift` (boxes crossed) are read where they are there, and are otherwise 0, 1/2, 1, the line number and not
-     * known. ASE's `momenta` are divided by `masses`. A `Lattice` with edges along the axes gives the lengths. One edge
+     * known. Where the comment names `Materials`, `species` are of these. ASE's `momenta` are divided by `masses`. A `Lattice` with edges along the axes gives the lengths. One edge
      * may lean along x or y, as sliding images do, and gives the offset. Any other is refused. Lengths and velocities
      * are divided by the `Scale` in the comment line, which is the factor by which [write] multiplied them. Without
      * `Time` there is none ([Snapshot.hasTime]), without `Step` frames are counted.

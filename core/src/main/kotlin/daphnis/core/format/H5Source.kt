@@ -81,6 +81,9 @@ internal class H5Source(private val path: Path) : AutoCloseable {
             ?: fail(name, "has no list of texts $attribute")
     }
 
+    /** Whether the group [name] has the attribute [attribute]. */
+    fun hasAttribute(name: String, attribute: String): Boolean = find(name)?.getAttribute(attribute) != null
+
     /** Refuses the dataset [name] if it declares more than the file can hold or the heap can take. */
     fun requireSize(name: String): Unit = checkSize(name, dataset(name))
 

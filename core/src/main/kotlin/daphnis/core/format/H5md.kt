@@ -14,7 +14,8 @@ import java.nio.file.Path
 /**
  * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView
  * read. One particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius
- * as plain datasets, where radius is our addition; `box/edges` of a box centred on the origin. Units are the scenario's
+ * as plain datasets, where radius is our addition, and species where there are materials, whose names are the attribute
+ * `materials` of the group `parameters`; `box/edges` of a box centred on the origin. Units are the scenario's
  * and have no names, or are SI with H5MD's module `units`. The attribute `crc32c` of the group `parameters` is a
  * checksum over everything that is read ([H5mdChecksum]).
  */
@@ -88,6 +89,9 @@ public object H5md : ReadableFormat, WritableFormat {
         val offsets = DoubleArray(snapshots.size) { snapshots[it].shearOffset }
         parameters.putDataset("shear_offset", offsets).unit(names?.length)
         parameters.putDataset("shear_axes", intArrayOf(first.normalAxis, first.slideAxis))
+        if (first.hasMaterials && first.materials.isNotEmpty()) {
+            parameters.putAttribute(MATERIALS, first.materials.toTypedArray())
+        }
         parameters.putAttribute(H5mdChecksum.ATTRIBUTE, H5mdChecksum.of(snapshots))
     }
 
@@ -97,6 +101,7 @@ public object H5md : ReadableFormat, WritableFormat {
         if (snapshots.all { it.image != null }) images(all, snapshots, names?.time)
         all.putDataset("id", first.id)
         for (quantity in FIXED) all.putDataset(quantity.title, first.columns(quantity)[0]).unit(names?.of(quantity))
+        if (first.hasMaterials) all.putDataset(SPECIES, IntArray(first.size) { first.material[it].toInt() })
     }
 
     /** Lengths, or rows of edge vectors when images slide; by time in both cases, as MDAnalysis requires. */
@@ -164,10 +169,14 @@ public object H5md : ReadableFormat, WritableFormat {
     override fun read(path: Path, notices: MutableList<String>): List<Snapshot> = H5mdReader.read(path, notices)
 
     /** Vectors with a value for each time. */
-    internal val CHANGING = SphereQuantity.EXPORTED.filter { it.change != NEVER }
+    internal val CHANGING = NUMBERED.filter { it.change != NEVER }
 
     /** Numbers that are written once. */
-    internal val FIXED = SphereQuantity.EXPORTED.filter { it.change == NEVER }
+    internal val FIXED = NUMBERED.filter { it.change == NEVER }
+    internal const val SPECIES = "species"
+
+    /** Attribute of the group `parameters`. */
+    internal const val MATERIALS = "materials"
     private const val CHUNK = 32_768
     private const val DEFLATE = 4
 }

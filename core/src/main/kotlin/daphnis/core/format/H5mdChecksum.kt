@@ -25,6 +25,10 @@ internal object H5mdChecksum {
         sum.integers(intArrayOf(if (hasEdges) 1 else 0, if (hasImages) 1 else 0))
         sum.integers(first.id)
         for (quantity in H5md.FIXED) for (column in first.columns(quantity)) sum.numbers(column)
+        if (first.hasMaterials) {
+            sum.numbers(first.material)
+            for (name in first.materials) sum.integers(IntArray(name.length) { name[it].code })
+        }
         for (snapshot in snapshots) {
             sum.long(snapshot.step)
             sum.numbers(doubleArrayOf(snapshot.time, snapshot.shearOffset))

@@ -4,12 +4,17 @@ import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
-/** The particles of an H5MD file in [frames] frames. */
+/**
+ * The particles of an H5MD file in [frames] frames.
+ *
+ * @param materials names of what the numbers of species mean, empty in files of others
+ */
 internal class H5mdParticles(
     private val source: H5Source,
     private val all: String,
     private val path: Path,
     private val frames: Long,
+    private val materials: List<String>,
 ) {
     private val shape = source.shape("$all/position/value").also { shape ->
         if (shape.size != 3 || shape[0] != frames || shape[2] != 3L) {
@@ -26,6 +31,15 @@ internal class H5mdParticles(
     }
     private val position = vectors.getValue(SphereQuantity.POSITION)
     private val image = if (source.has("$all/image")) source.ints("$all/image/value", shape, ANY) else null
+
+    private val species = species()
+
+    /** Of files of others there may be none, or words in place of numbers, which are not looked for. */
+    private fun species(): Valued<IntArray>? = try {
+        valued(H5md.SPECIES) { name, its -> source.ints(name, its, ANY) }
+    } catch (e: FormatException) {
+        if (materials.isEmpty()) null else throw e
+    }
 
     /** What a file holds once, or for each frame. */
     private class Valued<A>(val data: A, val isByFrame: Boolean)
@@ -100,13 +114,18 @@ internal class H5mdParticles(
                 else -> PopulationColumns.absent(quantity.place + c, count)
             }
         }
-        return Snapshot(
+        val made = species?.let { said ->
+            Species.Rows(count).also { for (k in 0 until count) it.put(k, "${said.data[at(said.isByFrame, t, k)]}") }
+                .species(order, first = 0)
+        }
+        val state = Snapshot(
             head.step, head.time, head.lengths, head.periodic, head.lean.offset, IntArray(count) { ids[order[it]] },
             SphereQuantity.EXPORTED.flatMap { it.columns.indices.map { c -> column(it, c) } }.toTypedArray(),
             head.lean.normalAxis, head.lean.slideAxis, vectors.keys + numbers.filterValues { it != null }.keys,
             image?.let { data -> Array(3) { axis -> IntArray(count) { data[cube(t, order[it], axis)] } } },
-            head.hasTime, head.shift, id != null,
+            head.hasTime, head.shift, id != null, species = made,
         )
+        return if (materials.isEmpty() || made == null) state else state.withMaterials(made.numbers(materials), materials)
     }
 
     private fun at(isByFrame: Boolean, t: Int, k: Int) = if (isByFrame) t * count + k else k

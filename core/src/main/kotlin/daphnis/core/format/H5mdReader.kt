@@ -1,6 +1,5 @@
 package daphnis.core.format
 
-import daphnis.core.population.SphereQuantity
 import java.nio.file.Path
 
 /**
@@ -19,6 +18,9 @@ internal class H5mdReader(
     /** Others do not write the offset of sliding images. */
     private val isOwn = source.has(OFFSET)
 
+    private val materials =
+        if (source.hasAttribute(PARAMETERS, H5md.MATERIALS)) source.texts(PARAMETERS, H5md.MATERIALS) else emptyList()
+
     private fun group(): String {
         val names = source.names("particles")
         if (names.isEmpty() || "all" in names) return "all"
@@ -35,7 +37,7 @@ internal class H5mdReader(
         val lean = if (isOwn) ownLean(count) else cells.map { Lean.of(it) }
         // HDF5 as it is written here has no datasets of size 0, so a state without particles has no values at all.
         val hasParticles = PARTS.any { source.has("$all/$it") }
-        val particles = if (hasParticles) H5mdParticles(source, all, path, count) else null
+        val particles = if (hasParticles) H5mdParticles(source, all, path, count, materials) else null
         for (part in source.names(all)) if (part in USED) times.requireSame(part, steps)
         val shifts = if (isOwn) null else particles?.centre(cells)
         val snapshots = steps.indices.map { t ->
@@ -50,7 +52,7 @@ internal class H5mdReader(
             )
             particles?.state(t, head) ?: head.empty()
         }
-        val checksum = source.number("parameters", H5mdChecksum.ATTRIBUTE)
+        val checksum = source.number(PARAMETERS, H5mdChecksum.ATTRIBUTE)
         if (checksum != null && snapshots.isNotEmpty() && checksum != H5mdChecksum.of(snapshots)) {
             throw FormatException("$path: is damaged: its checksum is wrong")
         }
@@ -79,8 +81,9 @@ internal class H5mdReader(
     private fun fail(problem: String): Nothing = throw FormatException("$path: $problem")
 
     companion object {
-        private const val OFFSET = "parameters/shear_offset"
-        private val USED = SphereQuantity.EXPORTED.map { it.title }.toSet() + setOf("box", "image", "id", "species")
+        private const val PARAMETERS = "parameters"
+        private const val OFFSET = "$PARAMETERS/shear_offset"
+        private val USED = NUMBERED.map { it.title }.toSet() + setOf("box", "image", "id", H5md.SPECIES)
         private val PARTS = listOf("id", "velocity", "position/value")
 
         /**

@@ -18,7 +18,8 @@ internal class LammpsColumns(private val names: List<String>, fail: (String) -> 
     /** That of daphnis, where the file also has one from 1 on for LAMMPS. */
     val id = maxOf(names.indexOf(OWN_ID), if (OWN_ID in names) -1 else names.indexOf("id"))
     val diameter = names.indexOf("diameter")
-    private val places = SphereQuantity.EXPORTED.associateWith { quantity ->
+    val type = names.indexOf("type")
+    private val places = NUMBERED.associateWith { quantity ->
         IntArray(quantity.columns.size) { names.indexOf(quantity.columns[it]) }
     }
 

@@ -84,6 +84,9 @@ internal class LammpsDataReader(
         if (rows != null) lines.fail("a second section Atoms")
         val rows = ParticleRows(n).also { this.rows = it }
         rows.hasId = true
+        val species = Species.Rows(n)
+        rows.species = species
+        rows.firstSpecies = 1
         for (k in 0 until n) {
             val cells = words.split(row(n, k))
             val widths = STYLES[style]
@@ -99,6 +102,7 @@ internal class LammpsDataReader(
             rows.id[k] = words.id(cells[0])
             places[rows.id[k]] = k
             types += cells[1]
+            species.put(k, cells[1])
             if (isSphere) sphere(rows, k, cells)
             val at = if (isSphere) SPHERE_PLACE else ATOMIC_PLACE
             for (axis in 0..2) rows.position[axis][k] = words.number(cells[at + axis])

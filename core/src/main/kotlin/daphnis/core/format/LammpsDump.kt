@@ -9,7 +9,8 @@ import java.nio.file.Path
 /**
  * The text format of LAMMPS' `dump custom`, which OVITO and VMD read too: any number of states, each with the box and a
  * table of particles whose columns are named, boxes crossed among them (`ix iy iz`) where they are known. Sliding
- * images are a tilted box: `xy` when they slide along x, a general triclinic one (`abc origin`) along y.
+ * images are a tilted box: `xy` when they slide along x, a general triclinic one (`abc origin`) along y. The type of a
+ * particle is the number of its material, from 1 on, as LAMMPS counts.
  */
 public object LammpsDump : ReadableFormat, WritableFormat {
     override val title: String = "LAMMPS dump"
@@ -52,12 +53,14 @@ public object LammpsDump : ReadableFormat, WritableFormat {
         out.append("ITEM: NUMBER OF ATOMS\n${snapshot.size}\n")
         bounds(snapshot, out)
         val own = if (isFromZero) " ${LammpsColumns.OWN_ID}" else ""
-        val names = snapshot.quantities.flatMap { it.columns }.joinToString(" ")
-        val columns = snapshot.quantities.flatMap { snapshot.columns(it) }
+        val quantities = snapshot.quantities.filter { it in NUMBERED }
+        val names = quantities.flatMap { it.columns }.joinToString(" ")
+        val columns = quantities.flatMap { snapshot.columns(it) }
+        val types = if (snapshot.hasMaterials) snapshot.material else null
         val flags = if (snapshot.image == null) "" else " ${LammpsColumns.IMAGE.joinToString(" ")}"
         out.append("ITEM: ATOMS id type $names$flags$own\n")
         for (k in 0 until snapshot.size) {
-            out.append("${snapshot.id[k] + if (isFromZero) 1L else 0L} 1")
+            out.append("${snapshot.id[k] + if (isFromZero) 1L else 0L} ${1 + (types?.get(k)?.toInt() ?: 0)}")
             for (column in columns) out.append(' ').append(column[k].toString())
             snapshot.image?.forEach { out.append(' ').append(it[k].toString()) }
             out.append(if (isFromZero) " ${snapshot.id[k]}\n" else "\n")

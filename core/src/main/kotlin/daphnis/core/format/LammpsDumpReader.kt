@@ -104,6 +104,9 @@ internal class LammpsDumpReader(
         rows.hasId = columns.id >= 0
         val images = if (columns.knowsImages(cell.periodic)) Array(3) { IntArray(n) } else null
         rows.image = images
+        val species = if (columns.type >= 0) Species.Rows(n) else null
+        rows.species = species
+        rows.firstSpecies = 1
         val place = DoubleArray(3)
         for (k in 0 until n) {
             val line = lines.next() ?: lines.fail("the file is cut short: $n particles are declared, $k are there")
@@ -118,6 +121,7 @@ internal class LammpsDumpReader(
             if (columns.diameter >= 0) rows.radius[k] = words.positive("diameter", cells[columns.diameter]) / 2
             for (quantity in OTHERS) words.take(quantity, columns[quantity], cells, rows, k)
             if (columns.id >= 0) rows.id[k] = words.id(cells[columns.id])
+            species?.put(k, cells[columns.type])
         }
         return rows
     }
@@ -127,7 +131,7 @@ internal class LammpsDumpReader(
         const val ATOMS_WORDS = 2
         const val BOX = "ITEM: BOX BOUNDS"
         const val BOX_WORDS = 3
-        val OTHERS = SphereQuantity.EXPORTED - SphereQuantity.POSITION
+        val OTHERS = NUMBERED - SphereQuantity.POSITION
 
         /**
          * What the two faces of an axis do: both periodic, or each fixed, shrink-wrapped, or shrink-wrapped with a

@@ -1,14 +1,15 @@
 package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
+import daphnis.core.population.MaterialNames
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
 import java.io.IOException
 import java.nio.file.Path
 
 /**
- * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, id` in any order, then
- * one line per sphere. Lines that are empty or begin with `#` are skipped.
+ * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, omegax, omegay, omegaz,
+ * material, id` in any order, then one line per sphere. Materials are names, or numbers from 0 on. Lines that are empty or begin with `#` are skipped.
  */
 public object ParticleCsv : ReadableFormat {
     override val title: String = "table with a header"
@@ -52,7 +53,7 @@ public object ParticleCsv : ReadableFormat {
             val line = (lines.next() ?: break).trim()
             if (line.isEmpty() || line.startsWith("#")) continue
             val cells = line.split(',').map { it.trim() }
-            if (table == null) table = Table(header(cells, path)) else table.rows += row(cells, table.names, lines)
+            if (table == null) table = Table(header(cells, path)) else table.rows += row(cells, table, lines)
         }
         return table ?: throw FormatException("$path: is empty; a header with x, y, z, radius is needed")
     }
@@ -85,9 +86,11 @@ public object ParticleCsv : ReadableFormat {
         parts.size > 1 && parts.all { it in KNOWN }
     }?.second
 
-    private fun row(cells: List<String>, names: List<String>, lines: TextLines): DoubleArray {
+    private fun row(cells: List<String>, table: Table, lines: TextLines): DoubleArray {
+        val names = table.names
         if (cells.size != names.size) lines.fail("${cells.size} values, the header has ${names.size}")
         return DoubleArray(cells.size) { k ->
+            if (names[k] == MATERIAL) return@DoubleArray table.material(cells[k], lines).toDouble()
             val value = cells[k].toDoubleOrNull()
             val right = when {
                 value == null || !value.isFinite() -> "a finite number"
@@ -105,11 +108,36 @@ public object ParticleCsv : ReadableFormat {
     private class Table(val names: List<String>) {
         val rows = ArrayList<DoubleArray>()
 
+        /** What stands in the column of materials, in the order in which it comes up. */
+        private val words = LinkedHashMap<String, Int>()
+
+        /** The place of [word] among them. */
+        fun material(word: String, lines: TextLines): Int = words.getOrPut(word) {
+            MaterialNames.problem(word)?.let { lines.fail("material is '${TextLines.shown(word)}'; it $it") }
+            words.size
+        }
+
+        /** Names of materials: numbers are their own. */
+        private fun names(): List<String> {
+            val numbers = words.keys.map { it.toIntOrNull() ?: return words.keys.toList() }
+            val most = numbers.max()
+            return if (most >= MaterialNames.MOST) words.keys.toList() else List(most + 1) { "$it" }
+        }
+
+        private fun withMaterials(snapshot: Snapshot): Snapshot {
+            if (words.isEmpty()) return snapshot
+            val at = names.indexOf(MATERIAL)
+            val said = Species(IntArray(rows.size) { rows[it][at].toInt() }, words.keys.toList())
+            return names().let { snapshot.withMaterials(said.numbers(it), it) }
+        }
+
         /** The rows in the order of ids. */
         fun snapshot(density: Double): Snapshot {
             val at = names.indexOf("id")
             if (at >= 0) rows.sortBy { it[at] }
-            val known = SphereQuantity.EXPORTED.filterTo(HashSet()) { it.columns.all { name -> name in names } }
+            val known = SphereQuantity.EXPORTED.filterTo(HashSet()) { quantity ->
+                quantity in NUMBERED && quantity.columns.all { it in names }
+            }
             val numbers = SphereQuantity.EXPORTED.flatMap { quantity ->
                 quantity.columns.map { column(it, quantity.absent) }
             }.toTypedArray()
@@ -118,11 +146,12 @@ public object ParticleCsv : ReadableFormat {
                 numbers[SphereQuantity.MASS.place] =
                     DoubleArray(rows.size) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
             }
-            return Snapshot(
+            val state = Snapshot(
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
                 numbers, NORMAL_AXIS, SLIDE_AXIS, known, hasTime = false, hasId = at >= 0,
             )
+            return withMaterials(state)
         }
 
         private fun column(name: String, absent: Double): DoubleArray {
@@ -131,6 +160,7 @@ public object ParticleCsv : ReadableFormat {
         }
     }
 
+    private const val MATERIAL = "material"
     private const val NORMAL_AXIS = 1
     private const val SLIDE_AXIS = 0
 }

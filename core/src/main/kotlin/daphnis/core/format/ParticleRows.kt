@@ -26,6 +26,15 @@ internal class ParticleRows(private val size: Int) {
     /** Whether the file tells [id]. */
     var hasId = false
 
+    /** What particles are made of, in words; null where the file does not tell. */
+    var species: Species.Rows? = null
+
+    /** Names of materials, where the file says that these words are such. */
+    var materials: List<String>? = null
+
+    /** The number of the first of [species], where these are numbers. */
+    var firstSpecies = 0
+
     /** Boxes crossed, `[axis][k]`; null where the file does not tell. */
     var image: Array<IntArray>? = null
 
@@ -48,15 +57,23 @@ internal class ParticleRows(private val size: Int) {
         val lean = Lean.of(cell)
         val isSorted = (1 until size).none { id[it] < id[it - 1] }
         val order = if (isSorted) IntArray(size) { it } else (0 until size).sortedBy { id[it] }.toIntArray()
+        val said = species?.species(order, firstSpecies)
+        val names = materials
         fun sorted(a: DoubleArray) = DoubleArray(size) { a[order[it]] }
         val snapshot = Snapshot(
             step, time ?: step.toDouble(), cell.lengths, cell.periodic, lean.offset, IntArray(size) { id[order[it]] },
             Array(numbers.size) { sorted(numbers[it]) }, lean.normalAxis, lean.slideAxis, known,
             image?.let { all -> Array(3) { axis -> IntArray(size) { all[axis][order[it]] } } }, time != null, shift,
-            hasId,
-        )
+            hasId, species = said,
+        ).let { if (names == null || said == null) it else it.withMaterials(made(said, names, fail), names) }
         SnapshotCheck.check(snapshot) { k -> where(if (k < 0) k else order[k]) }
         return snapshot
+    }
+
+    private fun made(said: Species, names: List<String>, fail: (String) -> Nothing): IntArray = try {
+        said.numbers(names)
+    } catch (e: FormatException) {
+        fail(e.message.orEmpty())
     }
 }
 

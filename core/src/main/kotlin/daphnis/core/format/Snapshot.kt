@@ -5,6 +5,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
+import daphnis.core.population.optional
 
 /**
  * The state at one time as files hold it: spheres in the order of their ids, one entry each in every array.
@@ -17,6 +18,8 @@ import daphnis.core.population.SphereQuantity
  * @property hasTime whether [time] is from the file; false when the file had none, and it is the number of the step
  * @property known quantities that are from the file; of others its readers substitute numbers
  * @property hasId whether [id] is from the file; false where particles are numbered in the order of the file
+ * @property materials names of materials by number, as in [Population.materials]
+ * @property species what the file says particles are made of, where nobody has said what materials that means
  * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
 public class Snapshot internal constructor(
@@ -34,6 +37,8 @@ public class Snapshot internal constructor(
     public val hasTime: Boolean = true,
     public val shift: DoubleArray = DoubleArray(3),
     public val hasId: Boolean = true,
+    public val materials: List<String> = emptyList(),
+    internal val species: Species? = null,
 ) : SphereColumns {
     /**
      * @param hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
@@ -82,7 +87,7 @@ public class Snapshot internal constructor(
     override val hasSpin: Boolean get() = SphereQuantity.SPIN in known
 
     override fun column(place: Int): DoubleArray = when {
-        !hasSpin && place in SphereQuantity.SPIN.places -> SphereQuantity.NONE
+        SphereQuantity.at(place).let { it.isOptional && it !in known } -> SphereQuantity.NONE
         place < numbers.size -> numbers[place]
         else -> PopulationColumns.absent(place, size)
     }
@@ -106,8 +111,11 @@ public class Snapshot internal constructor(
     internal val quantities: List<SphereQuantity>
         get() = SphereQuantity.EXPORTED.filter { !it.isOptional || it in known }
 
-    /** Names of the columns of numbers, as tables have them; column `k` is at place k. */
+    /** Names of the columns of numbers, as tables have them. */
     public val columnNames: List<String> get() = quantities.flatMap { it.columns }
+
+    /** Places of the columns that [columnNames] names, see [column]. */
+    public val columnPlaces: IntArray get() = quantities.flatMap { it.places }.toIntArray()
 
     /** Dimension of the column at [place], in the words of [daphnis.core.table.Dimension]. */
     public fun dimension(place: Int): String = SphereQuantity.at(place).dimension.words()
@@ -149,10 +157,22 @@ public class Snapshot internal constructor(
         shearOffset: Double = this.shearOffset,
         shift: DoubleArray = this.shift,
         hasId: Boolean = this.hasId,
+        materials: List<String> = this.materials,
     ): Snapshot = Snapshot(
         step, time, lengths, periodic, shearOffset, id, numbers, normalAxis, slideAxis, known, image, hasTime, shift,
-        hasId,
+        hasId, materials, species,
     )
+
+    /** The same state, arrays shared, of particles that are made of the materials [names], with these numbers. */
+    internal fun withMaterials(numbers: IntArray, names: List<String>): Snapshot {
+        val columns = Array(SphereQuantity.EXPORTED_WIDTH) { this.numbers.getOrElse(it) { SphereQuantity.NONE } }
+        columns[SphereQuantity.MATERIAL.place] = DoubleArray(size) { numbers[it].toDouble() }
+        return with(numbers = columns, known = known + SphereQuantity.MATERIAL, materials = names)
+    }
+
+    /** The same state, arrays shared, without materials. */
+    internal fun withoutMaterials(): Snapshot =
+        with(known = known - SphereQuantity.MATERIAL, materials = emptyList())
 
     /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */
     public fun edges(): Array<DoubleArray> = Array(3) { row ->
@@ -168,7 +188,7 @@ public class Snapshot internal constructor(
     }
 
     /** The snapshot as a population, with the same ids. */
-    public fun population(): Population = Population(PopulationColumns.joined(listOf(this)))
+    public fun population(): Population = Population(PopulationColumns.joined(listOf(this)), materials)
 
     public companion object {
         /** Copies the state of [population] at [step] and [time]. */
@@ -182,6 +202,7 @@ public class Snapshot internal constructor(
             hasMass: Boolean = true,
         ): Snapshot {
             val order = population.indicesById()
+            val optional = population.optional
             return Snapshot(
                 step,
                 time,
@@ -196,9 +217,10 @@ public class Snapshot internal constructor(
                 boundary.shear?.normalAxis ?: 1,
                 boundary.shear?.slideAxis ?: 0,
                 SphereQuantity.EXPORTED.filterTo(HashSet()) {
-                    (hasMass || it != SphereQuantity.MASS) && (population.hasSpin || !it.isOptional)
+                    (hasMass || it != SphereQuantity.MASS) && it.isIn(optional)
                 },
                 image(population, boundary, time, order),
+                materials = population.materials,
             )
         }
 

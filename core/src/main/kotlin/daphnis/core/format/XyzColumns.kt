@@ -49,7 +49,7 @@ internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
     operator fun contains(names: List<String>): Boolean = names in places
 
     /** Quantities that are there, or follow from what is. */
-    val known: Set<SphereQuantity> = SphereQuantity.EXPORTED.filterTo(HashSet()) { quantity ->
+    val known: Set<SphereQuantity> = NUMBERED.filterTo(HashSet()) { quantity ->
         when (quantity) {
             SphereQuantity.VELOCITY -> quantity.xyz in this || MOMENTUM in this && SphereQuantity.MASS.xyz in this
             SphereQuantity.RADIUS -> quantity.xyz in this || DIAMETER in this
@@ -65,13 +65,14 @@ internal class XyzColumns(properties: String, fail: (String) -> Nothing) {
         val MOMENTUM = listOf("momenta", "momentum")
         val DIAMETER = listOf("diameter", "diameters")
         val ID = listOf("id", "ids")
+        val SPECIES = listOf("species")
         val IMAGE = listOf("map_shift", "image", "images", "periodic_image")
 
         /** How many columns belong to a quantity, by the names that programs have for it. */
         private val COUNTS =
-            SphereQuantity.EXPORTED.associate { it.xyz to it.columns.size } +
-                mapOf(MOMENTUM to 3, DIAMETER to 1, ID to 1, IMAGE to 3)
+            NUMBERED.associate { it.xyz to it.columns.size } +
+                mapOf(MOMENTUM to 3, DIAMETER to 1, ID to 1, IMAGE to 3, SPECIES to 1)
         private const val MOST_WIDE = 100_000
-        private val SILENT = setOf("species", "element", "type", "z", "numbers")
+        private val SILENT = setOf("element", "type", "z", "numbers")
     }
 }

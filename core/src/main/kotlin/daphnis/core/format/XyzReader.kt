@@ -27,6 +27,8 @@ internal class XyzReader(
         val rows = ParticleRows(n)
         rows.known += frame.columns.known
         rows.hasId = XyzColumns.ID in frame.columns
+        if (XyzColumns.SPECIES in frame.columns) rows.species = Species.Rows(n)
+        rows.materials = frame.materials
         if (XyzColumns.IMAGE in frame.columns) rows.image = Array(3) { IntArray(n) }
         for (k in 0 until n) {
             val line = lines.next() ?: lines.fail("the file is cut short: $n particles are declared, $k are there")
@@ -51,18 +53,19 @@ internal class XyzReader(
     private fun set(rows: ParticleRows, k: Int, cells: List<String>, columns: XyzColumns) {
         val diameter = columns[XyzColumns.DIAMETER]
         if (diameter >= 0) rows.radius[k] = words.positive("diameter", cells[diameter]) / 2
-        for (quantity in SphereQuantity.EXPORTED) words.take(quantity, columns[quantity], cells, rows, k)
+        for (quantity in NUMBERED) words.take(quantity, columns[quantity], cells, rows, k)
         if (columns.velocityFollows) {
             val momentum = columns[XyzColumns.MOMENTUM]
             for (axis in 0..2) rows.velocity[axis][k] = words.number(cells[momentum + axis]) / rows.mass[k]
         }
         if (XyzColumns.ID in columns) rows.id[k] = words.id(cells[columns[XyzColumns.ID]])
+        rows.species?.put(k, cells[columns[XyzColumns.SPECIES]])
         val image = rows.image ?: return
         for (axis in 0..2) image[axis][k] = words.image(cells[columns[XyzColumns.IMAGE] + axis])
     }
 
     private fun divide(rows: ParticleRows, scale: Double) {
-        for (quantity in SphereQuantity.EXPORTED) {
+        for (quantity in NUMBERED) {
             val factor = quantity.dimension.of(scale, 1.0, 1.0)
             for (column in rows[quantity]) for (k in column.indices) column[k] /= factor
         }
@@ -85,6 +88,9 @@ internal class XyzReader(
         val time: Double? = comment["time"]?.let { words.number(it) }
         val step: Long = comment["step", "timestep"]?.let { step(it) } ?: number.toLong()
         val cell: FileCell
+
+        /** Names of materials, which are the words of the column species then. */
+        val materials: List<String>? = comment.list(MATERIALS)
 
         init {
             if (scale <= 0) lines.fail("Scale is $scale; it must be > 0")
@@ -134,6 +140,7 @@ internal class XyzReader(
 
     private companion object {
         const val CELL = 9
+        const val MATERIALS = "materials"
 
         /** A list of lists, which programs fill by row or by column. */
         val NESTED = Regex("""[\[{(]\s*+[\[{(]""")

@@ -13,7 +13,14 @@ import daphnis.core.population.SphereQuantity.LAST_COLLISION
  * may stay in the same arrays: change them, or the order, between steps only. Not thread-safe; during `advance()` the
  * population belongs to the engine.
  */
-public class Population internal constructor(columns: PopulationColumns) : SphereColumns {
+public class Population internal constructor(
+    columns: PopulationColumns,
+    /**
+     * Names of the materials that spheres are made of, by number, see [SphereColumns.material]; empty where none have
+     * been named. Not a part of what the digest takes in.
+     */
+    public val materials: List<String> = emptyList(),
+) : SphereColumns {
     private val sets = ColumnSets(columns)
     private val now: PopulationColumns get() = sets.now
 
@@ -63,13 +70,14 @@ public class Population internal constructor(columns: PopulationColumns) : Spher
 
     init {
         val n = x.size
-        for (place in SphereQuantity.present(hasSpin)) {
+        for (place in SphereQuantity.present(optional)) {
             require(column(place).size == n) { "${nameOf(place)} has ${column(place).size} entries, x has $n" }
         }
         require(id.size == n) { "id has ${id.size} entries, x has $n" }
         for (quantity in SphereQuantity.EXPORTED) {
-            if (hasSpin || !quantity.isOptional) for (place in quantity.places) check(quantity, place)
+            if (quantity.isIn(optional)) for (place in quantity.places) check(quantity, place)
         }
+        MaterialNames.check(this, materials)
         for (k in 0 until n) require(id[k] >= 0) { "id ${id[k]} is negative; ids must be at least 0" }
         val sorted = id.copyOf().apply { sort() }
         for (k in 1 until n) require(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
@@ -161,13 +169,20 @@ public class Population internal constructor(columns: PopulationColumns) : Spher
      * [others] does not change. It costs a copy of all arrays, so add many spheres at once. Within a step only the
      * boundary may call it, and it is taken back with the step. Allocates.
      *
-     * @throws IllegalArgumentException when a sphere that is there has one of the ids, or only [others] have spins; then
-     *   nothing is changed. When only those that are there have them, those of [others] are 0
+     * @throws IllegalArgumentException when a sphere that is there has one of the ids, only [others] have spins or
+     *   materials, or their materials have other names; then nothing is changed. When only those that are there have
+     *   them, those of [others] are 0
      */
     public fun add(others: Population) {
         if (others.size == 0) return
         for (id in others.id) require(indexOf(id) < 0) { "id $id is taken; a sphere that is added needs a new one" }
         require(hasSpin || !others.hasSpin) { "spheres to be added have spins, those that are there none" }
+        require(hasMaterials || !others.hasMaterials) {
+            "spheres to be added have materials, those that are there none"
+        }
+        require(!others.hasMaterials || others.materials == materials) {
+            "materials of spheres to be added are ${others.materials}; they must be $materials as of those that are there"
+        }
         val all = PopulationColumns.joined(listOf(now, others.now))
         val places = IdPlaces(all.id.copyOf().apply { sort() })
         val counts = Crossings(places)
@@ -208,14 +223,30 @@ public class Population internal constructor(columns: PopulationColumns) : Spher
 
     /** A deep copy with these angular velocities by index, see [SphereColumns.wx]; of the length of the others, finite. */
     public fun withSpin(wx: DoubleArray, wy: DoubleArray, wz: DoubleArray): Population {
-        val columns = PopulationColumns.joined(listOf(this)).withSpin(listOf(wx.copyOf(), wy.copyOf(), wz.copyOf()))
-        return Population(columns).also { copy -> crossings.copyInto(copy.crossings, id) }
+        val spins = listOf(wx.copyOf(), wy.copyOf(), wz.copyOf())
+        return copyOf(PopulationColumns.joined(listOf(this)).with(SphereQuantity.SPIN, spins), materials)
+    }
+
+    /**
+     * A deep copy of spheres that are made of the materials [names], of which [material] has the number of each sphere
+     * by index: 0 for the first name.
+     *
+     * @param names words of letters, digits, `_` and `-`, distinct
+     * @throws IllegalArgumentException when a name is not such a word or occurs twice, a number is that of no name, or
+     *   there are not as many numbers as spheres
+     */
+    public fun withMaterial(material: IntArray, names: List<String>): Population {
+        require(names.isNotEmpty()) { "no material is named; give a name for each number" }
+        val numbers = listOf(DoubleArray(material.size) { material[it].toDouble() })
+        val columns = PopulationColumns.joined(listOf(this)).with(SphereQuantity.MATERIAL, numbers)
+        return copyOf(columns, names.toList())
     }
 
     /** A deep copy. */
-    public fun copy(): Population = Population(PopulationColumns.joined(listOf(this))).also { copy ->
-        crossings.copyInto(copy.crossings, id)
-    }
+    public fun copy(): Population = copyOf(PopulationColumns.joined(listOf(this)), materials)
+
+    private fun copyOf(columns: PopulationColumns, names: List<String>) =
+        Population(columns, names).also { copy -> crossings.copyInto(copy.crossings, id) }
 
     /**
      * Columns to which a whole step is written, and which [take] makes those of the population. Until then the

@@ -20,6 +20,7 @@ public class PopulationBuilder internal constructor() {
     private var masses: Column? = null
     private var spins: Array<DoubleArray>? = null
     private var ids: IntArray? = null
+    private var material: Pair<IntArray, List<String>>? = null
 
     /** A column of [n] numbers. */
     private fun interface Column {
@@ -50,6 +51,10 @@ public class PopulationBuilder internal constructor() {
     public fun spins(wx: DoubleArray, wy: DoubleArray, wz: DoubleArray): PopulationBuilder =
         apply { spins = arrayOf(wx, wy, wz) }
 
+    /** The number of the material of each sphere and the names by number, see [Population.withMaterial]; none unless given. */
+    public fun materials(material: IntArray, names: List<String>): PopulationBuilder =
+        apply { this.material = material to names }
+
     /** Distinct ids, ≥ 0; 0, 1, 2, … unless given. */
     public fun ids(ids: IntArray): PopulationBuilder = apply { this.ids = ids }
 
@@ -65,7 +70,8 @@ public class PopulationBuilder internal constructor() {
         val radius = requireNotNull(radii) { "the spheres have no radii; give radius(…) or radii(…)" }.of(n)
         val mass = requireNotNull(masses) { "the spheres have no masses; give mass(…) or masses(…)" }.of(n)
         val smooth = Population(x, y, z, vx, vy, vz, radius, mass, ids?.copyOf() ?: IntArray(n) { it })
-        return spins?.let { (wx, wy, wz) -> smooth.withSpin(wx, wy, wz) } ?: smooth
+        val spheres = spins?.let { (wx, wy, wz) -> smooth.withSpin(wx, wy, wz) } ?: smooth
+        return material?.let { (numbers, names) -> spheres.withMaterial(numbers, names) } ?: spheres
     }
 
     private fun copied(columns: Array<DoubleArray>) = Array(AXES) { columns[it].copyOf() }

@@ -12,8 +12,8 @@ import daphnis.core.population.SphereQuantity.Companion.NONE
  */
 internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: IntArray) : SphereColumns {
     /** An empty set for [size] spheres. */
-    constructor(size: Int, hasSpin: Boolean = false) : this(
-        Array(SphereQuantity.WIDTH) { if (isThere(it, hasSpin)) DoubleArray(size) else NONE },
+    constructor(size: Int, optional: Int = 0) : this(
+        Array(SphereQuantity.WIDTH) { if (isThere(it, optional)) DoubleArray(size) else NONE },
         IntArray(size),
     )
 
@@ -22,7 +22,7 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
         Array(SphereQuantity.WIDTH) {
             if (it in NOTES) {
                 other.numbers[it]
-            } else if (isThere(it, other.hasSpin)) {
+            } else if (isThere(it, other.optional)) {
                 DoubleArray(size)
             } else {
                 NONE
@@ -65,20 +65,28 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
         to.shareNotes(this)
     }
 
-    /** The same columns with [spins], one array for each of x, y, z. */
-    fun withSpin(spins: List<DoubleArray>): PopulationColumns =
-        PopulationColumns(Array(numbers.size) { if (it in SPINS) spins[it - SPINS.first] else numbers[it] }, id)
+    /** The same columns with [given] as those of [quantity]. */
+    fun with(quantity: SphereQuantity, given: List<DoubleArray>): PopulationColumns = quantity.places.let { places ->
+        PopulationColumns(Array(numbers.size) { if (it in places) given[it - places.first] else numbers[it] }, id)
+    }
+
+    /** The same columns, and such of 0 where spheres are to have the quantities of [optional] from now on. */
+    fun having(optional: Int): PopulationColumns = PopulationColumns(
+        Array(numbers.size) { place ->
+            val isNew = numbers[place] === NONE && isThere(place, optional)
+            if (isNew) DoubleArray(size) else numbers[place]
+        },
+        id,
+    )
 
     /** Copies all spheres to entries [at] and following of [to]. */
     fun copyInto(to: PopulationColumns, at: Int) {
-        for (place in SphereQuantity.present(hasSpin)) numbers[place].copyInto(to.numbers[place], at)
+        for (place in SphereQuantity.present(optional)) numbers[place].copyInto(to.numbers[place], at)
         id.copyInto(to.id, at)
     }
 
     companion object {
-        private val SPINS = SphereQuantity.SPIN.places
-
-        private fun isThere(place: Int, hasSpin: Boolean) = hasSpin || place !in SPINS
+        private fun isThere(place: Int, optional: Int) = SphereQuantity.at(place).isIn(optional)
 
         private val BODIES = SphereQuantity.places { it.change == NEVER }
         private val NOTES = SphereQuantity.places { it.change == NOTED }
@@ -103,19 +111,25 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
         fun picked(spheres: SphereColumns, kept: IntArray): PopulationColumns = PopulationColumns(
             Array(SphereQuantity.WIDTH) { place ->
                 val all = spheres.column(place)
-                if (isThere(place, spheres.hasSpin)) DoubleArray(kept.size) { all[kept[it]] } else NONE
+                if (all === NONE) all else DoubleArray(kept.size) { all[kept[it]] }
             },
             IntArray(kept.size) { spheres.id[kept[it]] },
         )
 
         /**
-         * New columns of the spheres of all [parts], one after the other. When any have spins, those of others are 0.
+         * New columns of the spheres of all [parts], one after the other. Where only some have spins or materials, those
+         * of others are 0.
+         *
+         * @param optional the set of optional quantities that they have
          */
-        fun joined(parts: List<SphereColumns>, hasSpin: Boolean = parts.any { it.hasSpin }): PopulationColumns {
-            val all = PopulationColumns(parts.sumOf { it.size }, hasSpin)
+        fun joined(
+            parts: List<SphereColumns>,
+            optional: Int = parts.fold(0) { all, part -> all or part.optional },
+        ): PopulationColumns {
+            val all = PopulationColumns(parts.sumOf { it.size }, optional)
             var at = 0
             for (part in parts) {
-                for (place in SphereQuantity.present(part.hasSpin)) {
+                for (place in SphereQuantity.present(part.optional)) {
                     part.column(place).copyInto(all.numbers[place], at, 0, part.size)
                 }
                 part.id.copyInto(all.id, at, 0, part.size)
@@ -131,5 +145,6 @@ internal class BodyColumns(val numbers: Array<DoubleArray>, val id: IntArray) {
     val size: Int get() = id.size
 
     /** Columns of the same kind for [size] spheres. */
-    fun empty(size: Int): BodyColumns = BodyColumns(Array(numbers.size) { DoubleArray(size) }, IntArray(size))
+    fun empty(size: Int): BodyColumns =
+        BodyColumns(Array(numbers.size) { if (numbers[it] === NONE) NONE else DoubleArray(size) }, IntArray(size))
 }

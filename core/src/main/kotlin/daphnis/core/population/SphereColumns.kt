@@ -17,7 +17,7 @@ public interface SphereColumns {
 
     /**
      * The column at [place]: 0, 1, 2 positions, 3, 4, 5 velocities, 6 radii, 7 masses, 8, 9, 10 angular velocities,
-     * then what else is known. It is empty where spheres do not have what it is of.
+     * 11 materials, then what else is known. It is empty where spheres do not have what it is of.
      */
     public fun column(place: Int): DoubleArray
 
@@ -50,6 +50,12 @@ public interface SphereColumns {
     public val wy: DoubleArray get() = column(SPIN + 1)
     public val wz: DoubleArray get() = column(SPIN + 2)
 
+    /** Whether it is known what spheres are made of. All of a population have a material or none. */
+    public val hasMaterials: Boolean get() = column(MATERIAL) !== SphereQuantity.NONE
+
+    /** Numbers 0, 1, 2, … of materials, see [Population.materials], which no step changes. Empty unless [hasMaterials]. */
+    public val material: DoubleArray get() = column(MATERIAL)
+
     /** See [Population.lastCollision]. */
     public val lastCollision: DoubleArray get() = column(SphereQuantity.LAST_COLLISION.place)
 
@@ -60,4 +66,8 @@ public interface SphereColumns {
     public fun velocity(axis: Int): DoubleArray = column(3 + axis)
 }
 
+/** The set of optional quantities that the spheres have, see [SphereQuantity.of]. */
+internal val SphereColumns.optional: Int get() = SphereQuantity.of(this)
+
 private val SPIN = SphereQuantity.SPIN.place
+private val MATERIAL = SphereQuantity.MATERIAL.place

@@ -82,6 +82,17 @@ internal enum class SphereQuantity(
         isOptional = true,
     ),
 
+    /** Number of what a sphere is made of, see [Population.materials]. */
+    MATERIAL(
+        "material",
+        words("material"),
+        words("material"),
+        words("MATE"),
+        Powers(),
+        Change.NEVER,
+        isOptional = true,
+    ),
+
     /** See [Population.lastCollision]. */
     LAST_COLLISION(
         "last_collision",
@@ -100,6 +111,12 @@ internal enum class SphereQuantity(
 
     /** Places of its columns. */
     val places: IntRange get() = place until place + columns.size
+
+    /** Its bit in the set of optional quantities that spheres have, see [of]; 0 for a quantity that all have. */
+    val bit: Int get() = if (isOptional) 1 shl OPTIONAL.indexOf(this) else 0
+
+    /** Whether spheres with the set [optional] have it. */
+    fun isIn(optional: Int): Boolean = !isOptional || optional and bit != 0
 
     /** What a step does to a quantity. */
     enum class Change {
@@ -162,11 +179,25 @@ internal enum class SphereQuantity(
         @JvmField
         val NONE: DoubleArray = DoubleArray(0)
 
-        private val ALL = places { true }
-        private val SMOOTH = places { !it.isOptional }
+        private val OPTIONAL = entries.filter { it.isOptional }
 
-        /** The places of all columns that spheres have, with spins or without. */
-        fun present(hasSpin: Boolean): IntArray = if (hasSpin) ALL else SMOOTH
+        /** Number of sets of optional quantities, which are 0 until it. */
+        @JvmField
+        val SETS: Int = 1 shl OPTIONAL.size
+
+        private val PRESENT = Array(SETS) { optional -> places { it.isIn(optional) } }
+
+        /** The places of all columns of spheres that have the set [optional] of optional quantities. */
+        fun present(optional: Int): IntArray = PRESENT[optional]
+
+        /** The set of optional quantities that [spheres] have: the sum of their bits. */
+        fun of(spheres: SphereColumns): Int {
+            var set = 0
+            for (k in FIRST_OPTIONAL.indices) if (spheres.column(FIRST_OPTIONAL[k]) !== NONE) set = set or (1 shl k)
+            return set
+        }
+
+        private val FIRST_OPTIONAL = OPTIONAL.map { it.place }.toIntArray()
 
         private val OF_PLACE = entries.flatMap { quantity -> quantity.columns.map { quantity } }
 

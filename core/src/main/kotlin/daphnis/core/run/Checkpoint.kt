@@ -16,8 +16,9 @@ import java.nio.file.Path
  * four-letter name, a long with the length of what follows, that many bytes, and their CRC-32C as an int; all
  * big-endian. `META` is JSON ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are
  * arrays in the order of ids; `OUTS` is what outputs keep ([SavedOutputs]); `END.` is empty and last. Only
- * spheres with spins have `SPNX` … `SPNZ`. A file that was cut short, lacks a record or has flipped bytes is refused. In the run of a [Program] `SCEN` is `run.json`. Formats 2
- * and 3 are read, see [OlderMeta].
+ * spheres with spins have `SPNX` … `SPNZ`, only those with materials `MATE`, and their names, a line each, in `NAME`. A
+ * file that was cut short, lacks a record or has flipped bytes is refused. In the run of a [Program] `SCEN` is
+ * `run.json`. Formats 2 and 3 are read, see [OlderMeta].
  *
  * @property outputs what outputs have saved, by name
  */
@@ -38,9 +39,10 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         private const val SCENARIO = "SCEN"
         private const val IDS = "IDS "
         private const val OUTPUTS = "OUTS"
+        private const val MATERIALS = "NAME"
         private val COLUMNS = SphereQuantity.entries.flatMap { it.records }
         private val IMAGES = listOf("IMGX", "IMGY", "IMGZ")
-        private val NAMES = setOf(META, SCENARIO, IDS, OUTPUTS, Records.END) + COLUMNS + IMAGES
+        private val NAMES = setOf(META, SCENARIO, IDS, OUTPUTS, MATERIALS, Records.END) + COLUMNS + IMAGES
         private val json = Json { encodeDefaults = true }
 
         /** @param outputs what they have saved, by name */
@@ -57,6 +59,7 @@ internal class Checkpoint(val head: Head, val population: Population, val output
                 records.text(SCENARIO, scenario)
                 records.integers(IDS, spheres.ids)
                 for ((place, column) in spheres.columns) records.doubles(COLUMNS[place], column)
+                if (spheres.materials.isNotEmpty()) records.text(MATERIALS, spheres.materials.joinToString("\n"))
                 for ((name, boxes) in IMAGES.zip(spheres.boxes)) records.integers(name, boxes)
                 records.write(OUTPUTS, SavedOutputs.bytes(outputs))
                 records.write(Records.END, ByteArray(0))
@@ -103,10 +106,13 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         }
 
         private fun population(records: Records): Population {
-            val hasSpin = SphereQuantity.SPIN.records.any { it in records }
+            val optional = SphereQuantity.entries.sumOf { quantity ->
+                if (quantity.records.any { it in records }) quantity.bit else 0
+            }
             val columns = Array(COLUMNS.size) { SphereQuantity.NONE }
-            for (place in SphereQuantity.present(hasSpin)) columns[place] = records.doubles(COLUMNS[place])
-            val population = Population(PopulationColumns(columns, records.integers(IDS)))
+            for (place in SphereQuantity.present(optional)) columns[place] = records.doubles(COLUMNS[place])
+            val names = if (MATERIALS in records) records.text(MATERIALS).split('\n') else emptyList()
+            val population = Population(PopulationColumns(columns, records.integers(IDS)), names)
             for ((axis, name) in IMAGES.withIndex()) {
                 records.integers(name).forEachIndexed { k, boxes ->
                     if (boxes != 0) {

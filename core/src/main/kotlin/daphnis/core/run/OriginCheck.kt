@@ -29,7 +29,7 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
             "has ${count(scenario.bodies.size)}; $said has ${count(bodies.size)}"
         }
         val start = scenario.copy(
-            placement = from.placement(),
+            placement = from.placement().copy(materials = scenario.materials.ifEmpty { null }),
             particles = null,
             velocities = null,
             spins = scenario.spins.takeIf { !state.hasSpin },

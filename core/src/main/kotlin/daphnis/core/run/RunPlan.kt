@@ -5,6 +5,7 @@ import daphnis.core.Simulation
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
+import daphnis.core.population.MaterialSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
@@ -34,7 +35,7 @@ internal class RunPlan(
 ) : AutoCloseable {
     /** Further outputs, by name; they say it when they fail. */
     val own: Map<String, Output> = named(own, simulation)
-    val sums = StepSums(sums, spinSums(simulation))
+    val sums = StepSums(sums, spinSums(simulation), materialSums(simulation, scenario))
 
     override fun close() {
         simulation.close()
@@ -44,6 +45,12 @@ internal class RunPlan(
 private fun spinSums(simulation: Simulation): SpinSums? {
     if (!simulation.population.hasSpin) return null
     return simulation.collisions?.let { SpinSums(it.momentFactor) } ?: SpinSums()
+}
+
+private fun materialSums(simulation: Simulation, scenario: ResolvedScenario?): MaterialSums? {
+    val names = simulation.population.materials
+    if (names.isEmpty()) return null
+    return MaterialSums(names, simulation.boundary.meanFlow, scenario?.firstBody ?: Int.MAX_VALUE)
 }
 
 /**

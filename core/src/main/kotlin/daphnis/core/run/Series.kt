@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.force.Drift
+import daphnis.core.population.MaterialSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
@@ -27,7 +28,7 @@ internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery,
 
 /** `series.csv`: a row at each of [times]. */
 internal class Series(private val times: OutputTimes, private val sums: StepSums, files: RunFiles) : Output {
-    private val rows = if (sums.haveSpins) SeriesColumns.rows else SeriesColumns.smooth
+    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials)
     private val file = files.table(rows)
 
     override fun write(simulation: Simulation) {
@@ -44,6 +45,9 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
 
     /** Null for smooth spheres. */
     val spins: SpinSums? = stepSums.spins(simulation)
+
+    /** Null where spheres have no materials. */
+    val materials: MaterialSums? = stepSums.materials(simulation)
 
     /** The total angular momentum along [axis], NaN where space repeats or turns. */
     fun angularMomentum(axis: Int): Double {
@@ -122,7 +126,17 @@ public object SeriesColumns : TableColumns {
         Dimension.ACTION,
     ) { row, axis -> row.angularMomentum(axis) }
 
-    /** Where nothing spins. */
-    internal val smooth =
-        rows.without(MEAN_SPIN.toSet() + ANGULAR_MOMENTUM + ROTATIONAL_ENERGY + ROTATIONAL_TEMPERATURE)
+    private val ofRotation = MEAN_SPIN.toSet() + ANGULAR_MOMENTUM + ROTATIONAL_ENERGY + ROTATIONAL_TEMPERATURE
+
+    /** Name of the column of the partial temperature ⟨m c²⟩/3 of [material], an energy, in runs with materials. */
+    @JvmStatic
+    public fun temperatureOf(material: String): String = "temperature_$material"
+
+    /** The columns of a run, with one for each of [materials] at the end. */
+    internal fun of(hasSpins: Boolean, materials: List<String>): Columns<SeriesRow> =
+        rows.without(if (hasSpins) emptySet() else ofRotation).also { all ->
+            materials.forEachIndexed { k, name ->
+                all.number(temperatureOf(name), Dimension.ENERGY) { it.materials?.temperature(k) ?: Double.NaN }
+            }
+        }
 }

@@ -5,6 +5,7 @@ import daphnis.core.force.EnergySums
 import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.MaterialSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 
@@ -12,8 +13,16 @@ import daphnis.core.population.SpinSums
  * The [sums] over a population, taken once after a step for any number of outputs: by the threads of this process, or,
  * where nodes hold the spheres, by them. Both give the same bits.
  */
-internal class StepSums(private val sums: PopulationSums, private val spins: SpinSums? = null) {
+internal class StepSums(
+    private val sums: PopulationSums,
+    private val spins: SpinSums? = null,
+    private val byMaterial: MaterialSums? = null,
+) {
     private var spinsTakenAt = -1L
+    private var materialsTakenAt = -1L
+
+    /** Names of the materials that there are sums of. */
+    val materials: List<String> get() = byMaterial?.materials.orEmpty()
 
     /** Whether there are sums over spins. */
     val haveSpins: Boolean get() = spins != null
@@ -36,11 +45,21 @@ internal class StepSums(private val sums: PopulationSums, private val spins: Spi
         return spins
     }
 
+    /** Sums by material of the same state, likewise; null where spheres have none. */
+    fun materials(simulation: Simulation): MaterialSums? {
+        if (byMaterial == null || materialsTakenAt == simulation.step) return byMaterial
+        materialsTakenAt = -1
+        byMaterial.take(simulation.population, of(simulation))
+        materialsTakenAt = simulation.step
+        return byMaterial
+    }
+
     /** Takes the sums again, and energies when they are asked for. */
     fun take(simulation: Simulation): PopulationSums {
         val energies = energiesIn(simulation)
         takenAt = -1
         spinsTakenAt = -1
+        materialsTakenAt = -1
         hasEnergies = false
         val isElsewhere = simulation.sumElsewhere { parts ->
             sums.take(parts)

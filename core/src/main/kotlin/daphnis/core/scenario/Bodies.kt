@@ -4,7 +4,7 @@ import daphnis.core.initial.Obstacle
 import daphnis.core.population.MeanFlow
 
 /** The large spheres of a scenario as columns, checked. */
-internal class Bodies(private val specs: List<BodySpec>, private val particleDensity: Double, check: ValueCheck) {
+internal class Bodies(private val specs: List<BodySpec>, private val particles: ParticlesSpec, check: ValueCheck) {
     init {
         specs.forEachIndexed { k, body ->
             val key = "bodies[$k]"
@@ -23,8 +23,13 @@ internal class Bodies(private val specs: List<BodySpec>, private val particleDen
 
     val mass: DoubleArray get() = DoubleArray(specs.size) {
         specs[it].mass
-            ?: ((specs[it].density ?: particleDensity) * 4.0 / 3.0 * Math.PI * cube(specs[it].radius))
+            ?: (density(specs[it]) * 4.0 / 3.0 * Math.PI * cube(specs[it].radius))
     }
+
+    /** Its own, else that of other spheres of its material, else that of all. */
+    private fun density(body: BodySpec): Double = body.density
+        ?: particles.materials?.find { it.name == body.material }?.takeIf { it.mass == null }?.density
+        ?: particles.density
 
     val obstacles: List<Obstacle> get() = specs.map {
         Obstacle(it.position[0], it.position[1], it.position[2], it.radius)

@@ -65,7 +65,8 @@ public sealed interface BoundarySpec {
         }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
-            "walls across $axes" + if (roughness == null) "" else ", rough"
+            "walls across $axes, restitution ${number.apply(restitution)}, " +
+                "surfaces ${roughness?.inWords(axes, number) ?: "smooth"}"
 
         override fun toString(): String = "walls with axes $axes"
     }

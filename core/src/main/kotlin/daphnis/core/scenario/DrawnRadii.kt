@@ -1,124 +1,170 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.Box
-import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.EqualSizes
-import daphnis.core.initial.ListedSizes
-import daphnis.core.initial.LogNormalSizes
-import daphnis.core.initial.PowerLawSizes
 import daphnis.core.initial.SeededRandom
-import daphnis.core.initial.SizeDistribution
-import daphnis.core.initial.fillingFactor
 import kotlin.math.ceil
+
+/** Radii of spheres, and the number of the kind of each. */
+internal class Drawn(val radii: DoubleArray, val kinds: IntArray)
 
 /**
  * The radii of a scenario: as many as it says, or as many as give the filling, optical depth or surface density that it
  * says. Spheres that fit into no box are refused before memory is considered, so that the answer is the same on every
  * machine.
+ *
+ * Of several [kinds] each has its share of the number to within one sphere. Their spheres are in an order that is drawn
+ * too, so that they are mixed on a lattice and in the order of ids.
  */
 internal class DrawnRadii(
     private val spec: ParticlesSpec,
+    private val kinds: List<SphereKind>,
     private val box: Box,
     private val check: ValueCheck,
     private val stream: () -> SeededRandom,
 ) {
-    private val sizes = sizes(spec.sizes)
-    private val least: Double
-    private val most: Double
+    private val isOneSize = kinds.all { it.least == kinds[0].least && it.most == it.least }
 
-    init {
-        val (least, most) = when (val s = spec.sizes) {
-            is SizesSpec.Equal -> s.radius to s.radius
-            is SizesSpec.PowerLaw -> s.minimum to s.maximum
-            is SizesSpec.LogNormal -> s.minimum to s.maximum
-            is SizesSpec.Listed -> s.radii.min() to s.radii.max()
-        }
-        for (r in listOf(least, most)) {
-            check.must("particles.sizes", r in SnapshotCheck.LEAST..SnapshotCheck.MOST) {
-                "a radius is $r; it must be > 0, ${SnapshotCheck.LEAST} to ${SnapshotCheck.MOST}"
-            }
-        }
-        this.least = least
-        this.most = most
-    }
-
-    fun draw(): DoubleArray {
+    fun draw(): Drawn {
         val given = listOfNotNull(spec.count, spec.fillingFactor, spec.opticalDepth, spec.surfaceDensity).size
+        spec.materials?.mapNotNull { it.count }?.takeIf { it.isNotEmpty() }?.let { counts ->
+            check.must("particles", given == 0) {
+                "needs none of count, fillingFactor, opticalDepth and surfaceDensity, since its materials have counts"
+            }
+            return counted("particles.materials", counts)
+        }
         check.must("particles", given == 1) {
             "needs exactly one of count, fillingFactor, opticalDepth and surfaceDensity"
         }
-        spec.count?.let { return counted(it) }
+        spec.count?.let { count ->
+            check.that("particles.count", count, count in 1..MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
+            return counted("particles.count", shared(count))
+        }
         val area = box.length(0) * box.length(1)
         spec.opticalDepth?.let { depth ->
             check.positive("particles.opticalDepth", depth)
-            return filled(depth * area, "particles.opticalDepth", depth) { Math.PI * it * it }
+            return filled(depth * area, "particles.opticalDepth", depth) { _, r -> Math.PI * r * r }
         }
         spec.surfaceDensity?.let { density ->
             check.positive("particles.surfaceDensity", density)
-            check.positive("particles.density", spec.density)
-            spec.mass?.let { check.positive("particles.mass", it) }
-            return filled(density * area, "particles.surfaceDensity", density) {
-                spec.mass ?: (spec.density * volume(it))
-            }
+            for (kind in kinds) kind.checkMass()
+            return filled(density * area, "particles.surfaceDensity", density) { kind, r -> kind.weight(r) }
         }
         val filling = spec.fillingFactor!!
         check.that("particles.fillingFactor", filling, filling > 0 && filling < CLOSEST_PACKING) {
             "must be in (0, $CLOSEST_PACKING), the closest packing"
         }
-        return filled(filling * box.volume, "particles.fillingFactor", filling) { volume(it) }
+        return filled(filling * box.volume, "particles.fillingFactor", filling) { _, r -> SphereKind.volume(r) }
     }
 
-    private fun counted(count: Int): DoubleArray {
-        val key = "particles.count"
-        check.that(key, count, count in 1..MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
-        checkFilling(key, count, count * volume(least), "at least ")
+    /** How many of [count] spheres are of each kind: what rounding down leaves goes to those of the largest rests. */
+    private fun shared(count: Int): List<Int> {
+        val exact = kinds.map { it.share * count }
+        val counts = exact.map { it.toInt() }.toMutableList()
+        val byRest = kinds.indices.sortedByDescending { exact[it] - counts[it] }
+        for (k in 0 until count - counts.sum()) counts[byRest[k % kinds.size]]++
+        return counts
+    }
+
+    /** @param counts by kind */
+    private fun counted(key: String, counts: List<Int>): Drawn {
+        val sum = counts.sumOf { it.toLong() }
+        check.that(key, sum, sum <= MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
+        val count = sum.toInt()
+        checkFilling(key, count, kinds.indices.sumOf { counts[it] * SphereKind.volume(kinds[it].least) }, "at least ")
         if (!isRoomFor(count.toDouble())) {
             val random = stream()
-            var volume = 0.0
-            val sample = minOf(count, SAMPLE)
-            for (k in 0 until sample) volume += volume(sizes.draw(random))
-            checkFilling(key, count, volume / sample * count, "about ")
+            var all = 0.0
+            for ((k, kind) in kinds.withIndex()) {
+                val sample = minOf(counts[k], SAMPLE / kinds.size)
+                var volume = 0.0
+                for (n in 0 until sample) volume += SphereKind.volume(kind.sizes.draw(random))
+                if (sample > 0) all += volume / sample * counts[k]
+            }
+            checkFilling(key, count, all, "about ")
         }
         checkMemory(key, count.toDouble())
-        val radii = sizes.radii(count, stream())
-        checkFilling(key, count, fillingFactor(radii, box) * box.volume)
-        return radii
+        val random = stream()
+        val radii = kinds.indices.map { kinds[it].sizes.radii(counts[it], random) }
+        val all = radii.singleOrNull() ?: DoubleArray(count).also { all ->
+            radii.fold(0) { at, its -> at + its.size.also { _ -> its.copyInto(all, at) } }
+        }
+        checkFilling(key, count, all.sumOf { SphereKind.volume(it) })
+        val of = IntArray(count)
+        counts.foldIndexed(0) { k, at, its -> (at + its).also { of.fill(k, at, it) } }
+        return mixed(all, of, random)
     }
 
     /** As many spheres as bring the sum of [measure] closest to [wanted], in the order in which they are drawn. */
-    private fun filled(wanted: Double, key: String, value: Double, measure: (Double) -> Double): DoubleArray {
-        if (sizes is EqualSizes) {
-            val count = Math.rint(wanted / measure(sizes.radius))
+    private fun filled(
+        wanted: Double,
+        key: String,
+        value: Double,
+        measure: (kind: SphereKind, radius: Double) -> Double,
+    ): Drawn {
+        val only = kinds.singleOrNull()?.sizes
+        if (only is EqualSizes) {
+            val count = Math.rint(wanted / measure(kinds[0], only.radius))
             check.that(key, value, count >= 1) { "is less than one sphere in this box" }
-            checkFilling(key, value, count * volume(sizes.radius))
+            checkFilling(key, value, count * SphereKind.volume(only.radius))
             checkCount(key, value, count)
             checkMemory(key, count)
-            return DoubleArray(count.toInt()) { sizes.radius }
+            return Drawn(DoubleArray(count.toInt()) { only.radius }, IntArray(count.toInt()))
         }
         // Volume per measure grows with the radius, or is the same for all.
-        checkFilling(key, value, wanted * volume(least) / measure(least), "at least ")
-        checkCount(key, value, wanted / measure(most))
+        val least = kinds.minOf { SphereKind.volume(it.least) / measure(it, it.least) }
+        checkFilling(key, value, wanted * least, "at least ")
+        checkCount(key, value, wanted / kinds.maxOf { measure(it, it.most) })
         val random = stream()
         var radii = DoubleArray(FEW)
+        var of = IntArray(FEW)
+        val taken = IntArray(kinds.size)
         var count = 0
         var sum = 0.0
         var volume = 0.0
         while (true) {
-            val r = sizes.draw(random)
-            if (sum + measure(r) / 2 > wanted) break
+            val kind = next(taken, count)
+            val r = kinds[kind].sizes.draw(random)
+            val its = measure(kinds[kind], r)
+            if (sum + its / 2 > wanted) break
             if (count == SAMPLE) foresee(key, value, count, volume, sum / wanted, margin = 2.0)
             if (count == radii.size) {
                 if (!isRoomFor(2.0 * count)) foresee(key, value, count, volume, sum / wanted, margin = 1.0)
                 checkMemory(key, 2.0 * count)
                 radii = radii.copyOf(2 * count)
+                of = of.copyOf(2 * count)
             }
-            radii[count++] = r
-            sum += measure(r)
-            volume += volume(r)
+            radii[count] = r
+            of[count++] = kind
+            taken[kind]++
+            sum += its
+            volume += SphereKind.volume(r)
             if (volume >= CLOSEST_PACKING * box.volume) checkFilling(key, value, volume, "at least ")
         }
         check.that(key, value, count >= 1) { "is less than one sphere in this box" }
-        return radii.copyOf(count)
+        return mixed(radii.copyOf(count), of.copyOf(count), random)
+    }
+
+    /** The kind that is farthest behind its share, of which so many have been [taken], in all [count]. */
+    private fun next(taken: IntArray, count: Int): Int {
+        var next = 0
+        for (k in 1 until taken.size) {
+            val lead = kinds[k].share * (count + 1) - taken[k]
+            if (lead > kinds[next].share * (count + 1) - taken[next]) next = k
+        }
+        return next
+    }
+
+    /** The same spheres in any order, each as likely as all others. Of one kind they are in one already. */
+    private fun mixed(radii: DoubleArray, of: IntArray, random: SeededRandom): Drawn {
+        if (kinds.size > 1) {
+            for (k in radii.size - 1 downTo 1) {
+                val other = random.nextInt(k + 1)
+                radii[k] = radii[other].also { radii[other] = radii[k] }
+                of[k] = of[other].also { of[other] = of[k] }
+            }
+        }
+        return Drawn(radii, of)
     }
 
     /**
@@ -129,21 +175,10 @@ internal class DrawnRadii(
         if (count / part > margin * MOST_PARTICLES) checkCount(key, value, count / part)
     }
 
-    private fun sizes(spec: SizesSpec): SizeDistribution = try {
-        when (spec) {
-            is SizesSpec.Equal -> EqualSizes(spec.radius)
-            is SizesSpec.PowerLaw -> PowerLawSizes(spec.minimum, spec.maximum, spec.exponent)
-            is SizesSpec.LogNormal -> LogNormalSizes(spec.median, spec.sigma, spec.minimum, spec.maximum)
-            is SizesSpec.Listed -> ListedSizes(spec.radii.toDoubleArray())
-        }
-    } catch (e: IllegalArgumentException) {
-        check.fail("particles.sizes", e.message.orEmpty())
-    }
-
     private fun checkFilling(key: String, value: Number, volume: Double, bound: String = "") {
         val filling = volume / box.volume
         check.that(key, value, filling < CLOSEST_PACKING) {
-            "gives a filling factor of ${if (least == most) "" else bound}$filling; it must be below $CLOSEST_PACKING"
+            "gives a filling factor of ${if (isOneSize) "" else bound}$filling; it must be below $CLOSEST_PACKING"
         }
     }
 
@@ -162,8 +197,6 @@ internal class DrawnRadii(
             "spheres need about $mebibytes MiB, the JVM has ${heap shr 20} MiB; raise it with -Xmx"
         }
     }
-
-    private fun volume(radius: Double) = 4.0 / 3.0 * Math.PI * radius * radius * radius
 
     private companion object {
         const val CLOSEST_PACKING = 0.7405

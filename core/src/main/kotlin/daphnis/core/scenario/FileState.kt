@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.format.Species
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
@@ -13,6 +14,7 @@ import java.nio.file.Files
  * The population of a scenario that is placed from a file: positions, velocities, radii, masses and ids as they are
  * there.
  *
+ * @param materials names of what spheres are made of, by number
  * @param start the state itself, when no file has to be read for it
  */
 internal class FileState(
@@ -20,6 +22,7 @@ internal class FileState(
     private val boundary: BoundaryConditions,
     private val spec: PlacementSpec.File,
     private val check: ValueCheck,
+    private val materials: List<String>,
     private val start: Snapshot? = null,
 ) {
     private val spins = InitialSpins(scenario, boundary, check)
@@ -44,7 +47,7 @@ internal class FileState(
             requireTime(snapshot)
             // A state of a run has been compared with the other scenario.
             if (start == null) requireBox(snapshot, notices)
-            val all = withSpins(withMasses(snapshot, notices), notices)
+            val all = withMaterials(withSpins(withMasses(snapshot, notices), notices), notices)
             val repaired = StateRepair(scenario, boundary, spec, check, notices).repaired(all)
             if (repaired.hasSpin) repaired else spins.drawn(repaired, bodies = 0, random())
         } catch (e: FormatException) {
@@ -131,6 +134,29 @@ internal class FileState(
         }
         notices += "${spec.path} has angular velocities, which are dropped: spheres are smooth without roughness"
         return snapshot.with(known = snapshot.known - SphereQuantity.SPIN)
+    }
+
+    /** What has no materials in the scenario loses those of the file, and is told so. */
+    private fun withMaterials(snapshot: Snapshot, notices: MutableList<String>): Snapshot {
+        if (materials.isEmpty()) {
+            if (!snapshot.hasMaterials) return snapshot
+            val names = snapshot.materials.joinToString()
+            notices += "${spec.path} has materials, $names, which are dropped: placement.materials keeps them"
+            return snapshot.withoutMaterials()
+        }
+        val said = if (snapshot.hasMaterials) Species.of(snapshot) else snapshot.species
+        if (said != null && !said.areAlike(materials)) {
+            val numbers = try {
+                said.numbers(materials)
+            } catch (e: FormatException) {
+                check.fail("placement.materials", "${spec.path}: ${e.message}")
+            }
+            return snapshot.withMaterials(numbers, materials)
+        }
+        if (materials.size > 1) {
+            notices += "${spec.path} does not say what spheres are made of: all are of the first material, ${materials[0]}"
+        }
+        return snapshot.withMaterials(IntArray(snapshot.size), materials)
     }
 
     /** A file has all masses or none. */

@@ -18,7 +18,9 @@ internal class InitialSpins(
 ) {
     /** Whether a surface is rough, or spheres are to spin all the same. */
     val areThere: Boolean
-        get() = scenario.roughness != null || (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
+        get() = scenario.roughness != null ||
+            scenario.contacts.any { it.roughness != null } ||
+            (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
 
     /** Moment of inertia over mass · radius². */
     val momentFactor: Double get() = scenario.roughness?.momentFactor ?: SurfaceContact.SOLID

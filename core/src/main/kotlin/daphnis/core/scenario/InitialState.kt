@@ -23,6 +23,7 @@ internal class InitialState(
     private val box: Box,
     private val boundary: BoundaryConditions,
     private val check: ValueCheck,
+    private val materials: Materials,
     private val start: Snapshot? = null,
 ) {
     /** What a user should know about the state made, one line each. */
@@ -32,12 +33,14 @@ internal class InitialState(
     fun population(isPlaced: Boolean = true): Population {
         val placement = scenario.placement
         if (placement is PlacementSpec.File) {
-            return FileState(scenario, boundary, placement, check, start).population(notices) { stream(SPINS) }
+            return FileState(scenario, boundary, placement, check, materials.names, start).population(notices) { stream(SPINS) }
         }
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
-        val radii = DrawnRadii(spec, box, check) { stream(SIZES) }.draw()
-        val bodies = Bodies(scenario.bodies, spec.density, check)
+        val kinds = SphereKind.of(spec, check)
+        val drawn = DrawnRadii(spec, kinds, box, check) { stream(SIZES) }.draw()
+        val radii = drawn.radii
+        val bodies = Bodies(scenario.bodies, spec, check)
         val positions = try {
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
@@ -52,10 +55,11 @@ internal class InitialState(
                 ).place(radii, box, walled(), stream(PLACES))
             }
         } catch (e: PlacementException) {
-            val (key, value) = spec.amount()
+            val (key, value) = spec.amount(radii.size)
             check.fail("particles.$key", "is $value; ${e.message}")
         }
-        val masses = masses(spec, radii)
+        for (kind in kinds) kind.checkMass()
+        val masses = DoubleArray(radii.size) { kinds[drawn.kinds[it]].mass(radii[it]) }
         val velocities = InitialVelocities(scenario, boundary, check).draw(masses, positions, stream(VELOCITIES))
         val flow = boundary.meanFlow
         val smooth = Population(
@@ -68,14 +72,20 @@ internal class InitialState(
             radii + bodies.radius,
             masses + bodies.mass,
         )
-        return InitialSpins(scenario, boundary, check).drawn(smooth, scenario.bodies.size, stream(SPINS))
+        val made = if (materials.names.isEmpty()) {
+            smooth
+        } else {
+            smooth.withMaterial(drawn.kinds + materials.ofBodies(), materials.names)
+        }
+        return InitialSpins(scenario, boundary, check).drawn(made, scenario.bodies.size, stream(SPINS))
     }
 
-    private fun ParticlesSpec.amount(): Pair<String, Number> = when {
+    private fun ParticlesSpec.amount(all: Int): Pair<String, Any> = when {
         fillingFactor != null -> "fillingFactor" to fillingFactor
         opticalDepth != null -> "opticalDepth" to opticalDepth
         surfaceDensity != null -> "surfaceDensity" to surfaceDensity
-        else -> "count" to (count ?: 0)
+        count != null -> "count" to count
+        else -> "materials" to "$all spheres"
     }
 
     private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
@@ -88,23 +98,6 @@ internal class InitialState(
 
     /** Along axes on which the box does not repeat, a sphere is placed wholly inside. */
     private fun walled(): BooleanArray = BooleanArray(3) { !boundary.repeats(it) }
-
-    private fun masses(spec: ParticlesSpec, radii: DoubleArray): DoubleArray {
-        check.positive("particles.density", spec.density)
-        spec.mass?.let { mass ->
-            check.positive("particles.mass", mass)
-            return DoubleArray(radii.size) { mass }
-        }
-        for (r in radii) {
-            val mass = spec.density * volume(r)
-            check.that("particles.density", spec.density, mass > 0 && mass.isFinite()) {
-                "gives a sphere of radius $r the mass $mass"
-            }
-        }
-        return DoubleArray(radii.size) { spec.density * volume(radii[it]) }
-    }
-
-    private fun volume(radius: Double) = 4.0 / 3.0 * Math.PI * radius * radius * radius
 
     private companion object {
         const val STREAMS = 4L

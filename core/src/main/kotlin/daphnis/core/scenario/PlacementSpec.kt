@@ -24,6 +24,8 @@ public sealed interface PlacementSpec {
      * @property wrap whether spheres outside the box are put back along axes that repeat, however far they are; without
      *   it only those that the rounding of single precision put outside
      * @property overlaps what becomes of spheres that overlap
+     * @property materials names of what spheres are made of: the file says which sphere is of which, by these names or by
+     *   number; without them spheres have no materials
      * @property run the run directory whose state it is, when a run was started from that
      * @property clock of that run
      */
@@ -38,6 +40,7 @@ public sealed interface PlacementSpec {
         public val clock: ClockSpec? = null,
         public val wrap: Boolean = false,
         public val overlaps: OverlapsName = OverlapsName.REFUSE,
+        public val materials: List<String>? = null,
     ) : PlacementSpec {
         /** Where a state of another [run] is from, in words; null when it is from a file that a user named. */
         public val origin: String? get() = run?.let { "step ${step ?: 0} of $it, time ${time ?: 0.0}" }

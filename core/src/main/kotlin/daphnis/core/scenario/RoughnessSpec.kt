@@ -5,6 +5,7 @@ import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.Roughness
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
 
 /**
  * Surfaces of spheres, or of a wall.
@@ -15,10 +16,15 @@ import kotlinx.serialization.Serializable
 public sealed interface RoughnessSpec {
     public val momentFactor: Double?
 
+    /** A description for a reader: [number] writes numbers. */
+    public fun inWords(number: DoubleFunction<String>): String
+
     /** Smooth spheres that spin all the same, for walls that are rough; a wall that is smooth where others are not. */
     @Serializable
     @SerialName("smooth")
-    public class Smooth @JvmOverloads constructor(override val momentFactor: Double? = null) : RoughnessSpec
+    public class Smooth @JvmOverloads constructor(override val momentFactor: Double? = null) : RoughnessSpec {
+        override fun inWords(number: DoubleFunction<String>): String = "smooth"
+    }
 
     /** @property coefficient β */
     @Serializable
@@ -26,7 +32,10 @@ public sealed interface RoughnessSpec {
     public class Constant @JvmOverloads constructor(
         public val coefficient: Double,
         override val momentFactor: Double? = null,
-    ) : RoughnessSpec
+    ) : RoughnessSpec {
+        override fun inWords(number: DoubleFunction<String>): String =
+            "${number.apply(coefficient)} of the tangential velocity is reversed"
+    }
 
     /**
      * @property friction μ
@@ -38,7 +47,10 @@ public sealed interface RoughnessSpec {
         public val friction: Double,
         public val sticking: Double,
         override val momentFactor: Double? = null,
-    ) : RoughnessSpec
+    ) : RoughnessSpec {
+        override fun inWords(number: DoubleFunction<String>): String =
+            "sticking ${number.apply(sticking)} unless friction ${number.apply(friction)} is too weak for that"
+    }
 }
 
 /** The law of what stands at [key]; null for a smooth surface. */
@@ -66,9 +78,18 @@ public class WallRoughnessSpec @JvmOverloads constructor(
     public val lowerZ: RoughnessSpec? = null,
     public val upperZ: RoughnessSpec? = null,
 ) {
+    private val named: List<RoughnessSpec?> get() = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)
+
+    /** The surfaces of the walls across [axes] for a reader, such as `smooth; lowerZ sticking 0 …`. */
+    internal fun inWords(axes: String, number: DoubleFunction<String>): String {
+        val others = "xyz".withIndex().any { (axis, name) -> name in axes && (0..1).any { named[2 * axis + it] == null } }
+        val parts = named.mapIndexedNotNull { face, spec -> spec?.let { "${NAMES[face]} ${it.inWords(number)}" } }
+        val rest = (all?.inWords(number) ?: "smooth").takeIf { others }
+        return (parts + listOfNotNull(rest?.let { if (parts.isEmpty()) it else "others $it" })).joinToString("; ")
+    }
+
     /** The laws of the faces −x, +x, −y, +y, −z, +z, of which those across [axes] are walls. */
     internal fun laws(axes: String, check: ValueCheck): List<Roughness?> {
-        val named = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)
         for ((spec, name) in (named + all).zip(NAMES + "all")) {
             check.must("$KEY.$name.momentFactor", spec?.momentFactor == null) {
                 "is that of spheres; give it as roughness.momentFactor"

@@ -4,6 +4,8 @@ import daphnis.core.Engines
 import daphnis.core.engine.EngineFactory
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
+import kotlinx.serialization.EncodeDefault
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -16,6 +18,7 @@ import kotlinx.serialization.Serializable
  *
  * @property until time at which the run ends; when it is given, [untilOrbits] is ignored. One of the two is needed
  */
+@OptIn(ExperimentalSerializationApi::class)
 @Serializable
 public data class Scenario @JvmOverloads constructor(
     override val name: String = "unnamed",
@@ -40,6 +43,7 @@ public data class Scenario @JvmOverloads constructor(
     override val output: OutputSpec = OutputSpec(),
     override val roughness: RoughnessSpec? = null,
     override val spins: SpinsSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val contacts: List<ContactSpec> = emptyList(),
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {
@@ -82,6 +86,9 @@ public class BoxSpec(public val lengths: List<Double>)
 /**
  * Exactly one of [count], [fillingFactor], [opticalDepth] (Σ π r² per area of the x-y plane) and [surfaceDensity] (mass
  * per area). Masses come from [density] unless [mass] gives every sphere the same.
+ *
+ * Spheres of several [materials] have [sizes], [density] and [mass] there. Where these have counts, nothing else says how
+ * many spheres there are.
  */
 @Serializable
 public class ParticlesSpec @JvmOverloads constructor(
@@ -89,14 +96,16 @@ public class ParticlesSpec @JvmOverloads constructor(
     public val fillingFactor: Double? = null,
     public val opticalDepth: Double? = null,
     public val surfaceDensity: Double? = null,
-    public val sizes: SizesSpec,
+    public val sizes: SizesSpec? = null,
     public val density: Double = 1.0,
     public val mass: Double? = null,
+    public val materials: List<MaterialSpec>? = null,
 )
 
 /**
  * One large sphere, such as a moonlet, at [position]; other spheres are placed around it. Its mass is [mass], or
- * follows from [density]. It moves with the mean flow unless [velocity] is given.
+ * follows from [density]. It moves with the mean flow unless [velocity] is given. Its [material] may be one of the other
+ * spheres' or one of its own.
  */
 @Serializable
 public class BodySpec @JvmOverloads constructor(
@@ -105,6 +114,7 @@ public class BodySpec @JvmOverloads constructor(
     public val density: Double? = null,
     public val mass: Double? = null,
     public val velocity: List<Double>? = null,
+    public val material: String? = null,
 )
 
 @Serializable
@@ -130,25 +140,6 @@ public sealed interface SizesSpec {
     @Serializable
     @SerialName("list")
     public class Listed(public val radii: List<Double>) : SizesSpec
-}
-
-@Serializable
-public sealed interface RestitutionSpec {
-    @Serializable
-    @SerialName("constant")
-    public class Constant(public val coefficient: Double) : RestitutionSpec
-
-    @Serializable
-    @SerialName("bridges")
-    public class Bridges @JvmOverloads constructor(
-        public val prefactor: Double = 0.34,
-        public val exponent: Double = -0.234,
-    ) : RestitutionSpec
-
-    /** @property criticalSpeed in cm/s */
-    @Serializable
-    @SerialName("borderies")
-    public class Borderies(public val criticalSpeed: Double) : RestitutionSpec
 }
 
 @Serializable

@@ -23,10 +23,42 @@ public interface ScenarioParts {
 
     /** Spins at the start; null for none, or those of a file. */
     public val spins: SpinsSpec?
+
+    /** What is different in contacts of certain materials. */
+    public val contacts: List<ContactSpec>
     public val forces: List<ForceSpec>
     public val search: SearchStructure
     public val engine: EngineSpec
     public val output: OutputSpec
+
+    /**
+     * Names of the materials by number: of [particles], `particles` where these have none and a body has one, and then
+     * those that only [bodies] have; of a state that is placed from a file those that the placement names. Empty where
+     * nothing is named.
+     */
+    public val materials: List<String> get() {
+        (placement as? PlacementSpec.File)?.let { return it.materials.orEmpty() }
+        val named = particles?.materials?.map { it.name }
+        val ofBodies = bodies.mapNotNull { it.material }
+        if (named == null && ofBodies.isEmpty()) return emptyList()
+        return ((named ?: listOf(MaterialSpec.PARTICLES)) + ofBodies).distinct()
+    }
+
+    /**
+     * What impacts of each pair of [materials] are like, each with its restitution, and null for smooth surfaces; one entry
+     * between none where nothing is named.
+     */
+    public val impacts: List<ContactSpec> get() {
+        val names = materials
+        if (names.isEmpty()) return listOf(ContactSpec(emptyList(), restitution, roughness))
+        return names.indices.flatMap { i ->
+            (i until names.size).map { j ->
+                val pair = listOf(names[i], names[j])
+                val own = contacts.find { it.between.toSet() == pair.toSet() }
+                ContactSpec(pair, own?.restitution ?: restitution, own?.roughness ?: roughness)
+            }
+        }
+    }
 
     /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
     public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0

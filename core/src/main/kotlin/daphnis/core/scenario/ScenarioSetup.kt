@@ -8,14 +8,10 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.collision.BorderiesRestitution
-import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
@@ -26,6 +22,7 @@ import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
+import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
@@ -43,7 +40,8 @@ public class ScenarioSetup private constructor(
     public val scenario: ResolvedScenario,
     public val population: Population,
     public val boundary: BoundaryConditions,
-    public val restitution: Restitution,
+    /** ε, of which β is [roughness]. */
+    public val restitution: ContactLaw,
     public val guard: CollapseGuard,
     public val forces: List<Force>,
     public val timeStep: TimeStep,
@@ -62,15 +60,17 @@ public class ScenarioSetup private constructor(
      * The collisions of a simulation of this, computed by [engine].
      *
      * @param recordCollisions see [CollisionForcing]
-     * @param restitution another law in place of the scenario's
+     * @param law another one in place of the scenario's restitution
+     * @param roughness another one in place of the scenario's; null for that of [law]
      */
     @JvmOverloads
     public fun collisions(
         engine: CollisionEngine = SerialEngine(),
         recordCollisions: Boolean = false,
-        restitution: Restitution = this.restitution,
+        law: ContactLaw = restitution,
+        roughness: Roughness? = this.roughness,
     ): CollisionForcing =
-        CollisionForcing(restitution, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
+        CollisionForcing(law, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
 
     /** Length of the first step of a run. */
     public fun firstStep(): Double {
@@ -139,8 +139,9 @@ public class ScenarioSetup private constructor(
             checkRun(scenario, check)
             val output = OutputTimesCheck(scenario, around, check).settled()
             FreePath.check(scenario, around.boundary, check)
-            val restitution = restitution(scenario, check)
-            val initial = InitialState(scenario, around.box, around.boundary, check, start)
+            val materials = Materials(scenario, check, state?.materials.orEmpty())
+            val laws = ContactLaws(scenario, materials, check)
+            val initial = InitialState(scenario, around.box, around.boundary, check, materials, start)
             val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
             val isMade = state == null && scenario.placement !is PlacementSpec.File
@@ -149,7 +150,7 @@ public class ScenarioSetup private constructor(
             val forceSetup = ForceSetup(scenario, around.frequencies, check)
             val forces = forceSetup.forces(around.boundary, firstBody)
             val boundary = forceSetup.boundary
-            val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario.restitution), population, check)
+            val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario), population, check)
             val timeStepSpec = resolve(around.timeStep, around, population)
             val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStep(resolved, boundary, check)
@@ -161,8 +162,8 @@ public class ScenarioSetup private constructor(
             }
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
-                resolved, population, boundary, restitution, guard, forces, timeStep, around.frequencies,
-                initial.notices, scenario.roughness?.law("roughness", check),
+                resolved, population, boundary, laws.restitution, guard, forces, timeStep, around.frequencies,
+                initial.notices, laws.roughness,
             )
         }
 
@@ -172,35 +173,15 @@ public class ScenarioSetup private constructor(
             }
         }
 
-        private fun restitution(scenario: Scenario, check: ValueCheck): Restitution {
-            val unit = scenario.units.speedInCmPerSecond
-            return when (val spec = scenario.restitution) {
-                is RestitutionSpec.Constant -> {
-                    check.fraction("restitution.coefficient", spec.coefficient)
-                    ConstantRestitution(spec.coefficient)
-                }
-                is RestitutionSpec.Bridges -> {
-                    check.positive("restitution.prefactor", spec.prefactor)
-                    check.that("restitution.exponent", spec.exponent, spec.exponent <= 0) { "must be <= 0" }
-                    BridgesRestitution(spec.prefactor, spec.exponent, unit)
-                }
-                is RestitutionSpec.Borderies -> {
-                    check.positive("restitution.criticalSpeed", spec.criticalSpeed)
-                    BorderiesRestitution(spec.criticalSpeed, unit)
-                }
-            }
-        }
-
         /**
-         * A constant ε < 1 can collapse, so it gets a guard far below any speed that matters; the other laws are
-         * elastic at low speed.
+         * What has ε < 1 at the lowest speeds can collapse, so it gets a guard far below any speed that matters; other
+         * laws are elastic there.
          */
-        private fun defaultGuard(restitution: RestitutionSpec): GuardSpec =
-            if (restitution is RestitutionSpec.Constant && restitution.coefficient < 1) {
-                GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR)
-            } else {
-                GuardSpec.None()
-            }
+        private fun defaultGuard(scenario: Scenario): GuardSpec {
+            val laws = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
+            val mayCollapse = laws.any { it.atRest < 1 }
+            return if (mayCollapse) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
+        }
 
         /** A floor speed given in initial rms speeds becomes one in units of speed. */
         private fun resolve(spec: GuardSpec, population: Population, check: ValueCheck): GuardSpec {

@@ -5,6 +5,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.wrap
 import daphnis.core.format.Snapshot
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
 import java.math.BigDecimal
 import java.math.MathContext
 
@@ -31,9 +32,7 @@ internal class StateRepair(
             OverlapsName.RELAX -> relax(repair)
         }
         // A run counts the boxes crossed from its start on.
-        return with(population) {
-            Population(x, y, z, vx, vy, vz, radius, mass, id).let { if (hasSpin) it.withSpin(wx, wy, wz) else it }
-        }
+        return Population(PopulationColumns.joined(listOf(population)), population.materials)
     }
 
     private fun putBack(population: Population, shift: DoubleArray) {

@@ -63,6 +63,15 @@ class NodesAgreeTest {
     fun `a rough gas, whose spins start at none`() = assertSame("rough-gas", 3, "until=3")
 
     @Test
+    fun `a mixture, whose unlike spheres are rougher and stickier than like ones`() = assertSame(
+        "mixture",
+        3,
+        "until=10",
+        """contacts=[{"between": ["light", "heavy"], "restitution": {"type": "constant", "coefficient": 0.4},
+            "roughness": {"type": "constant", "coefficient": 0.5}}]""",
+    )
+
+    @Test
     fun `a dozen nodes in a row say little to each other, and the same comes out`() {
         val nodes = 12
         val text = checkNotNull(Run::class.java.getResource("/daphnis/scenarios/paper-figure-1.json")).readText()

@@ -16,6 +16,7 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Drift
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.population.SphereQuantity
 import daphnis.core.populationOf
 import daphnis.core.surface.CoulombRoughness
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -123,5 +124,34 @@ class HillSpinTest {
         // Until the impact, after about a tenth, the spin has turned by an eighth.
         assertEquals(still.vx[0], turning.vx[0], 1e-14)
         assertTrue(abs(still.vz[0] - turning.vz[0]) > 0.01) { "${still.vz[0]} and ${turning.vz[0]}" }
+    }
+
+    @Test
+    fun `a forcing that goes over to another simulation has that one's axes`() {
+        fun spinning() = populationOf(Sphere(x = -1.2), Sphere(x = 1.2, vx = -4.0))
+            .spinning(listOf(2.0, 1.0, 0.0), listOf(0.0, 0.0, 0.0))
+
+        fun end(p: Population, forcing: CollisionForcing, forces: List<Drift>): List<Double> {
+            Simulation(p, Open, forcing, FixedTimeStep(0.2), forces).advance()
+            assertEquals(1L, forcing.counters.collisions)
+            return List(2) { p.indexOf(it) }.flatMap { listOf(p.vx[it], p.vz[it], p.wx[it], p.wy[it]) }
+        }
+
+        fun forcing() = CollisionForcing(ConstantRestitution(1.0), roughness = CoulombRoughness(9.0, 0.0))
+        val kinds = listOf(emptyList(), listOf(HillFrame(omega)))
+        val alone = kinds.map { end(spinning(), forcing(), it) }
+        assertTrue(alone[0] != alone[1])
+        for (last in 0..1) {
+            // The same population, so that the forcing has a step for it; it comes by only under the last forces.
+            val p = spinning()
+            val kept = forcing()
+            val there = DoubleArray(2) { p.x[it] }
+            for (k in 0..1) p.x[k] = there[k] + 9.0 * k
+            Simulation(p, Open, kept, FixedTimeStep(1e-9), kinds[1 - last]).advance()
+            assertEquals(0L, kept.counters.collisions)
+            val start = spinning()
+            for (q in SphereQuantity.entries) for (c in q.places) start.column(c).copyInto(p.column(c))
+            assertEquals(alone[last], end(p, kept, kinds[last])) { "last $last" }
+        }
     }
 }

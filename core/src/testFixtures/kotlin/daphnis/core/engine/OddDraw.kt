@@ -269,11 +269,10 @@ class OddDraw(override val seed: Long) : Case {
         population.copy(),
         boundary,
         CollisionForcing(
-            ConstantRestitution(coefficient),
+            surface.law(ConstantRestitution(coefficient)),
             guard,
             engine,
             recordCollisions = true,
-            roughness = surface.roughness,
             momentFactor = surface.momentFactor,
         ),
         FixedTimeStep(dt),

@@ -120,6 +120,7 @@ internal class Legend(private val scene: Scene) {
             MovieColour.SPEED -> UnitNames.axis("speed", scale.speedName) to 1 / scale.speed
             MovieColour.SIZE -> UnitNames.axis("radius", scale.units.length) to 1.0
             MovieColour.HEIGHT -> UnitNames.axis("z", scale.units.length) to 1.0
+            MovieColour.MATERIAL -> "material" to 1.0
             MovieColour.DENSITY -> UnitNames.axis("surface density", scale.units.surfaceDensity) to 1.0
         }
     }

@@ -79,6 +79,9 @@ public enum class MovieColour(public val word: String) {
     /** The coordinate z. */
     HEIGHT("height"),
 
+    /** Number of the material, 0 for the first and where there are none. */
+    MATERIAL("material"),
+
     /** Mass per area of the picture around the sphere. */
     DENSITY("density"),
 }

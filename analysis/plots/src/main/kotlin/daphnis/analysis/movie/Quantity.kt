@@ -13,6 +13,7 @@ internal fun State.quantity(colour: MovieColour, k: Int): Double = when (colour)
     }
     MovieColour.SIZE -> population.radius[k]
     MovieColour.HEIGHT -> population.z[k]
+    MovieColour.MATERIAL -> if (population.hasMaterials) population.material[k] else 0.0
     MovieColour.DENSITY -> 0.0
 }
 

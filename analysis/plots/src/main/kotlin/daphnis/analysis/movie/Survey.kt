@@ -50,6 +50,7 @@ internal class Survey(private val options: MovieOptions) {
             MovieColour.SPEED -> ColourRange(0.0, quantile(values, 1 - RARE))
             MovieColour.SIZE -> ColourRange(values.min(), values.max(), mayBeLogarithmic = true)
             MovieColour.HEIGHT -> ColourRange(quantile(values, RARE), quantile(values, 1 - RARE))
+            MovieColour.MATERIAL -> ColourRange(0.0, maxOf(values.max(), state.population.materials.size - 1.0))
             MovieColour.DENSITY -> null
         }
     }

@@ -14,8 +14,8 @@ internal object ElasticGas {
 
     /** Whether [last] is a state of such a gas, in a box that repeats along all axes. */
     fun isSeen(scenario: Scenario, last: State): Boolean {
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return false
-        return law.coefficient == 1.0 &&
+        val isElastic = scenario.impacts.all { (it.restitution as? RestitutionSpec.Constant)?.coefficient == 1.0 }
+        return isElastic &&
             scenario.boundary is BoundarySpec.Periodic &&
             (0..2).all { last.boundary.repeats(it) } &&
             scenario.frame == null &&
@@ -27,7 +27,8 @@ internal object ElasticGas {
     }
 
     /** Whether spheres slide on one another without friction. */
-    fun isSmooth(scenario: Scenario): Boolean = scenario.roughness.let { it == null || it is RoughnessSpec.Smooth }
+    fun isSmooth(scenario: Scenario): Boolean =
+        scenario.impacts.all { it.roughness == null || it.roughness is RoughnessSpec.Smooth }
 
     /** Whether that box is a cube, too. */
     fun isCube(scenario: Scenario, last: State): Boolean {

@@ -24,10 +24,18 @@ internal object FreeCooling {
 
     /** @param dispersion of velocities along an axis, at the end of the run */
     fun isOf(scenario: Scenario, dispersion: Double): Boolean {
-        // Laws that are elastic for slow impacts come to an end of cooling.
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return false
-        if (isRubbing(scenario.roughness)) return !isDriven(scenario)
-        return law.coefficient < 1 && !isDriven(scenario) && !isElastic(scenario.guard, dispersion)
+        if (isDriven(scenario)) return false
+        return scenario.impacts.any { isRubbing(it.roughness) } ||
+            scenario.impacts.any { isLossy(it.restitution!!) } && !isElastic(scenario.guard, dispersion)
+    }
+
+    /** Whether impacts lose energy however slow they are; laws that are elastic for slow ones end the cooling. */
+    private fun isLossy(law: RestitutionSpec): Boolean = when (law) {
+        is RestitutionSpec.Constant -> law.coefficient < 1
+        is RestitutionSpec.Step -> law.below < 1
+        is RestitutionSpec.Table -> law.points[0][1] < 1
+        is RestitutionSpec.Viscoelastic -> law.coefficient < 1
+        is RestitutionSpec.Bridges, is RestitutionSpec.Borderies -> false
     }
 
     /** Whether surfaces lose energy: friction does so at every speed, and a guard does not end it. */

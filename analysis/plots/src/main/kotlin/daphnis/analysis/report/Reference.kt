@@ -127,6 +127,7 @@ internal object References {
 
     /** Whether equal spheres meet each other and nothing else: no force, no body, no guard that is felt. */
     private fun isPlain(scenario: Scenario, last: State): Boolean = scenario.forces.isEmpty() &&
+        scenario.contacts.isEmpty() &&
         ElasticGas.isSmooth(scenario) &&
         scenario.bodies.isEmpty() &&
         ElasticGas.areEqual(last.population.radius) &&

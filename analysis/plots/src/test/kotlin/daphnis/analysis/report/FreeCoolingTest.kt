@@ -18,6 +18,8 @@ class FreeCoolingTest {
         assertEquals(false, rough(""""type":"coulomb","friction":0,"sticking":0"""))
         val floor = "guard={\"type\":\"floor-speed\",\"speed\":0.17}"
         assertEquals(true, isOf("rough-gas", floor))
+        val constant = "\"type\":\"constant\",\"coefficient\":0.5"
+        assertEquals(true, isOf("cooling-gas", "restitution={\"type\":\"bridges\"}", "roughness={$constant}"))
         assertEquals(false, isOf("ring-patch", "roughness={\"type\":\"constant\",\"coefficient\":0}"))
     }
 
@@ -30,6 +32,13 @@ class FreeCoolingTest {
         assertEquals(false, isOf("cooling-gas", "restitution={\"type\":\"bridges\"}"))
         assertEquals(true, isOf("cooling-gas", "guard={\"type\":\"floor-speed\",\"speed\":0.16}"))
         assertEquals(false, isOf("cooling-gas", "guard={\"type\":\"floor-speed\",\"speed\":0.17}"))
+        fun by(law: String) = isOf("cooling-gas", "restitution={$law}")
+        assertEquals(true, by(""""type":"viscoelastic","coefficient":0.99,"speed":1"""))
+        assertEquals(false, by(""""type":"viscoelastic","coefficient":1,"speed":1"""))
+        assertEquals(true, by(""""type":"step","coefficient":0.5,"speed":1,"below":0.9"""))
+        assertEquals(false, by(""""type":"step","coefficient":0.5,"speed":1"""))
+        assertEquals(true, by(""""type":"table","points":[[1,0.9],[2,1]]"""))
+        assertEquals(false, by(""""type":"table","points":[[1,1],[2,0.5]]"""))
         assertEquals(false, isOf("elastic-gas"))
         assertEquals(false, isOf("shear-cell"))
         for (driven in listOf("paper-figure-1", "ring-patch", "self-gravity-wakes")) {

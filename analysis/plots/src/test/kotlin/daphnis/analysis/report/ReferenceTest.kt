@@ -22,6 +22,9 @@ class ReferenceTest {
             "restitution.exponent=-0.2",
             "restitution={\"type\":\"constant\",\"coefficient\":0.5}",
             "restitution={\"type\":\"borderies\",\"criticalSpeed\":0.1}",
+            "restitution={\"type\":\"step\",\"speed\":0.1,\"coefficient\":0.5}",
+            "restitution={\"type\":\"table\",\"points\":[[0.1,0.5]]}",
+            "restitution={\"type\":\"viscoelastic\",\"speed\":0.1,\"coefficient\":0.5}",
             "guard={\"type\":\"contact-duration\",\"duration\":100}",
             "roughness={\"type\":\"constant\",\"coefficient\":0}",
             "guard={\"type\":\"floor-speed\",\"relative\":0.1}",
@@ -43,6 +46,7 @@ class ReferenceTest {
         for (
         other in listOf(
             "restitution.coefficient=0.85",
+            "restitution={\"type\":\"table\",\"points\":[[0,0.9]]}",
             "guard={\"type\":\"floor-speed\",\"relative\":0.5}",
             "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
             "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
@@ -56,6 +60,7 @@ class ReferenceTest {
         for (
         other in listOf(
             "restitution.coefficient=0.99",
+            "restitution={\"type\":\"viscoelastic\",\"speed\":1,\"coefficient\":1}",
             "boundary={\"type\":\"walls\"}",
             "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
             "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",

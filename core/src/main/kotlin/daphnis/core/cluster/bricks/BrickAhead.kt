@@ -15,6 +15,7 @@ import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
 import daphnis.core.population.SphereQuantity.Change.NOTED
+import daphnis.core.population.optional
 import daphnis.core.search.StepBounds
 import daphnis.core.step.PreparedStep
 
@@ -112,7 +113,7 @@ internal class BrickAhead(
         runs.clear()
         for (slot in 0 until brick.size) if (brick.isOwn(order?.get(slot) ?: slot)) runs.add(slot)
         val tracks = prepared.step.law.guard.needsLastCollision
-        for (place in SphereQuantity.present(brick.hasSpin)) {
+        for (place in SphereQuantity.present(brick.optional)) {
             if (!tracks && SphereQuantity.at(place).change == NOTED) continue
             copy(from.column(place), to.column(place), at)
         }

@@ -6,6 +6,7 @@ import daphnis.core.population.ColumnSets
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
+import daphnis.core.population.optional
 
 /**
  * The spheres with which a brick computes, copied: its own and those of its halo, as they are at the start of the step.
@@ -103,7 +104,7 @@ internal class BrickSpheres :
         room = 0
         seen = LongArray(n)
         isOwn = BooleanArray(n)
-        sets = ColumnSets(PopulationColumns(n, hasSpin))
+        sets = ColumnSets(PopulationColumns(n, optional))
         // Assigned last, since it says how many spheres there is room for: an allocation before it may have failed.
         room = n
     }
@@ -120,14 +121,15 @@ internal class BrickSpheres :
         }
     }
 
-    /** Spheres have spins from now on, if [spheres] have. */
+    /** Spheres have spins and materials from now on, if [spheres] have. */
     private fun takeKind(spheres: SphereColumns) {
-        if (!spheres.hasSpin || hasSpin) return
-        sets = ColumnSets(sets.now.withSpin(List(SphereQuantity.SPIN.columns.size) { DoubleArray(room) }))
+        val own = optional
+        val all = own or spheres.optional
+        if (all != own) sets = ColumnSets(sets.now.having(all))
     }
 
     private fun append(spheres: SphereColumns, from: Int, to: Int, areOwn: Boolean) {
-        for (place in SphereQuantity.present(hasSpin)) spheres.column(place).copyInto(column(place), size, from, to)
+        for (place in SphereQuantity.present(optional)) spheres.column(place).copyInto(column(place), size, from, to)
         spheres.id.copyInto(id, size, from, to)
         val end = size + to - from
         seen.fill(step, size, end)
@@ -144,7 +146,7 @@ internal class BrickSpheres :
             if (k < 0) return
             var count = 1
             while (index + count < to && k + count < size && id[k + count] == spheres.id[index + count]) count++
-            for (place in SphereQuantity.present(hasSpin)) {
+            for (place in SphereQuantity.present(optional)) {
                 spheres.column(place).copyInto(column(place), k, index, index + count)
             }
             for (slot in k until k + count) {

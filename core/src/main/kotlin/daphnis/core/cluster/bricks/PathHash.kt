@@ -2,6 +2,7 @@ package daphnis.core.cluster.bricks
 
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
+import daphnis.core.population.optional
 
 /**
  * A hash of 64 bits of the path of a sphere within a step: of the state with which it starts, and of every impact, also
@@ -27,7 +28,7 @@ internal object PathHash {
     /** The hash of the [path], of impacts, of entry [k] of [spheres], and of the state there with which it starts. */
     fun whole(path: Long, spheres: SphereColumns, k: Int, tracksLastCollision: Boolean): Long {
         var h = mix(path, spheres.id[k].toLong())
-        for (place in SphereQuantity.present(spheres.hasSpin)) {
+        for (place in SphereQuantity.present(spheres.optional)) {
             if (tracksLastCollision || place !in NOTES) h = mix(h, spheres.column(place)[k])
         }
         return h

@@ -6,6 +6,7 @@ import daphnis.core.collision.contactTime
 import daphnis.core.collision.storeAt
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
+import daphnis.core.population.optional
 import daphnis.core.queue.BucketEventQueue
 
 /** The place of the row of a sphere, by index in the columns of the step. Groups of different spheres can share one. */
@@ -69,7 +70,7 @@ internal class EpochBodies(private val places: SlotPlaces) {
         indexAt = null
         slotAt = null
         for (place in 0 until rows.size) places.forget(indexOfPlace[place])
-        rows.begin(duration, tracksLastCollision, spheres.hasSpin)
+        rows.begin(duration, tracksLastCollision, spheres.optional)
         queue.reset(0.0, end, rows.id, 0)
     }
 

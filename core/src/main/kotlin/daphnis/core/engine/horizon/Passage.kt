@@ -5,6 +5,7 @@ import daphnis.core.growth.IntList
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
+import daphnis.core.population.optional
 import daphnis.core.population.isFinite
 import daphnis.core.search.StepBounds
 
@@ -66,7 +67,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
             lines.put(slot, p.x[k], p.y[k], p.z[k], u, v, w, 0.0)
             lines.moveBack(slot, cells.imageAtStart(slot))
         }
-        for (place in RowColumns.FIXED) {
+        for (place in RowColumns.fixed(p.optional)) {
             val column = p.column(place)
             val its = columns.column(place)
             for (slot in from until to) its[slot] = column[order[slot]]
@@ -97,7 +98,7 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
      * @param tracks whether collisions note their times
      */
     fun keep(population: SphereColumns, columns: PopulationColumns, order: IntArray?, tracks: Boolean) {
-        for (place in RowColumns.changing(tracks, population.hasSpin)) {
+        for (place in RowColumns.changing(tracks, population.optional)) {
             val from = population.column(place)
             val to = columns.column(place)
             val passed = RowColumns.passed(place, frame.duration)

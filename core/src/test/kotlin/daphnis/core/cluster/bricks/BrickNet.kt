@@ -68,7 +68,7 @@ internal class BrickNet(
         private set
 
     fun simulation(engine: CollisionEngine): Simulation =
-        Simulation(first.copy(), boundary, CollisionForcing(law.restitution, engine = engine), FixedTimeStep(dt))
+        Simulation(first.copy(), boundary, CollisionForcing(law.contactLaw, engine = engine), FixedTimeStep(dt))
 
     /** A step, with its boundary. */
     fun advance() {

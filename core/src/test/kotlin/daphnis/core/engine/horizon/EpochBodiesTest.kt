@@ -28,7 +28,7 @@ class EpochBodiesTest {
             bodies.begin(gas, order, 1.0, 1.0, false)
             if (isLater) bodies.goOn(0.5, 1.0, indexAt, slotAt)
             val rows = StepRows()
-            rows.begin(1.0, false, false)
+            rows.begin(1.0, false, 0)
             for (slot in 0 until n) rows.include(gas, order[if (isLater) indexAt[slot] else slot])
             // Every third sphere has a row, which has moved on with another velocity.
             for (slot in 0 until n step 3) {

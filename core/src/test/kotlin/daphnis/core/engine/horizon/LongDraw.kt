@@ -80,11 +80,10 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
         start.copy(),
         boundary,
         CollisionForcing(
-            restitution,
+            surface.law(restitution),
             guard,
             engine,
             recordCollisions = true,
-            roughness = surface.roughness,
             momentFactor = surface.momentFactor,
         ),
         FixedTimeStep(dt),

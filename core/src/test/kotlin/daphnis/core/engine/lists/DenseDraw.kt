@@ -83,18 +83,17 @@ class DenseDraw(private val seed: Long) {
         start.copy(),
         boundary,
         CollisionForcing(
-            restitution,
+            surface.law(restitution),
             guard,
             engine,
             recordCollisions = true,
-            roughness = surface.roughness,
             momentFactor = surface.momentFactor,
         ),
         FixedTimeStep(dt),
         if (hasForce) listOf(pull()) else emptyList(),
     )
 
-    val law get() = CollisionLaw(restitution, guard, surface.roughness, surface.momentFactor)
+    val law get() = CollisionLaw(surface.law(restitution), guard, momentFactor = surface.momentFactor)
 
     private fun pull(): Force = Kick { p, time, duration ->
         // Only some, and not in every step.

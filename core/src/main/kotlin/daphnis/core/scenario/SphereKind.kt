@@ -1,0 +1,91 @@
+package daphnis.core.scenario
+
+import daphnis.core.format.SnapshotCheck
+import daphnis.core.initial.EqualSizes
+import daphnis.core.initial.ListedSizes
+import daphnis.core.initial.LogNormalSizes
+import daphnis.core.initial.PowerLawSizes
+import daphnis.core.initial.SizeDistribution
+
+/**
+ * Spheres that have one distribution of sizes and one law of masses: all, or those of one material.
+ *
+ * @property key what says so in the scenario
+ * @property share of the number of all spheres
+ * @param spec the distribution of sizes
+ */
+internal class SphereKind private constructor(
+    val key: String,
+    val share: Double,
+    spec: SizesSpec,
+    private val density: Double,
+    private val mass: Double?,
+    private val check: ValueCheck,
+) {
+    val sizes: SizeDistribution = try {
+        when (spec) {
+            is SizesSpec.Equal -> EqualSizes(spec.radius)
+            is SizesSpec.PowerLaw -> PowerLawSizes(spec.minimum, spec.maximum, spec.exponent)
+            is SizesSpec.LogNormal -> LogNormalSizes(spec.median, spec.sigma, spec.minimum, spec.maximum)
+            is SizesSpec.Listed -> ListedSizes(spec.radii.toDoubleArray())
+        }
+    } catch (e: IllegalArgumentException) {
+        check.fail("$key.sizes", e.message.orEmpty())
+    }
+
+    /** The least and the largest radius. */
+    val least: Double
+    val most: Double
+
+    init {
+        val (least, most) = when (spec) {
+            is SizesSpec.Equal -> spec.radius to spec.radius
+            is SizesSpec.PowerLaw -> spec.minimum to spec.maximum
+            is SizesSpec.LogNormal -> spec.minimum to spec.maximum
+            is SizesSpec.Listed -> spec.radii.min() to spec.radii.max()
+        }
+        for (r in listOf(least, most)) {
+            check.must("$key.sizes", r in SnapshotCheck.LEAST..SnapshotCheck.MOST) {
+                "a radius is $r; it must be > 0, ${SnapshotCheck.LEAST} to ${SnapshotCheck.MOST}"
+            }
+        }
+        this.least = least
+        this.most = most
+    }
+
+    /** Refuses what can be no density or mass. */
+    fun checkMass() {
+        check.positive("$key.density", density)
+        mass?.let { check.positive("$key.mass", it) }
+    }
+
+    /** The mass of a sphere of [radius], not checked. */
+    fun weight(radius: Double): Double = mass ?: (density * volume(radius))
+
+    /** The mass of a sphere of [radius]. */
+    fun mass(radius: Double): Double {
+        val mass = weight(radius)
+        check.that("$key.density", density, mass > 0 && mass.isFinite()) {
+            "gives a sphere of radius $radius the mass $mass"
+        }
+        return mass
+    }
+
+    companion object {
+        /** The kinds of the spheres of [spec], by number of material. */
+        fun of(spec: ParticlesSpec, check: ValueCheck): List<SphereKind> {
+            val materials = spec.materials
+            if (materials == null) {
+                val sizes = spec.sizes ?: check.fail("particles.sizes", "is missing; give it, or materials")
+                return listOf(SphereKind("particles", 1.0, sizes, spec.density, spec.mass, check))
+            }
+            val all = materials.sumOf { it.count?.toDouble() ?: 0.0 }
+            return materials.mapIndexed { k, one ->
+                val share = one.share ?: (one.count!! / all)
+                SphereKind("particles.materials[$k]", share, one.sizes, one.density, one.mass, check)
+            }
+        }
+
+        fun volume(radius: Double): Double = 4.0 / 3.0 * Math.PI * radius * radius * radius
+    }
+}

@@ -1,0 +1,27 @@
+package daphnis.core.surface
+
+/**
+ * What belongs to each pair of materials, in either order, by their numbers; [others] to all pairs of which nothing has
+ * been said, and to walls. Immutable.
+ */
+internal class PairTable<T>(val others: T, private val rows: List<List<T>> = emptyList()) {
+    /** What belongs to the materials of the numbers [first] and [second]. */
+    operator fun get(first: Int, second: Int): T =
+        if (first in rows.indices && second in rows.indices) rows[first][second] else others
+
+    /** What belongs to the materials of two spheres in [contact]. */
+    operator fun get(contact: SurfaceContact): T = get(contact.firstMaterial, contact.secondMaterial)
+
+    /** Whether [holds] for anything in the table. */
+    inline fun any(holds: (T) -> Boolean): Boolean = holds(others) || rows.any { row -> row.any(holds) }
+
+    /** The same table, but with [value] for the pair [first], [second]. */
+    fun with(first: Int, second: Int, value: T): PairTable<T> {
+        require(first >= 0 && second >= 0) { "materials are $first and $second; their numbers must be at least 0" }
+        val size = maxOf(rows.size, maxOf(first, second) + 1)
+        val table = List(size) { i ->
+            List(size) { j -> if (i == first && j == second || i == second && j == first) value else get(i, j) }
+        }
+        return PairTable(others, table)
+    }
+}

@@ -1,0 +1,59 @@
+package daphnis.app.describe
+
+import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.scenario.RoughnessSpec
+import daphnis.core.scenario.ScenarioSetup
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.jsonObject
+
+/** What spheres are made of, and how materials collide where that is not as for all. */
+internal class MaterialRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
+    private val population = setup.population
+
+    /** A row for each material. */
+    fun materials() {
+        population.materials.forEachIndexed { number, name ->
+            val its = population.radius.indices.filter { population.material[it].toInt() == number }
+            if (its.isEmpty()) {
+                rows.add("materials", "$name: no sphere")
+                return@forEachIndexed
+            }
+            val radii = its.map { population.radius[it] }
+            val masses = its.map { population.mass[it] }
+            val density = say.density(masses.sum() / radii.sumOf { VOLUME * it * it * it })
+            rows.add(
+                "materials",
+                "$name: ${spheres(its.size)}, radius ${range(radii, say::length)}, mass ${range(masses, say::mass)}, " +
+                    "density $density",
+            )
+        }
+    }
+
+    /** A row for each pair that has a law of its own. */
+    fun contacts() {
+        for (contact in setup.scenario.contacts) {
+            val laws = listOfNotNull(
+                contact.restitution?.let { "restitution ${words(RestitutionSpec.serializer(), it)}" },
+                contact.roughness?.let { "roughness ${words(RoughnessSpec.serializer(), it)}" },
+            )
+            rows.add("contacts", "${contact.between.joinToString(" with ")}: ${laws.joinToString("; ")}")
+        }
+    }
+
+    private fun range(values: List<Double>, say: (Double) -> String): String =
+        if (values.min() == values.max()) say(values[0]) else "${say(values.min())} to ${say(values.max())}"
+
+    /** The type of a law and its numbers, by their keys. */
+    private fun <T> words(serializer: KSerializer<T>, law: T): String {
+        val keys = JSON.encodeToJsonElement(serializer, law).jsonObject
+        val type = (keys["type"] as? JsonPrimitive)?.content.orEmpty()
+        return (listOf(type) + keys.filterKeys { it != "type" }.map { (key, value) -> "$key $value" }).joinToString(", ")
+    }
+
+    private companion object {
+        const val VOLUME = 4.0 / 3.0 * Math.PI
+        val JSON = Json { encodeDefaults = true }
+    }
+}
