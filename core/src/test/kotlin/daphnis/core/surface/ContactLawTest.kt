@@ -52,7 +52,8 @@ class ContactLawTest {
         }
     }
 
-    private val apart = listOf(Sphere(vx = 3.0, vy = 1.0, vz = -2.0, r = 0.5, m = 2.0), Sphere(x = 2.0, r = 1.5, m = 6.0))
+    private val apart =
+        listOf(Sphere(vx = 3.0, vy = 1.0, vz = -2.0, r = 0.5, m = 2.0), Sphere(x = 2.0, r = 1.5, m = 6.0))
     private val pair = populationOf(*apart.toTypedArray())
     private val spinning = pair.withSpin(doubleArrayOf(0.0, 0.0), doubleArrayOf(0.0, 0.0), doubleArrayOf(2.0, 4.0))
 
