@@ -109,7 +109,7 @@ class Run:
 
     @property
     def collisions(self) -> pd.DataFrame:
-        """``collisions.csv``: a row for each collision of two spheres."""
+        """``collisions.csv``: a row for each collision of two spheres; of rough ones with tangential impulses."""
         return self._table("collisions.csv", "output.collisionLog")
 
     def _table(self, name: str, key: str) -> pd.DataFrame:

@@ -12,15 +12,16 @@ import java.nio.file.Path
 /** Reads a CSV file of numbers that a run appends to, by the names of its columns. */
 internal object NumberColumns {
     /**
-     * The columns of [path] by name, all equally long, in order of time; columns beyond those needed come along, with
+     * The columns of [path] by name, all equally long, in the order of rows; columns beyond those needed come along, with
      * NaN for an empty cell. A run may be writing still: what follows the last line end is left out, and a last line
      * with too few values. A file without a whole line has no rows.
      *
-     * @param declared which columns must be there, `time` among them
+     * @param declared which columns must be there, [order] among them
+     * @param order the column that never falls from row to row
      * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no number or
-     * time runs backward
+     * [order] falls
      */
-    fun read(path: Path, declared: TableColumns): Map<String, DoubleArray> {
+    fun read(path: Path, declared: TableColumns, order: String = "time"): Map<String, DoubleArray> {
         val needed = declared.needed
         val text = try {
             PackedFile.text(path)
@@ -46,7 +47,7 @@ internal object NumberColumns {
             }
             rows++
         }
-        checkTime(path, columns[names.indexOf("time")], rows)
+        checkOrder(path, order, columns[names.indexOf(order)], rows)
         return names.indices.associate { names[it] to columns[it].copyOf(rows) }
     }
 
@@ -56,11 +57,11 @@ internal object NumberColumns {
         cell.toDoubleOrNull()
     }
 
-    private fun checkTime(path: Path, time: DoubleArray, rows: Int) {
+    private fun checkOrder(path: Path, name: String, numbers: DoubleArray, rows: Int) {
         for (row in 0 until rows) {
-            if (!time[row].isFinite()) damaged(path, row + 1, "time", "${time[row]}", "finite")
-            if (row == 0 || time[row] >= time[row - 1]) continue
-            damaged(path, row + 1, "time", "${time[row]}", "at least that of the row before, ${time[row - 1]}")
+            if (!numbers[row].isFinite()) damaged(path, row + 1, name, "${numbers[row]}", "finite")
+            if (row == 0 || numbers[row] >= numbers[row - 1]) continue
+            damaged(path, row + 1, name, "${numbers[row]}", "at least that of the row before, ${numbers[row - 1]}")
         }
     }
 

@@ -46,8 +46,8 @@ public class CollisionRecord() : GrowingTable() {
         private set
 
     /**
-     * Impact speed, coefficient, impulse, separation x y z, momentum along the surfaces x y z, energy that surfaces took:
-     * ten numbers per collision.
+     * Impact speed, coefficient, impulse, separation x y z, tangential impulse x y z, surface dissipation: ten numbers
+     * per collision, the last four 0 for smooth spheres.
      */
     public var data: DoubleArray = DoubleArray(0)
         private set
@@ -64,17 +64,25 @@ public class CollisionRecord() : GrowingTable() {
 
     public fun coefficient(k: Int): Double = data[k * WIDTH + 1]
 
-    /** Momentum exchanged along the normal, > 0. */
+    /** Momentum that the sphere with the higher id received along the normal, ≥ 0. The other received the opposite. */
     public fun impulse(k: Int): Double = data[k * WIDTH + 2]
 
     /** Component [axis] of the vector between the centres. */
     public fun separation(k: Int, axis: Int): Double = data[k * WIDTH + 3 + axis]
 
-    /** Component [axis] of the momentum along the surfaces that the sphere with the higher id received; 0 if smooth. */
-    internal fun slide(k: Int, axis: Int): Double = data[k * WIDTH + 6 + axis]
+    /**
+     * Component [axis] of the momentum that the sphere with the higher id received along its surface, perpendicular to
+     * the separation; the other received the opposite. In Hill's frame axes are those at the moment of contact. 0 for
+     * smooth spheres.
+     */
+    public fun tangentialImpulse(k: Int, axis: Int): Double = data[k * WIDTH + 6 + axis]
 
-    /** Energy of motion and of spins that the surfaces took, beside what restitution takes. */
-    internal fun rubbed(k: Int): Double = data[k * WIDTH + 9]
+    /**
+     * Energy of motion and of spins that roughness took, ½ μ q/(1 + q) (1 − β²) g² ([daphnis.core.surface.Roughness]);
+     * restitution took ½ · [impulse] · (1 − [coefficient]) · [impactSpeed] beside it. Zero or more, and 0 for smooth
+     * spheres.
+     */
+    public fun surfaceDissipation(k: Int): Double = data[k * WIDTH + 9]
 
     /** Appends a collision between the spheres with ids [first] and [second], as described by [outcome]. */
     public fun add(time: Double, first: Int, second: Int, outcome: CollisionOutcome) {

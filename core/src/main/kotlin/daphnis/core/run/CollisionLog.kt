@@ -8,6 +8,7 @@ import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
+import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
 
 /** The declaration of [CollisionLog]. A log cannot begin in the middle of a run, nor end there. */
@@ -23,15 +24,16 @@ internal object CollisionLogOutput : PeriodicOutput("collisions", OutputSpec::co
         if (times.isNever) null else OutputCost("${CollisionColumns.file}, some $ROW_BYTES B per collision")
 
     override fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output? =
-        if (times.isNever) null else CollisionLog(files)
+        if (times.isNever) null else CollisionLog(files, sums.haveSpins)
 }
 
 /**
  * `collisions.csv`: one row per collision, in time order. To put numbers into words takes most of the time of a log, so
  * the writer does that, from collisions that are held back until there are [many], or one has waited for a second.
  */
-internal class CollisionLog(files: RunFiles, private val many: Int = MANY) : Output {
-    private val file = files.table(CollisionColumns.rows)
+internal class CollisionLog(files: RunFiles, haveSpins: Boolean, private val many: Int = MANY) : Output {
+    private val rows = if (haveSpins) CollisionColumns.rows else CollisionColumns.smooth
+    private val file = files.table(rows)
     private var held = HeldCollisions()
 
     override fun write(simulation: Simulation) {
@@ -51,7 +53,7 @@ internal class CollisionLog(files: RunFiles, private val many: Int = MANY) : Out
         held = HeldCollisions()
         file.handOver(row.held.bytes, row.held.size) { k, line ->
             row.k = k
-            CollisionColumns.rows.write(row, line)
+            rows.write(row, line)
         }
     }
 
@@ -85,23 +87,26 @@ internal class LoggedCollision(val held: HeldCollisions) {
     var k = 0
 }
 
-/** The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
+/**
+ * The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
+ * from [TANGENTIAL_IMPULSE] on are only there where spheres have spins.
+ */
 public object CollisionColumns : TableColumns {
     internal val rows = Columns<LoggedCollision>("collisions.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 
     @JvmField
-    public val STEP: Column = rows.whole("step") { it.held.stepOf(it.k) }
+    public val STEP: Column = rows.whole("step", Need.NEEDED) { it.held.stepOf(it.k) }
 
     @JvmField
-    public val TIME_IN_STEP: Column = rows.number("time_in_step", Dimension.TIME) { it.record.time[it.k] }
+    public val TIME_IN_STEP: Column = rows.number("time_in_step", Dimension.TIME, Need.NEEDED) { it.record.time[it.k] }
 
     @JvmField
-    public val ID_LOWER: Column = rows.whole("id_lower") { it.record.lower[it.k].toLong() }
+    public val ID_LOWER: Column = rows.whole("id_lower", Need.NEEDED) { it.record.lower[it.k].toLong() }
 
     @JvmField
-    public val ID_HIGHER: Column = rows.whole("id_higher") { it.record.higher[it.k].toLong() }
+    public val ID_HIGHER: Column = rows.whole("id_higher", Need.NEEDED) { it.record.higher[it.k].toLong() }
 
     @JvmField
     public val IMPACT_SPEED: Column = rows.number("impact_speed", Dimension.SPEED) { it.record.impactSpeed(it.k) }
@@ -117,4 +122,17 @@ public object CollisionColumns : TableColumns {
         rows.each(listOf("separation_x", "separation_y", "separation_z"), Dimension.LENGTH) { row, axis ->
             row.record.separation(row.k, axis)
         }
+
+    @JvmField
+    public val TANGENTIAL_IMPULSE: List<Column> = rows.each(
+        listOf("tangential_impulse_x", "tangential_impulse_y", "tangential_impulse_z"),
+        Dimension.MOMENTUM,
+    ) { row, axis -> row.record.tangentialImpulse(row.k, axis) }
+
+    @JvmField
+    public val SURFACE_DISSIPATION: Column =
+        rows.number("surface_dissipation", Dimension.ENERGY) { it.record.surfaceDissipation(it.k) }
+
+    /** Where nothing spins. */
+    internal val smooth = rows.without(TANGENTIAL_IMPULSE.toSet() + SURFACE_DISSIPATION)
 }

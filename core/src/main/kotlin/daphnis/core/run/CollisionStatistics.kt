@@ -125,14 +125,14 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
             speeds[((StrictMath.log10(speed) - LEAST_DECADE) * BINS_A_DECADE).toInt().coerceIn(0, BINS - 1)]++
         }
         // impulse = μ (1 + ε) v_n, so the loss ½ μ (1 − ε²) v_n² is half of impulse · (1 − ε) · v_n.
-        terms[DISSIPATED][at] = 0.5 * impulse * (1 - coefficient) * speed + record.rubbed(k)
+        terms[DISSIPATED][at] = 0.5 * impulse * (1 - coefficient) * speed + record.surfaceDissipation(k)
         val dx = record.separation(k, 0)
         val dy = record.separation(k, 1)
         val dz = record.separation(k, 2)
         val f = impulse / Math.sqrt(dx * dx + dy * dy + dz * dz)
         for (a in 0..2) {
             for (b in 0..2) {
-                val along = record.slide(k, a) * record.separation(k, b)
+                val along = record.tangentialImpulse(k, a) * record.separation(k, b)
                 terms[VIRIAL + a * 3 + b][at] = f * record.separation(k, a) * record.separation(k, b) + along
             }
         }

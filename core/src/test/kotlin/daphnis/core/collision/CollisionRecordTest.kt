@@ -11,8 +11,8 @@ class CollisionRecordTest {
     private val order = compareBy<Entry>({ it.time }, { it.rank }, { it.lower }, { it.higher })
 
     private fun CollisionRecord.all() = List(size) { k ->
-        val vectors = List(3) { separation(k, it) } + List(3) { slide(k, it) }
-        val data = listOf(impactSpeed(k), coefficient(k), impulse(k), rubbed(k)) + vectors
+        val vectors = List(3) { separation(k, it) } + List(3) { tangentialImpulse(k, it) }
+        val data = listOf(impactSpeed(k), coefficient(k), impulse(k), surfaceDissipation(k)) + vectors
         Entry(time[k], rank[k], lower[k], higher[k], data)
     }
 

@@ -126,8 +126,8 @@ class CollisionStatisticsTest {
             Simulation(pair.copy(), Open, forcing, FixedTimeStep(1.0)).advance()
             val record = forcing.record!!
             assertEquals(1, record.size)
-            assertEquals(roughness != null, record.slide(0, 1) != 0.0)
-            assertEquals(roughness != null, record.rubbed(0) != 0.0)
+            assertEquals(roughness != null, record.tangentialImpulse(0, 1) != 0.0)
+            assertEquals(roughness != null, record.surfaceDissipation(0) != 0.0)
         }
     }
 

@@ -30,19 +30,26 @@ internal class PlotField(
 
     /** Says that an axis is logarithmic; a label that is long has its unit on a second line. */
     private fun scaled(label: String, log: Boolean): String {
-        val shown = if (log) "$label (log scale)" else label
+        val shown = if (log) label + LOG else label
         return if (shown.length > LONGEST_LABEL && '\n' !in shown) shown.replace(" [", "\n[") else shown
+    }
+
+    /** [label] with what is said of the scale on a line of its own where a line would be longer than [room] points. */
+    private fun fitting(label: String, room: Double): String {
+        val isLong = label.lines().any { LABEL * TextWidth.of(it) > room }
+        return if (isLong) label.replace(LOG, "\n" + LOG.trim()) else label
     }
 
     /** Draws axes and grid where [top] points above are taken, and [right] points at the right; the frame of it. */
     fun draw(sheet: Sheet, width: Int, height: Int, top: Double, right: Double = MARGIN): PlotFrame {
+        var above = top + MARGIN
+        var bottom = height - MARGIN - below.lines().size * LABEL * PlotFrame.LINE_HEIGHT - NUMBER - PlotFrame.GAP
+        val beside = fitting(beside, minOf(above + bottom, 2 * height - above - bottom))
         val numbers = NUMBER * (ySpan.ticks.labels.maxOfOrNull { TextWidth.of(it) } ?: 0.0)
         // From the title's upper edge to the field: its lines, the numbers, and a gap behind each.
         val room = beside.lines().size * LABEL * PlotFrame.LINE_HEIGHT + numbers + 2 * PlotFrame.GAP
         var left = MARGIN + room
         var end = width - right
-        var above = top + MARGIN
-        var bottom = height - MARGIN - below.lines().size * LABEL * PlotFrame.LINE_HEIGHT - NUMBER - PlotFrame.GAP
         if (isFixed) {
             val unit = minOf((end - left) / xSpan.length, (bottom - above) / ySpan.length)
             val spareX = (end - left - unit * xSpan.length) / 2
@@ -89,6 +96,7 @@ internal class PlotField(
         const val NUMBER = 13
         const val LABEL = 15
         private const val LONGEST_LABEL = 34
+        private const val LOG = " (log scale)"
         private const val ROOM = 0.05
 
         /** Marks of an axis across its room at both ends too. */

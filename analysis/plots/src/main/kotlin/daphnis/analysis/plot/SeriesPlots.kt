@@ -29,6 +29,10 @@ internal class SeriesPlots(
     fun temperature(): Curve? =
         column(SeriesColumns.GRANULAR_TEMPERATURE, "granular temperature", scale.speed * scale.speed)
 
+    /** Rotational temperature in [PlotScale.temperatureName], where spheres spin. */
+    fun rotationalTemperature(): Curve? =
+        column(SeriesColumns.ROTATIONAL_TEMPERATURE, "rotational temperature", scale.speed * scale.speed)
+
     /** Every column that is an energy, in the scenario's units, by its name. */
     fun energies(): List<Curve> {
         val all = SeriesColumns.columns.filter { it.dimension == Dimension.ENERGY && it in series }
@@ -58,7 +62,8 @@ internal class SeriesPlots(
         return Curve("collisions", middle.toDoubleArray(), rate.toDoubleArray())
     }
 
-    fun temperaturePlot(curve: Curve): Figure = plot(listOf(curve), TEMPERATURE, scale.temperatureName)
+    fun temperaturePlot(curves: List<Curve>): Figure =
+        plot(curves, if (curves.size == 1) TEMPERATURE else "temperature", scale.temperatureName)
 
     fun ratePlot(curve: Curve): Figure = plot(listOf(curve), RATE, scale.rateName)
 
@@ -68,7 +73,9 @@ internal class SeriesPlots(
     }
 
     private fun plot(curves: List<Curve>, quantity: String, unit: String): Figure {
-        val log = Chart.isWide(curves.flatMap { it.y.asList() })
+        // Spins that begin at rest would be the one point for which an axis is not logarithmic.
+        val spinning = curves.filter { "rotational" in it.name }
+        val log = Chart.isWide(curves.flatMap { c -> if (c in spinning) c.y.filter { it != 0.0 } else c.y.asList() })
         return Chart.lines(
             curves,
             timeLabel,

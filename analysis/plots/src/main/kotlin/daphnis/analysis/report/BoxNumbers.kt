@@ -25,6 +25,9 @@ internal class BoxNumbers(private val study: Study) {
             units.temperature,
             if (isOld) "around the boundary's straight flow: transport.csv is of an older version" else "",
         )
+        val further = SpinNumbers(study, rows, null)
+        further.addCumulants()
+        further.add()
         if (transport == null) return rows.list()
         rows.average("collisions_per_particle", "collisions per particle", transport.collisionRate, units.rate)
         rows.average("compressibility", "compressibility p V / (M T)", transport.compressibility, "")

@@ -50,16 +50,17 @@ internal class EvolutionSection(private val study: Study) : Section {
     }
 
     private fun series(page: ReportPage, plots: SeriesPlots) {
-        val temperature = plots.temperature()
+        val temperatures = listOfNotNull(plots.temperature(), plots.rotationalTemperature())
         val rate = plots.collisionRate()
         val energies = plots.energies()
-        if (temperature != null) {
+        if (temperatures.isNotEmpty()) {
+            val ofSpins = if (temperatures.size == 1) "" else ", and of rotation, Σ I ω²/3M, the mean spin in it"
             study.draw(
                 page,
-                plots.temperaturePlot(temperature),
+                plots.temperaturePlot(temperatures),
                 "temperature",
                 "granular temperature over time",
-                "Granular temperature; steady where it no longer drifts.",
+                "Granular temperature$ofSpins; steady where it no longer drifts.",
                 SeriesPlots.HEIGHT,
             )
         }
@@ -85,7 +86,7 @@ internal class EvolutionSection(private val study: Study) : Section {
                 SeriesPlots.HEIGHT,
             )
         }
-        val ofTemperature = listOfNotNull(temperature).map { it to scale.temperatureName }
+        val ofTemperature = temperatures.map { it to scale.temperatureName }
         table("time-series", ofTemperature + energies.map { it to study.units.energy })
         table("collision-rate", listOfNotNull(rate).map { it to scale.rateName })
     }

@@ -4,6 +4,7 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
+import daphnis.analysis.profile.FourthCumulants
 import daphnis.analysis.profile.LocalDispersion
 import daphnis.analysis.profile.Profile
 import daphnis.analysis.profile.VelocityEllipsoid
@@ -22,6 +23,12 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
         LocalDispersion.reach(last).takeIf { it > 0 }?.let { Averages(LocalDispersion(it)) }
     }
 
+    /** Of a gas: a ring is far from a Maxwellian in other ways. */
+    private val cumulants = if (input.omega == null && input.hasVelocities) Averages(FourthCumulants()) else null
+
+    /** Null for spheres without spins. */
+    val rotation: Rotation? = if (last.population.hasSpin) Rotation(input, from, last) else null
+
     /** What the rows from the time of averages on tell; null without two of them. */
     val transport: Transport? =
         input.transport?.from(from)?.takeIf { it.size >= 2 }?.let {
@@ -35,7 +42,13 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
     fun add(state: State) {
         states.add(state)
         near?.add(state)
+        cumulants?.add(state)
+        rotation?.add(state)
     }
+
+    /** The fourth cumulant [column] of [FourthCumulants] of a gas, from the states. */
+    fun cumulant(column: String): BlockAverage =
+        checkNotNull(cumulants).average(FourthCumulants.COLUMNS.indexOf(column))
 
     /** ⟨c_a c_b⟩: xx, yy, zz, xy. */
     fun moment(name: String): BlockAverage =

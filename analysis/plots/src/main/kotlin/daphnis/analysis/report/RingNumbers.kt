@@ -21,6 +21,7 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
     fun rows(): List<NumberRow> {
         patch()
         if (study.input.hasVelocities) motion()
+        SpinNumbers(study, rows, omega).add()
         heights()
         motion.transport?.let { collisions(it) }
         bulk.selfGravity?.let { gravity(it) }

@@ -59,7 +59,18 @@ internal object RunHistory {
      * The main quantities of [input]; none for a foreign file, or a run that wrote neither. The series counts where
      * transport.csv has too few rows from the time [from] on.
      */
-    fun of(input: AnalysisInput, from: Double): List<History> {
+    fun of(input: AnalysisInput, from: Double): List<History> =
+        ofMotion(input, from) + listOfNotNull(rotation(input, from))
+
+    /** Rotational temperature of a run whose spheres spin, where there are rows enough to judge it. */
+    private fun rotation(input: AnalysisInput, from: Double): History? {
+        val s = input.series?.takeIf { SeriesColumns.ROTATIONAL_TEMPERATURE in it } ?: return null
+        if (s[SeriesColumns.TIME].count { it >= from } < Steadiness.FEWEST) return null
+        val values = s[SeriesColumns.ROTATIONAL_TEMPERATURE]
+        return History("rotational temperature", s[SeriesColumns.TIME], values, OF_SPINS)
+    }
+
+    private fun ofMotion(input: AnalysisInput, from: Double): List<History> {
         val series = input.series?.let { ofSeries(it) }.orEmpty()
         val transport = input.transport?.takeIf { it.size >= 2 } ?: return series
         val isShort = transport[TransportColumns.TIME].count { it >= from } < Steadiness.FEWEST
@@ -114,6 +125,13 @@ internal object RunHistory {
         "reduced_temperature",
         "mean_impact_speed",
         "toomre_q",
+    )
+    private val OF_SPINS = setOf(
+        "rotational_temperature",
+        "rotational_over_translational",
+        "mean_spin_x",
+        "mean_spin_y",
+        "mean_spin_z",
     )
     private val OF_HEIGHT = setOf("scale_height", "midplane_filling_factor")
     private val OF_COLLISIONS = setOf("collisions_per_particle", "compressibility", "reduced_pressure")

@@ -69,6 +69,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
             ::ProfilesSection,
             ::EllipsoidSection,
             ::SizeClassSection,
+            ::SpinSection,
             ::DiffusionSection,
             ::FlowSection,
             ::StructureSection,

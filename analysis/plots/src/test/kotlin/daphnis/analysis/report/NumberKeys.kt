@@ -7,7 +7,7 @@ import java.nio.file.Path
 
 /** Keys in `numbers.csv`, by which others read it: a key listed here never changes. */
 internal object NumberKeys {
-    private val BOX = listOf("filling_factor", "mean_radius", "granular_temperature")
+    private val BOX = listOf("filling_factor", "mean_radius", "granular_temperature", "velocity_a2")
     private val COLLISIONS = listOf("collisions_per_particle", "compressibility")
     val GAS = BOX + COLLISIONS
     private val SHEAR = listOf(
@@ -45,12 +45,17 @@ internal object NumberKeys {
         "shear_work_over_dissipation",
     )
     val RING = STATES + TRANSPORT
+    private val CUMULANTS = listOf("spin_a2", "mixed_a2")
+    private val SPIN = listOf("rotational_temperature", "rotational_over_translational")
+    private val MEAN_SPIN = listOf("mean_spin_x", "mean_spin_y", "mean_spin_z")
+    val ROUGH_GAS = BOX + CUMULANTS + SPIN + MEAN_SPIN + COLLISIONS
+    val ROUGH = SPIN + "mean_spin_z"
     val SELF_GRAVITY = listOf("viscosity_gravitational", "toomre_q", "critical_wavelength")
     val DIFFUSION = listOf("self_diffusion", "self_diffusion_x", "self_diffusion_y", "self_diffusion_z")
     private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
-    private val all = (RING + SELF_GRAVITY + SHEARED + DIFFUSION + INFINITE + GUIDING_CENTRES).toSet()
+    private val all = (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + DIFFUSION + INFINITE + GUIDING_CENTRES).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {
