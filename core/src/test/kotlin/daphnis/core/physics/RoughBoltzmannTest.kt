@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test
 class RoughBoltzmannTest {
     private val count = if (fullPhysics) 50_000 else 4000
     private val each = if (fullPhysics) 1000 else 80
-    private val bound = if (fullPhysics) 0.002 else 0.04
+    private val bound = if (fullPhysics) 0.004 else 0.04
 
     @Test
     fun `ratios of temperatures of rough gases that cool`() {

@@ -15,8 +15,6 @@ import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
-import kotlin.math.ln
-import kotlin.math.pow
 import kotlin.math.sqrt
 
 /** Cube that holds [count] spheres of diameter 1 at filling factor [filling]. */
@@ -85,11 +83,3 @@ fun equilibriumGas(
 }
 
 fun temperature(p: Population) = Conserved.of(p).let { 2 * it.kineticEnergy / it.mass / 3 }
-
-/** Slope of ln of the root mean of [squares] over ln of the radius, by classes of equal [radii]. */
-fun slope(radii: DoubleArray, squares: DoubleArray): Double {
-    val classes = radii.indices.groupBy { radii[it] }
-    val x = classes.keys.map { ln(it) }
-    val y = classes.values.map { ids -> ln(ids.sumOf { squares[it] } / ids.size) / 2 }
-    return x.indices.sumOf { (x[it] - x.average()) * y[it] } / x.sumOf { (it - x.average()).pow(2) }
-}
