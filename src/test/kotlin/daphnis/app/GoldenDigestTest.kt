@@ -87,6 +87,7 @@ class GoldenDigestTest {
         const val SLACK = 1e-9
         val QUICK = listOf(
             "paper-figure-1", "elastic-gas", "cooling-gas", "rough-gas", "mixture", "shear-cell", "ring-patch",
+            "rough-ring",
         )
         val ODD = listOf(
             "open-clump", "periodic-thin", "walls-gravity", "walls-lattice", "sheared-dense", "lees-edwards-sizes",

@@ -35,7 +35,9 @@ import kotlin.math.sqrt
  * collisions of a time T,
  *
  * - ν_trans = ⟨w_x w_y⟩ / |γ|, the flux that particles carry by moving (translational, "local");
- * - ν_coll = Σ Δp_y δx / (M T |γ|), the flux that jumps from centre to centre in a collision (collisional, "nonlocal");
+ * - ν_coll = Σ Δp_y δx / (M T |γ|), the flux that jumps from centre to centre in a collision (collisional, "nonlocal"):
+ *   Δp along the flow, δ across it, the part that works against the shear. Surfaces of rough spheres that spin up make
+ *   it another number than Σ Δp_x δy;
  * - ν_grav = −½ Σ_ij F_y,ij (x_j − x_i) / (M |γ|), the flux that gravity carries (Daisaka, Tanaka & Ida 2001, Icarus
  *   154, 296);
  * - energy balance γ² (ν_trans + ν_coll + ν_grav) = energy dissipated in a unit of time and mass, in a steady state.
@@ -43,13 +45,15 @@ import kotlin.math.sqrt
  * (Wisdom & Tremaine 1988, AJ 95, 925.)
  *
  * @param shearRate γ, the change of the flow a unit of length across it; 0 for none
- * @param potential energy of the forces at each row of [table], such as that of self-gravity; null where it is not
+ * @param potential energy of the forces, such as self-gravity, and of spins at each row of [table]; null where it is not
  *   known: then [energyBalance] takes what it gives and takes for scatter
+ * @param flowAxis axis of the flow: 0 in Lees–Edwards boxes, 1 in Hill's frame
  */
 public class Transport @JvmOverloads constructor(
     private val table: TransportTable,
     private val shearRate: Double,
     private val potential: DoubleArray? = null,
+    flowAxis: Int = 0,
 ) {
     init {
         require(potential == null || potential.size == table.size) {
@@ -62,6 +66,9 @@ public class Transport @JvmOverloads constructor(
     }
 
     private val time = table[TIME]
+
+    /** Of Σ Δp_a δ_b the part along the flow and across it. Without spins, or of an older version, a file has one of both. */
+    private val work = virial("yx").takeIf { flowAxis == 1 && it in table } ?: virial("xy")
     private val intervals = table.size - 1
     private val length = DoubleArray(intervals) { time[it + 1] - time[it] }
 
@@ -126,7 +133,7 @@ public class Transport @JvmOverloads constructor(
     }
 
     public val translational: BlockAverage get() = kinetic("xy") * toViscosity
-    public val collisional: BlockAverage get() = average(added(virial("xy"), MASS)) { it[0] } * toViscosity
+    public val collisional: BlockAverage get() = average(added(work, MASS)) { it[0] } * toViscosity
     public val gravitational: BlockAverage get() = average(gravity()) { it[0] } * toViscosity
 
     /** Sum of the three viscosities. */
@@ -178,7 +185,7 @@ public class Transport @JvmOverloads constructor(
 
     private fun virials() = arrayOf(added(virial("xx"), MASS), added(virial("yy"), MASS), added(virial("zz"), MASS))
 
-    private fun stresses() = arrayOf(during(carried("xy")), added(virial("xy"), MASS), gravity())
+    private fun stresses() = arrayOf(during(carried("xy")), added(work, MASS), gravity())
 
     /**
      * By row, what the energy is made of: that of w, that of heights in Hill's frame, half a row's work by which the

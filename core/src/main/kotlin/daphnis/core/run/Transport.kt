@@ -37,7 +37,8 @@ internal object TransportOutput :
  */
 internal class Transport(private val times: OutputTimes, private val sums: StepSums, private val files: RunFiles) :
     Output {
-    private val file = files.table(TransportColumns.rows)
+    private val rows = if (sums.haveSpins) TransportColumns.rows else TransportColumns.smooth
+    private val file = files.table(rows)
     private val statistics = CollisionStatistics()
     private var gravity: SelfGravity? = null
 
@@ -48,7 +49,7 @@ internal class Transport(private val times: OutputTimes, private val sums: StepS
     override fun write(simulation: Simulation) {
         statistics.write(simulation)
         if (!times.isDue(simulation)) return
-        TransportColumns.rows.write(TransportRow(simulation, sums.of(simulation), statistics, gravity), file.line())
+        rows.write(TransportRow(simulation, sums.of(simulation), statistics, gravity), file.line())
         file.endLine()
     }
 
@@ -72,12 +73,19 @@ internal class TransportRow(
     val gravityXY: Double get() = gravity?.stressXY(simulation.population, simulation.time) ?: 0.0
 }
 
-/** The columns of `transport.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. */
+/**
+ * The columns of `transport.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
+ * from `virial_yx` on are only there where spheres have spins.
+ */
 public object TransportColumns : TableColumns {
     private val COMPONENTS = listOf("xx", "yy", "zz", "xy", "xz", "yz")
 
-    /** [COMPONENTS] among the nine entries by row; the tensor is symmetric. */
+    /** [COMPONENTS] among the nine entries by row. */
     private val NINE = intArrayOf(0, 4, 8, 1, 2, 5)
+
+    /** The other three, which are the same in smooth spheres. */
+    private val TURNED = listOf("yx", "zx", "zy")
+    private val TURNED_NINE = intArrayOf(3, 6, 7)
     internal val rows = Columns<TransportRow>("transport.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
@@ -126,14 +134,24 @@ public object TransportColumns : TableColumns {
     @JvmField
     public val GRAVITY_XY: Column = rows.number("gravity_xy", Dimension.ENERGY) { it.gravityXY }
     private val kinetics = tensor("kinetic_", Dimension.SPEED_SQUARED) { row, k -> row.sums.kinetic[k] }
+    private val turned = rows.each(TURNED.map { "virial_$it" }, Dimension.ACTION) { row, k ->
+        row.collisions.virial[TURNED_NINE[k]]
+    }
+    private val allVirials = virials + TURNED.zip(turned)
+
+    /** Where nothing spins. */
+    internal val smooth = rows.without(turned.toSet())
 
     /** ⟨c_a c_b⟩ by component, such as `xx`. */
     @JvmStatic
     public fun moment(component: String): Column = moments.getValue(component)
 
-    /** Σ Δp_a δ_b over all collisions since the start, by component. */
+    /**
+     * Σ Δp_a δ_b over all collisions since the start, by component. Those of `yx`, `zx` and `zy` are in the files of
+     * rough spheres alone: surfaces that rub turn the spheres, and the tensor is symmetric only on average.
+     */
     @JvmStatic
-    public fun virial(component: String): Column = virials.getValue(component)
+    public fun virial(component: String): Column = allVirials.getValue(component)
 
     /** ⟨w_a w_b⟩ by component. */
     @JvmStatic

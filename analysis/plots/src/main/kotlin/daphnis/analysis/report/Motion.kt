@@ -32,7 +32,8 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
     /** What the rows from the time of averages on tell; null without two of them. */
     val transport: Transport? =
         input.transport?.from(from)?.takeIf { it.size >= 2 }?.let {
-            Transport(it, last.boundary.meanFlow?.rate ?: 0.0, potential(it[TransportColumns.TIME]))
+            val flow = last.boundary.meanFlow
+            Transport(it, flow?.rate ?: 0.0, potential(it[TransportColumns.TIME]), flow?.flowAxis ?: 0)
         }
 
     /** Number of states so far. */
@@ -82,11 +83,12 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
         }
     }
 
-    /** Energy of the forces at [times], from series.csv; null unless it has a row at each of them. */
+    /** Energy of the forces and of spins at [times], from series.csv; null unless it has a row at each of them. */
     private fun potential(times: DoubleArray): DoubleArray? {
         val series = input.series?.takeIf { SeriesColumns.POTENTIAL_ENERGY in it } ?: return null
+        val spins = if (SeriesColumns.ROTATIONAL_ENERGY in series) series[SeriesColumns.ROTATIONAL_ENERGY] else null
         val energy = series[SeriesColumns.TIME].indices.associate {
-            series[SeriesColumns.TIME][it] to series[SeriesColumns.POTENTIAL_ENERGY][it]
+            series[SeriesColumns.TIME][it] to series[SeriesColumns.POTENTIAL_ENERGY][it] + (spins?.get(it) ?: 0.0)
         }
         return DoubleArray(times.size) { energy[times[it]] ?: return null }
     }

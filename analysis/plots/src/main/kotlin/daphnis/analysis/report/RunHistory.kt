@@ -5,6 +5,7 @@ import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.transport.Transport
 import daphnis.analysis.transport.TransportTable
+import daphnis.core.population.MeanFlow
 import daphnis.core.run.SeriesColumns
 import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
 import daphnis.core.run.TransportColumns
@@ -75,14 +76,14 @@ internal object RunHistory {
         val transport = input.transport?.takeIf { it.size >= 2 } ?: return series
         val isShort = transport[TransportColumns.TIME].count { it >= from } < Steadiness.FEWEST
         if (isShort && series.isNotEmpty()) return series
-        val shear = input.state(input.size - 1).boundary.meanFlow?.rate ?: 0.0
-        return ofTransport(transport, input.omega != null) + listOfNotNull(viscosity(transport, shear))
+        val flow = input.state(input.size - 1).boundary.meanFlow
+        return ofTransport(transport, input.omega != null) + listOfNotNull(viscosity(transport, flow))
     }
 
-    private fun viscosity(t: TransportTable, shear: Double): History? {
-        if (shear == 0.0) return null
+    private fun viscosity(t: TransportTable, flow: MeanFlow?): History? {
+        if (flow == null || flow.rate == 0.0) return null
         val times = t[TransportColumns.TIME].copyOfRange(1, t.size)
-        return History("viscosity", times, Transport(t, shear).viscosities(), OF_STRESS)
+        return History("viscosity", times, Transport(t, flow.rate, flowAxis = flow.flowAxis).viscosities(), OF_STRESS)
     }
 
     private fun ofTransport(t: TransportTable, ring: Boolean): List<History> {
