@@ -11,6 +11,7 @@ import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.SpinSums
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.VelocityMoments
 import daphnis.core.run.CollisionStatistics
 import daphnis.core.surface.ConstantRoughness
@@ -99,7 +100,7 @@ class RoughRingTest {
 
         private fun sample() {
             val p = simulation.population
-            val m = VelocityMoments.of(p, sheet.meanFlow, 1.0)
+            val m = VelocityMoments.of(p, sheet.meanFlow, OrbitalFrequencies(1.0))
             spins.take(p)
             states++
             rotating += spins.temperature

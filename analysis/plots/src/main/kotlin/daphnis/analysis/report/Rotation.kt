@@ -56,7 +56,7 @@ internal class Rotation(input: AnalysisInput, private val from: Double, last: St
         val all = RotationByGroup(SphereGroups.ALL, momentFactor).of(state)
         fun number(column: String) = all[RotationByGroup.COLUMNS.indexOf(column)]
         val flow = state.boundary.meanFlow
-        val moments = VelocityMoments.of(state.population, flow, state.omega, state.firstBody)
+        val moments = VelocityMoments.of(state.population, flow, state.frequencies, state.firstBody)
         val temperature = number("temperature") / number("mean_mass")
         val spins = listOf("mean_wx", "mean_wy", "mean_wz").map(::number)
         return doubleArrayOf(temperature, temperature / moments.temperature) + spins
