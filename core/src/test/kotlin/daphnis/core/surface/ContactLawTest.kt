@@ -160,6 +160,19 @@ class ContactLawTest {
     }
 
     @Test
+    fun `an outcome keeps nothing of surfaces that do not rub, and both spheres the time of the impact`() {
+        val outcome = CollisionOutcome()
+        val rough = CollisionLaw(Noting(isRough = true, { 0.75 }, { 0.0 }))
+        assertTrue(rough.collide(rows(spinning), 0, 1, 0, still, 0.0, outcome))
+        assertTrue(outcome.rubbed > 0 && outcome.slideY != 0.0)
+        val smooth = CollisionLaw(Noting(isRough = false, { 0.75 }), ContactDurationGuard(0.1))
+        val rows = StepRows().apply { load(spinning, intArrayOf(0, 1), 1.0, true) }
+        assertTrue(smooth.collide(rows, 0, 1, 0, still, 0.25, outcome))
+        assertEquals(listOf(0.0, 0.0, 0.0, 0.0), with(outcome) { listOf(slideX, slideY, slideZ, rubbed) })
+        assertEquals(listOf(0.25, 0.25), List(2) { rows.lastCollision[it] })
+    }
+
+    @Test
     fun `a wall is infinite and of no material`() {
         var told = emptyList<Double>()
         val law = Roughness { c ->
