@@ -147,9 +147,10 @@ class FourthCumulantsTest {
     @Tag("thorough")
     fun `a gas of smooth spheres that cools has the cumulant of theory before it clusters`(@TempDir home: Path) {
         for (e in listOf(0.9, 0.8)) {
-            val found = SampleMean.of(DoubleArray(SEEDS) { cooling(e, it + 1L, home.resolve("$e-$it")) })
-            println("e = $e: a2 = ${found.mean} ± ${found.error}, theory ${ofTheory(e)}")
-//A
+            val found = SampleMean.of(DoubleArray(SEEDS) { cooling(e, it + 101L, home.resolve("$e-$it")) })
+            // The theory leaves out higher cumulants: at 0.9 Monte Carlo of the Boltzmann equation has -0.0159 ± 0.0004.
+            assertEquals(ofTheory(e), found.mean, 3 * found.error + 0.1 * abs(ofTheory(e))) { "$e: $found" }
+            assertTrue(found.error < 0.002)
         }
     }
 
@@ -175,6 +176,6 @@ class FourthCumulantsTest {
 
     private companion object {
         const val SETS = 400
-        const val SEEDS = 12
+        const val SEEDS = 24
     }
 }

@@ -80,13 +80,12 @@ internal class SpinSection(private val study: Study) : Section {
         val rms = curve("rms spin", filled.map { spin(it, "w2").root() })
         val translational = curve("translational", filled.map { motion(it, "temperature") })
         val rotational = curve("rotational", filled.map { spin(it, "temperature") })
-        val one = study.input.omega ?: 1.0
-        val unit = if (study.isRing) "Ω" else units.rate
+        val one = study.scale.spin
         val level = rms.y[0] * radius[0]
         val shown = Curve("rms spin", radius, scaled(rms.y, one), scaled(rms.error!!, one))
         val inverse = Curve("∝ 1/r", radius, DoubleArray(radius.size) { level / radius[it] / one })
         val axis = study.lengthAxis("radius")
-        val figure = Chart.lines(listOf(shown, inverse), axis, UnitNames.axis("rms spin", unit), logX = true, logY = true)
+        val figure = Chart.lines(listOf(shown, inverse), axis, UnitNames.axis("rms spin", study.scale.spinName), logX = true, logY = true)
         study.draw(page, figure, "spin-by-size", "rms spin by size", "√⟨ω²⟩ of particles by size, the mean spin in it.")
         val temperatures = listOf(translational, rotational)
         val log = Chart.isWide(temperatures.flatMap { it.y.asList() })
