@@ -72,7 +72,8 @@ class SpinFilesTest {
             Vtp.write(state(p), file)
             val bytes = Files.readAllBytes(file)
             val text = String(bytes, Charsets.ISO_8859_1)
-            val array = Regex("Name=\"angular_velocity\" NumberOfComponents=\"3\" format=\"appended\" offset=\"(\\d+)\"")
+            val array =
+                Regex("Name=\"angular_velocity\" NumberOfComponents=\"3\" format=\"appended\" offset=\"(\\d+)\"")
             val offset = array.find(text)?.groupValues?.get(1)?.toInt()
             assertEquals(p.hasSpin, offset != null)
             if (offset == null) continue

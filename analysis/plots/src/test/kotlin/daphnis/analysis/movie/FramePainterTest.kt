@@ -59,7 +59,11 @@ class FramePainterTest {
     fun `what spins faster has the colour of more, whichever way round`() {
         // The fastest of few is beyond the range, as a rare one is.
         val three = populationOf(Sphere(2.0, -3.0, r = 0.5), Sphere(-2.0, 3.0, r = 0.5), Sphere(4.0, 4.0, r = 0.5))
-        val spun = three.withSpin(doubleArrayOf(0.0, 0.0, 9.0), doubleArrayOf(-3.0, 0.5, 0.0), doubleArrayOf(4.0, 0.0, 0.0))
+        val spun = three.withSpin(
+            doubleArrayOf(0.0, 0.0, 9.0),
+            doubleArrayOf(-3.0, 0.5, 0.0),
+            doubleArrayOf(4.0, 0.0, 0.0),
+        )
         var range: ColourRange? = null
         val image = paint(State(spun, Periodic(box), 0.0), colour = MovieColour.SPIN) { range = it.colours }
         assertEquals(0.0, range!!.low)
