@@ -35,7 +35,7 @@ class MovieCommand : CliktCommand(name = "movie") {
     private val colour by option(
         "--colour",
         "--color",
-        help = "what the colour means: speed against the mean flow (default), size, height, material or surface density",
+        help = "what the colour means: speed against the mean flow (default), spin, size, height, material or density",
     ).choice(MovieColour.entries.associateBy { it.word }).default(MovieColour.SPEED)
     private val fps by option(
         "--fps",
@@ -58,6 +58,9 @@ class MovieCommand : CliktCommand(name = "movie") {
         val path = pathOf(directory, "dir")
         // What was changed beside the states does not show, but for the units; a notice says it.
         val input = AnalysisInput.ofRun(path, acceptLoss = true)
+        if (colour == MovieColour.SPIN && !input.snapshot(input.size - 1).hasSpin) {
+            throw InputException("--colour", null, "is spin; it must be another: the spheres of $directory have none")
+        }
         for (notice in input.notices) warn(notice)
         val rate = fps ?: MovieOptions.rateFor(input.size)
         val file = target ?: path.resolve("plots").resolve("movie.gif")

@@ -25,7 +25,19 @@ class PartialPairsTest {
     fun `neighbours of a salt are of the other kind, those across the diagonal of the same`() {
         fun place(k: Int) = k - 2.5
         val n = 216
-        val at = List(3) { axis -> IntArray(n) { it / (if (axis == 0) 1 else if (axis == 1) 6 else 36) % 6 } }
+        val at = List(3) { axis ->
+            IntArray(n) {
+                it / (
+                    if (axis == 0) {
+                        1
+                    } else if (axis == 1) {
+                        6
+                    } else {
+                        36
+                    }
+                    ) % 6
+            }
+        }
         val x = List(3) { axis -> DoubleArray(n) { place(at[axis][it]) } }
         val zero = DoubleArray(n)
         val radius = DoubleArray(n) { if ((at[0][it] + at[1][it] + at[2][it]) % 2 == 0) 0.2 else 0.3 }
@@ -66,7 +78,19 @@ class PartialPairsTest {
 
     @Test
     fun `a group of one has no pairs with itself, particles of no group count nowhere`() {
-        val pairs = PairCorrelation(3.0, 2, groups = Kinds(2) { if (it == 0) 0 else if (it < 20) 1 else -1 })
+        val pairs = PairCorrelation(
+            3.0,
+            2,
+            groups = Kinds(2) {
+                if (it == 0) {
+                    0
+                } else if (it < 20) {
+                    1
+                } else {
+                    -1
+                }
+            },
+        )
         val found = pairs.of(uniform(40, boundary, 3))
         assertTrue(found[pairs.first(0, 0)].isNaN() && found[pairs.first(0, 1)].isFinite())
         val few = PairCorrelation(3.0, 2).of(uniform(20, boundary, 3))

@@ -38,6 +38,7 @@ class FourthCumulantsTest {
         val x = List(3) { DoubleArray(count) { random.nextDouble(-10.0, 10.0) } }
         val c = List(count) { vector(random) }
         val w = List(count) { vector(random) }
+
         // Equal energies, a drift, and in a sheared box a flow that is not straight.
         fun bent(y: Double) = if (shear == 0.0) 0.0 else shear * y + 2 * Math.signum(y)
         val v = List(3) { a ->
@@ -65,7 +66,7 @@ class FourthCumulantsTest {
     }
 
     @Test
-    fun `a Maxwellian has no cumulants, however few particles, of whatever sizes, and in a flow that is not straight`() {
+    fun `a Maxwellian has no cumulants, however few particles, of whatever sizes, and in a bent flow`() {
         val cases = listOf<(SeededRandom) -> State>(
             { state(3, it, vector = ::gaussian) },
             { state(10, it, vector = ::gaussian) },
@@ -75,7 +76,9 @@ class FourthCumulantsTest {
         for ((k, make) in cases.withIndex()) {
             val all = means(if (k < 3) 20_000 else 400, make)
             for (c in 1..3) {
-                assertTrue(abs(all[c].mean) < 4 * all[c].error && all[c].error < 0.005) { "case $k, column $c: ${all[c]}" }
+                assertTrue(abs(all[c].mean) < 4 * all[c].error && all[c].error < 0.005) {
+                    "case $k, column $c: ${all[c]}"
+                }
             }
         }
     }
@@ -100,12 +103,31 @@ class FourthCumulantsTest {
         for (c in 1..2) assertEquals(-2.0 / 7, ball[c].mean, 0.003)
         assertTrue(ball[1].error < 1e-3)
         val surface = means(400) { random ->
-            state(500, random) { r -> inBall(r).let { v -> sqrt(v.sumOf { it * it }).let { s -> DoubleArray(3) { v[it] / s } } } }
+            state(500, random) { r ->
+                inBall(r).let { v ->
+                    sqrt(v.sumOf { it * it }).let { s ->
+                        DoubleArray(3) {
+                            v[it] /
+                                s
+                        }
+                    }
+                }
+            }
         }
         assertEquals(-0.4, surface[1].mean, 0.005)
         // One in ten is five times as fast: ⟨c⁴⟩ and ⟨c²⟩ of the two Gaussians together.
         val mixed = means(60) { random ->
-            state(5000, random) { r -> (if (r.nextDouble() < 0.1) 5.0 else 1.0).let { f -> DoubleArray(3) { f * r.nextGaussian() } } }
+            state(5000, random) { r ->
+                (
+                    if (r.nextDouble() <
+                        0.1
+                    ) {
+                        5.0
+                    } else {
+                        1.0
+                    }
+                    ).let { f -> DoubleArray(3) { f * r.nextGaussian() } }
+            }
         }
         val wanted = (0.9 + 0.1 * 625) / ((0.9 + 2.5) * (0.9 + 2.5)) - 1
         assertEquals(wanted, mixed[1].mean, 0.02 * wanted)
@@ -147,9 +169,10 @@ class FourthCumulantsTest {
     @Tag("thorough")
     fun `a gas of smooth spheres that cools has the cumulant of theory before it clusters`(@TempDir home: Path) {
         for (e in listOf(0.9, 0.8)) {
-            val found = SampleMean.of(DoubleArray(SEEDS) { cooling(e, it + 1L, home.resolve("$e-$it")) })
-            println("e = $e: a2 = ${found.mean} ± ${found.error}, theory ${ofTheory(e)}")
-//A
+            val found = SampleMean.of(DoubleArray(SEEDS) { cooling(e, it + 101L, home.resolve("$e-$it")) })
+            // The theory leaves out higher cumulants: at 0.9 Monte Carlo of the Boltzmann equation has -0.0159 ± 0.0004.
+            assertEquals(ofTheory(e), found.mean, 3 * found.error + 0.1 * abs(ofTheory(e))) { "$e: $found" }
+            assertTrue(found.error < 0.002)
         }
     }
 
@@ -175,6 +198,6 @@ class FourthCumulantsTest {
 
     private companion object {
         const val SETS = 400
-        const val SEEDS = 12
+        const val SEEDS = 24
     }
 }

@@ -83,7 +83,7 @@ class RotationByGroupTest {
     }
 
     @Test
-    fun `partial temperatures are energies, equal where sizes share one, also where a particle has an eighth of the mass`() {
+    fun `partial temperatures are energies, equal where sizes share one, whatever part of the mass they have`() {
         val random = SeededRandom(9)
         val n = 12
         val sum = DoubleArray(2)

@@ -82,7 +82,8 @@ class CollisionTableTest {
 
     private companion object {
         const val HEAD = "step,time_in_step [units of time],id_lower,id_higher,impact_speed [units of length/time]," +
-            "coefficient,impulse [units of mass length/time],separation_x [units of length],separation_y [units of length]," +
+            "coefficient,impulse [units of mass length/time],separation_x [units of length]," +
+            "separation_y [units of length]," +
             "separation_z [units of length]"
     }
 }

@@ -19,6 +19,8 @@ import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -60,6 +62,26 @@ class SpinFilesTest {
                 if (format == H5md) assertEquals(stateDigest(p), stateDigest(back.population()))
                 assertEquals(if (back.hasSpin) 11 else 8, back.columnNames.size)
             }
+        }
+    }
+
+    @Test
+    fun `a file of VTK has spins as vectors of points where there are any`() {
+        for (p in listOf(smooth, spun)) {
+            val file = home.resolve("${p.hasSpin}.vtp")
+            Vtp.write(state(p), file)
+            val bytes = Files.readAllBytes(file)
+            val text = String(bytes, Charsets.ISO_8859_1)
+            val array =
+                Regex("Name=\"angular_velocity\" NumberOfComponents=\"3\" format=\"appended\" offset=\"(\\d+)\"")
+            val offset = array.find(text)?.groupValues?.get(1)?.toInt()
+            assertEquals(p.hasSpin, offset != null)
+            if (offset == null) continue
+            // The data begin behind the underscore, each array with its length in front.
+            val begin = text.indexOf('_', text.indexOf("<AppendedData")) + 1 + offset
+            val data = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).position(begin)
+            assertEquals(30 * 3 * 8L, data.getLong())
+            for (k in 0 until 30) for (w in listOf(p.wx, p.wy, p.wz)) assertEquals(w[k], data.getDouble())
         }
     }
 

@@ -118,6 +118,7 @@ internal class Legend(private val scene: Scene) {
         val scale = scene.scale
         return when (scene.options.colour) {
             MovieColour.SPEED -> UnitNames.axis("speed", scale.speedName) to 1 / scale.speed
+            MovieColour.SPIN -> UnitNames.axis("spin", scale.spinName) to 1 / scale.spin
             MovieColour.SIZE -> UnitNames.axis("radius", scale.units.length) to 1.0
             MovieColour.HEIGHT -> UnitNames.axis("z", scale.units.length) to 1.0
             MovieColour.MATERIAL -> "material" to 1.0

@@ -29,6 +29,9 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
         require(options.framesPerSecond <= format.mostFramesPerSecond) {
             "frames per second are ${options.framesPerSecond}; .${format.extension} takes ${format.mostFramesPerSecond}"
         }
+        require(options.colour != MovieColour.SPIN || input.snapshot(input.size - 1).hasSpin) {
+            "the colour is that of spins, which these spheres do not have"
+        }
         val samples = samples()
         val steps = 2 * samples.size + input.size
         val survey = Survey(options.even(format))

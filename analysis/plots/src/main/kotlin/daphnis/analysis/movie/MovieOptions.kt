@@ -73,6 +73,9 @@ public enum class MovieColour(public val word: String) {
     /** Speed against the mean flow that the boundary drives. */
     SPEED("speed"),
 
+    /** How fast a sphere spins, |ω|; relative to the frame in Hill's frame. Of rough spheres. */
+    SPIN("spin"),
+
     /** Radius. */
     SIZE("size"),
 

@@ -11,6 +11,9 @@ internal fun State.quantity(colour: MovieColour, k: Int): Double = when (colour)
         val z = againstFlow(k, 2)
         sqrt(x * x + y * y + z * z)
     }
+    MovieColour.SPIN -> population.let {
+        if (it.hasSpin) sqrt(it.wx[k] * it.wx[k] + it.wy[k] * it.wy[k] + it.wz[k] * it.wz[k]) else 0.0
+    }
     MovieColour.SIZE -> population.radius[k]
     MovieColour.HEIGHT -> population.z[k]
     MovieColour.MATERIAL -> if (population.hasMaterials) population.material[k] else 0.0

@@ -47,7 +47,7 @@ internal class Survey(private val options: MovieOptions) {
     private fun rangeOf(state: State, of: List<Int>): ColourRange? {
         val values = DoubleArray(of.size) { state.quantity(options.colour, of[it]) }
         return when (options.colour) {
-            MovieColour.SPEED -> ColourRange(0.0, quantile(values, 1 - RARE))
+            MovieColour.SPEED, MovieColour.SPIN -> ColourRange(0.0, quantile(values, 1 - RARE))
             MovieColour.SIZE -> ColourRange(values.min(), values.max(), mayBeLogarithmic = true)
             MovieColour.HEIGHT -> ColourRange(quantile(values, RARE), quantile(values, 1 - RARE))
             MovieColour.MATERIAL -> ColourRange(0.0, maxOf(values.max(), state.population.materials.size - 1.0))

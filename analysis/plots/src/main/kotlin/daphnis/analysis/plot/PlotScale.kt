@@ -22,6 +22,10 @@ public class PlotScale(public val units: UnitNames, omega: Double?, meanRadius: 
     /** One unit of speed of the plots, r Ω or 1. */
     public val speed: Double = if (omega == null) 1.0 else meanRadius * omega
     public val speedName: String = if (omega == null) units.speed else "r Ω"
+
+    /** One unit of angular speed of the plots, Ω or 1. */
+    public val spin: Double = omega ?: 1.0
+    public val spinName: String = if (omega == null) units.rate else "Ω"
     public val temperatureName: String = if (omega == null) units.temperature else "(r Ω)^2"
     public val rateName: String = if (omega == null) units.rate else "1/orbit"
 

@@ -28,7 +28,8 @@ internal class SpinSection(private val study: Study) : Section {
         return "$frame${study.overAverages} ${study.judgement.bars()}"
     }
     override val applies = study.motion.rotation != null
-    override val leftOut get() = study.tooFew() ?: if (shape.average(0).mean.isNaN()) "all particles spin alike" else null
+    override val leftOut get() = study.tooFew()
+        ?: if (shape.average(0).mean.isNaN()) "all particles spin alike" else null
 
     override fun add(state: State) {
         shape.add(state)
@@ -59,7 +60,9 @@ internal class SpinSection(private val study: Study) : Section {
         study.draw(page, figure, "spin-components", "distribution of the components of spins", caption)
         val ofModulus = Chart.lines(listOf(whole, maxwell), "modulus s", "density")
         study.draw(page, ofModulus, "spin-modulus", "distribution of the modulus of spins", "The modulus of the same.")
-        val columns = (axes + whole).flatMap { listOf(Column(it.name, "", it.y), Column("${it.name}_error", "", it.error!!)) }
+        val columns = (axes + whole).flatMap {
+            listOf(Column(it.name, "", it.y), Column("${it.name}_error", "", it.error!!))
+        }
         Table(
             "spin-distribution",
             listOf(Column("component", "", component)) + columns.take(6) + Column("maxwellian", "", gauss.y) +
@@ -80,13 +83,18 @@ internal class SpinSection(private val study: Study) : Section {
         val rms = curve("rms spin", filled.map { spin(it, "w2").root() })
         val translational = curve("translational", filled.map { motion(it, "temperature") })
         val rotational = curve("rotational", filled.map { spin(it, "temperature") })
-        val one = study.input.omega ?: 1.0
-        val unit = if (study.isRing) "Ω" else units.rate
+        val one = study.scale.spin
         val level = rms.y[0] * radius[0]
         val shown = Curve("rms spin", radius, scaled(rms.y, one), scaled(rms.error!!, one))
         val inverse = Curve("∝ 1/r", radius, DoubleArray(radius.size) { level / radius[it] / one })
         val axis = study.lengthAxis("radius")
-        val figure = Chart.lines(listOf(shown, inverse), axis, UnitNames.axis("rms spin", unit), logX = true, logY = true)
+        val figure = Chart.lines(
+            listOf(shown, inverse),
+            axis,
+            UnitNames.axis("rms spin", study.scale.spinName),
+            logX = true,
+            logY = true,
+        )
         study.draw(page, figure, "spin-by-size", "rms spin by size", "√⟨ω²⟩ of particles by size, the mean spin in it.")
         val temperatures = listOf(translational, rotational)
         val log = Chart.isWide(temperatures.flatMap { it.y.asList() })
@@ -98,7 +106,9 @@ internal class SpinSection(private val study: Study) : Section {
             Column("count", "", means(filled.map { spin(it, "count") })),
             Column("mean_radius", units.length, radius),
         )
-        val means = listOf("x", "y", "z").map { name -> curve("mean_spin_$name", filled.map { spin(it, "mean_w$name") }) }
+        val means = listOf("x", "y", "z").map { name ->
+            curve("mean_spin_$name", filled.map { spin(it, "mean_w$name") })
+        }
         val named = listOf(
             "rms_spin" to rms,
             "translational_temperature" to translational,

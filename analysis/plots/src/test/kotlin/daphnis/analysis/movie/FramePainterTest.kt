@@ -56,6 +56,24 @@ class FramePainterTest {
     }
 
     @Test
+    fun `what spins faster has the colour of more, whichever way round`() {
+        // The fastest of few is beyond the range, as a rare one is.
+        val three = populationOf(Sphere(2.0, -3.0, r = 0.5), Sphere(-2.0, 3.0, r = 0.5), Sphere(4.0, 4.0, r = 0.5))
+        val spun = three.withSpin(
+            doubleArrayOf(0.0, 0.0, 9.0),
+            doubleArrayOf(-3.0, 0.5, 0.0),
+            doubleArrayOf(4.0, 0.0, 0.0),
+        )
+        var range: ColourRange? = null
+        val image = paint(State(spun, Periodic(box), 0.0), colour = MovieColour.SPIN) { range = it.colours }
+        assertEquals(0.0, range!!.low)
+        assertEquals(0.5, State(spun, Periodic(box), 0.0).quantity(MovieColour.SPIN, 1))
+        assertEquals(5.0, State(spun, Periodic(box), 0.0).quantity(MovieColour.SPIN, 0))
+        assertTrue(image.shows(-3.0, 2.0) && image.shows(3.0, -2.0))
+        assertTrue(image.getRGB(80, 120) != image.getRGB(320, 280))
+    }
+
+    @Test
     fun `beyond a face the image goes on, where the shear has brought it`() {
         val sphere = Sphere(1.0, 4.9, 0.0, r = 0.4)
         assertTrue(paint(state(Periodic(box), sphere)).shows(-4.9, 1.0))
