@@ -268,14 +268,7 @@ class OddDraw(override val seed: Long) : Case {
     override fun simulation(engine: CollisionEngine): Simulation = Simulation(
         population.copy(),
         boundary,
-        CollisionForcing(
-            ConstantRestitution(coefficient),
-            guard,
-            engine,
-            recordCollisions = true,
-            roughness = surface.roughness,
-            momentFactor = surface.momentFactor,
-        ),
+        surface.collisions(ConstantRestitution(coefficient), guard, engine),
         FixedTimeStep(dt),
     )
 

@@ -1,5 +1,7 @@
 package daphnis.core.engine
 
+import daphnis.core.collision.CollapseGuard
+import daphnis.core.collision.Restitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRoughness
@@ -43,6 +45,16 @@ class SurfaceDraw(seed: Long) {
         }
         return population.withSpin(spins(), spins(), spins())
     }
+
+    /** Collisions of such spheres, which are recorded. */
+    fun collisions(restitution: Restitution, guard: CollapseGuard, engine: CollisionEngine) = CollisionForcing(
+        restitution,
+        guard,
+        engine,
+        recordCollisions = true,
+        roughness = roughness,
+        momentFactor = momentFactor,
+    )
 
     override fun toString(): String = if (isRough) ", rough" else ""
 
