@@ -33,7 +33,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     fun write() {
         outputs()
-        val spin = if (setup.population.hasSpin) ScenarioSetup.BYTES_PER_SPIN else 0.0
+        val spin = if (setup.population.hasSpin) BYTES_PER_SPIN else 0.0
         val each = ScenarioSetup.BYTES_PER_SPHERE + spin
         rows.add("memory", "${bytes(size * each)} of the heap of Java, ${bytes(each)} per sphere")
         rows.add(
@@ -135,6 +135,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private companion object {
+        /** What spins add: three columns in population, packed rows and their copy, as `jmap -histo` counts them. */
+        const val BYTES_PER_SPIN = 72.0
+
         const val SLACK = 1e-6
         const val MOST_WRITTEN = 1e12
         const val MOST_COUNTED = 100_000

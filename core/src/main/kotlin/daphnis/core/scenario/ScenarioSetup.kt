@@ -94,9 +94,6 @@ public class ScenarioSetup private constructor(
          */
         public const val BYTES_PER_SPHERE: Double = 340.0
 
-        /** What spins add: three columns in population, packed rows and their copy. */
-        public const val BYTES_PER_SPIN: Double = 72.0
-
         /**
          * Makes and checks everything.
          *
