@@ -36,12 +36,15 @@ def test_blocks_of_python_run(
     assert capsys.readouterr().out
 
 
-def test_the_notebook_runs_and_was_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+NOTEBOOKS = sorted((CHECKOUT / "docs" / "notebooks").glob("*.ipynb"))
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_notebook_runs_and_was_run(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("DAPHNIS_NOTEBOOK_ORBITS", "4")
-    path = CHECKOUT / "docs" / "notebooks" / "ring-patch.ipynb"
     assert path.stat().st_size < 1_000_000
     known: dict[str, Any] = {}
     cells = [cell for cell in json.loads(path.read_text("utf-8"))["cells"] if cell["cell_type"] == "code"]
@@ -64,8 +67,10 @@ def test_the_kotlin_descriptor_names_this_version_and_jars_that_are_there() -> N
 
 def test_what_the_documentation_shows_has_the_right_types(tmp_path: Path) -> None:
     api = pytest.importorskip("mypy.api")
-    notebook = json.loads((CHECKOUT / "docs" / "notebooks" / "ring-patch.ipynb").read_text("utf-8"))
-    shown = {"notebook": "\n".join("".join(c["source"]) for c in notebook["cells"] if c["cell_type"] == "code")}
+    shown = {}
+    for path in NOTEBOOKS:
+        cells = [cell for cell in json.loads(path.read_text("utf-8"))["cells"] if cell["cell_type"] == "code"]
+        shown[path.stem.replace("-", "_")] = "\n".join("".join(cell["source"]) for cell in cells)
     for page in PAGES:
         text = (CHECKOUT / page).read_text("utf-8")
         name = re.sub(r"\W", "_", page.removesuffix(".md"))

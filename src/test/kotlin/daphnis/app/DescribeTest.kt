@@ -163,6 +163,7 @@ class DescribeTest {
         val text = describe("rough-gas", """spins={"type":"rest","mean":[3,0,4]}""")
         assertEquals("0.5 of the tangential velocity is reversed; moment of inertia 0.4 m r^2", row(text, "roughness"))
         assertEquals("5 radians per unit of time (root mean square) at the start", row(text, "spins"))
+        assertTrue(row(text, "memory").endsWith(" of the heap of Java, 412 B per sphere")) { text }
         val coulomb = """roughness={"type":"coulomb","friction":0.3,"sticking":0.2,"momentFactor":0.5}"""
         val words = "sticking 0.2 unless friction 0.3 is too weak for that; moment of inertia 0.5 m r^2"
         assertEquals(words, row(describe("ring-patch", coulomb), "roughness"))

@@ -33,8 +33,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     fun write() {
         outputs()
-        val perSphere = "${bytes(ScenarioSetup.BYTES_PER_SPHERE)} per sphere"
-        rows.add("memory", "${bytes(size * ScenarioSetup.BYTES_PER_SPHERE)} of the heap of Java, $perSphere")
+        val spin = if (setup.population.hasSpin) BYTES_PER_SPIN else 0.0
+        val each = ScenarioSetup.BYTES_PER_SPHERE + spin
+        rows.add("memory", "${bytes(size * each)} of the heap of Java, ${bytes(each)} per sphere")
         rows.add(
             "run time",
             "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so",
@@ -134,6 +135,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private companion object {
+        /** What spins add: three columns in population, packed rows and their copy, as `jmap -histo` counts them. */
+        const val BYTES_PER_SPIN = 72.0
+
         const val SLACK = 1e-6
         const val MOST_WRITTEN = 1e12
         const val MOST_COUNTED = 100_000

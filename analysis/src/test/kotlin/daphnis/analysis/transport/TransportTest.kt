@@ -61,6 +61,21 @@ class TransportTest {
         assertEquals((2.0 + 2.4) / 2, Transport(TransportTable.read(hot), -3.0).compressibility.mean, 1e-12)
     }
 
+    @Test
+    fun `what works against the shear is momentum along the flow that is carried across it`() {
+        val rows = (0..3).map { t -> "$t,$t,10,10,0.5,0.3,0.2,0,0,0,0,0,0,0,1.5,0,0,0,0,0,0,0,${6 * t},0,0,0" }
+        val path = file(*rows.toTypedArray())
+        // Of smooth spheres both are the same, and the file has one.
+        for (axis in 0..1) {
+            assertEquals(0.2, Transport(TransportTable.read(path), -3.0, flowAxis = axis).collisional.mean, 1e-12)
+        }
+        Files.write(path, listOf("$header,virial_yx") + rows.mapIndexed { t, row -> "$row,${4.5 * t}" })
+        val rough = TransportTable.read(path)
+        assertEquals(0.2, Transport(rough, -3.0, flowAxis = 0).collisional.mean, 1e-12)
+        assertEquals(0.15, Transport(rough, -3.0, flowAxis = 1).collisional.mean, 1e-12)
+        assertEquals(0.15, Transport(rough, -3.0, flowAxis = 1).viscosity.mean, 1e-12)
+    }
+
     /**
      * Rows of a sheared gas whose temperature 1 + 0.1 [wobble] drives everything, pressures and stresses of both parts
      * together; γ = 2 in a box of Lees and Edwards. Intervals are of lengths 1 and 3 by turns.

@@ -30,7 +30,10 @@ internal class RoughBoltzmann(
     private val random = SeededRandom(seed)
 
     // Six numbers for each sphere: v, ω.
-    private val state = DoubleArray(6 * count) { (if (it % 6 < 3) 1.0 else sqrt(ratio / INERTIA)) * random.nextGaussian() }
+    private val state = DoubleArray(6 * count) {
+        (if (it % 6 < 3) 1.0 else sqrt(ratio / INERTIA)) *
+            random.nextGaussian()
+    }
     private var fastest = 9.0
 
     /** T_rot/T_tr. */
@@ -110,7 +113,8 @@ internal class RoughBoltzmann(
         for (a in 0..2) {
             val b = (a + 1) % 3
             val c = (a + 2) % 3
-            val spin = (state[i + 3 + b] + state[j + 3 + b]) / 2 * n[c] - (state[i + 3 + c] + state[j + 3 + c]) / 2 * n[b]
+            val spin =
+                (state[i + 3 + b] + state[j + 3 + b]) / 2 * n[c] - (state[i + 3 + c] + state[j + 3 + c]) / 2 * n[b]
             push[a] = (1 + beta) / 7 * (u[a] - approach * n[a] - spin)
         }
         for (a in 0..2) {

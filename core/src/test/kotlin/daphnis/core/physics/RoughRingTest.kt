@@ -128,7 +128,8 @@ class RoughRingTest {
             get() {
                 val mass = simulation.population.mass.sum()
                 val time = simulation.time - statistics.from
-                return 1.5 * (stress / states + statistics.virial[YX] / time / mass) / (statistics.dissipated / time / mass)
+                return 1.5 * (stress / states + statistics.virial[YX] / time / mass) /
+                    (statistics.dissipated / time / mass)
             }
 
         /** Slope of ln of the rms spin over ln of the radius. */

@@ -57,6 +57,21 @@ class RunOutputsTest {
     }
 
     @Test
+    fun `only rough spheres have all nine components of what collisions carry`() {
+        run("rough-ring", "rough", "output.transportEvery=1", "untilOrbits=0.2", "box.lengths=[40,40,20]")
+        run("ring-patch", "smooth", "output.transportEvery=1", "untilOrbits=0.02", "box.lengths=[40,40,20]")
+        val rough = table("rough/transport.csv")
+        // The spheres are at rest at first: surfaces turn them backwards, and what carries momentum turns the other way.
+        val turned = rough.getValue("virial_yx").last().toDouble() - rough.getValue("virial_xy").last().toDouble()
+        val spins = table("rough/series.csv").getValue("mean_spin_z").last().toDouble()
+        assertTrue(turned != 0.0 && spins < 0) { "$turned $spins" }
+        val inertia = 0.4 * 1.4826 * 1.4826 * rough.getValue("mass").last().toDouble()
+        assertEquals(-inertia * spins, turned, 1e-9 * Math.abs(turned))
+        val smooth = table("smooth/transport.csv").keys
+        assertEquals(rough.keys - setOf("virial_yx", "virial_zx", "virial_zy"), smooth)
+    }
+
+    @Test
     fun `series, transport and summary of the paper's box have one granular temperature`() {
         val summary =
             run(

@@ -268,13 +268,7 @@ class OddDraw(override val seed: Long) : Case {
     override fun simulation(engine: CollisionEngine): Simulation = Simulation(
         population.copy(),
         boundary,
-        CollisionForcing(
-            surface.law(ConstantRestitution(coefficient)),
-            guard,
-            engine,
-            recordCollisions = true,
-            momentFactor = surface.momentFactor,
-        ),
+        surface.collisions(ConstantRestitution(coefficient), guard, engine),
         FixedTimeStep(dt),
     )
 

@@ -1,5 +1,6 @@
 package daphnis.core.engine
 
+import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
@@ -104,6 +105,15 @@ class SurfaceDraw(private val seed: Long) {
         }
         return population.withSpin(spins(), spins(), spins())
     }
+
+    /** Collisions of such spheres, which are recorded. */
+    fun collisions(restitution: Restitution, guard: CollapseGuard, engine: CollisionEngine) = CollisionForcing(
+        law(restitution),
+        guard,
+        engine,
+        recordCollisions = true,
+        momentFactor = momentFactor,
+    )
 
     override fun toString(): String = listOf(
         if (isRough) ", rough" else "",

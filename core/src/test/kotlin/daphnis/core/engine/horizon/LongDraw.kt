@@ -14,7 +14,6 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SurfaceDraw
 import daphnis.core.engine.exchange
 import daphnis.core.force.Force
@@ -79,13 +78,7 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
     fun simulation(engine: CollisionEngine) = Simulation(
         start.copy(),
         boundary,
-        CollisionForcing(
-            surface.law(restitution),
-            guard,
-            engine,
-            recordCollisions = true,
-            momentFactor = surface.momentFactor,
-        ),
+        surface.collisions(restitution, guard, engine),
         FixedTimeStep(dt),
         forces(),
     )

@@ -14,7 +14,6 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SurfaceDraw
 import daphnis.core.engine.exchange
 import daphnis.core.force.Force
@@ -82,13 +81,7 @@ class DenseDraw(private val seed: Long) {
     fun simulation(engine: CollisionEngine, restitution: Restitution = this.restitution) = Simulation(
         start.copy(),
         boundary,
-        CollisionForcing(
-            surface.law(restitution),
-            guard,
-            engine,
-            recordCollisions = true,
-            momentFactor = surface.momentFactor,
-        ),
+        surface.collisions(restitution, guard, engine),
         FixedTimeStep(dt),
         if (hasForce) listOf(pull()) else emptyList(),
     )
