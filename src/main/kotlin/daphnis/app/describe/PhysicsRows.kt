@@ -138,7 +138,9 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
                 "bridges, ${number(law.prefactor)} v^${number(law.exponent)} with v in cm/s: $examples"
             is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
             is RestitutionSpec.Step ->
-                "step, ${number(law.below)} below ${number(law.speed)} cm/s, ${number(law.coefficient)} from there on: " +
+                "step, ${number(
+                    law.below,
+                )} below ${number(law.speed)} cm/s, ${number(law.coefficient)} from there on: " +
                     examples
             is RestitutionSpec.Table -> "table of ${law.points.size} points from ${law.points.first().inWords()} " +
                 "to ${law.points.last().inWords()}: $examples"

@@ -30,7 +30,9 @@ public class ViscoelasticRestitution @JvmOverloads constructor(
     public val cmPerSecond: Double = 1.0,
 ) : ContactLaw {
     init {
-        require(coefficient > 0 && coefficient <= 1) { "coefficient of restitution is $coefficient; it must be in (0, 1]" }
+        require(coefficient > 0 && coefficient <= 1) {
+            "coefficient of restitution is $coefficient; it must be in (0, 1]"
+        }
         require(speed > 0 && speed.isFinite()) { "its speed is $speed cm/s; it must be > 0" }
         require(radius > 0 && radius.isFinite()) { "its radius is $radius; it must be > 0" }
         require(mass > 0 && mass.isFinite()) { "its mass is $mass; it must be > 0" }

@@ -82,7 +82,9 @@ public class WallRoughnessSpec @JvmOverloads constructor(
 
     /** The surfaces of the walls across [axes] for a reader, such as `smooth; lowerZ sticking 0 …`. */
     internal fun inWords(axes: String, number: DoubleFunction<String>): String {
-        val others = "xyz".withIndex().any { (axis, name) -> name in axes && (0..1).any { named[2 * axis + it] == null } }
+        val others = "xyz".withIndex().any { (axis, name) ->
+            name in axes && (0..1).any { named[2 * axis + it] == null }
+        }
         val parts = named.mapIndexedNotNull { face, spec -> spec?.let { "${NAMES[face]} ${it.inWords(number)}" } }
         val rest = (all?.inWords(number) ?: "smooth").takeIf { others }
         return (parts + listOfNotNull(rest?.let { if (parts.isEmpty()) it else "others $it" })).joinToString("; ")

@@ -1,8 +1,8 @@
 package daphnis.core.collision
 
+import daphnis.core.Sphere
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
-import daphnis.core.Sphere
 import daphnis.core.populationOf
 import daphnis.core.surface.SurfaceContact
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -56,7 +56,13 @@ class ViscoelasticRestitutionTest {
             val v = 10.0.pow(power / 4.0)
             val e = contact.restitution(v)
             val error = law.of(v) - e
-            val bound = if (e >= 0.8) 3e-4 else if (e >= 0.5) 0.0032 else 0.009
+            val bound = if (e >= 0.8) {
+                3e-4
+            } else if (e >= 0.5) {
+                0.0032
+            } else {
+                0.009
+            }
             assertTrue(error > -2e-6 && error < bound) { "at $v: $e, error $error" }
             least = minOf(least, e)
             most = maxOf(most, error)

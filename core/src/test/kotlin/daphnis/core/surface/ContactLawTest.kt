@@ -52,7 +52,8 @@ class ContactLawTest {
         }
     }
 
-    private val apart = listOf(Sphere(vx = 3.0, vy = 1.0, vz = -2.0, r = 0.5, m = 2.0), Sphere(x = 2.0, r = 1.5, m = 6.0))
+    private val apart =
+        listOf(Sphere(vx = 3.0, vy = 1.0, vz = -2.0, r = 0.5, m = 2.0), Sphere(x = 2.0, r = 1.5, m = 6.0))
     private val pair = populationOf(*apart.toTypedArray())
     private val spinning = pair.withSpin(doubleArrayOf(0.0, 0.0), doubleArrayOf(0.0, 0.0), doubleArrayOf(2.0, 4.0))
 
@@ -156,6 +157,19 @@ class ContactLawTest {
         }
         val nan = refused(spinning, Noting(isRough = true, { 1.0 }, { Double.NaN }))
         assertTrue(nan.startsWith("the coefficient of tangential restitution is NaN where surfaces slide at ")) { nan }
+    }
+
+    @Test
+    fun `an outcome keeps nothing of surfaces that do not rub, and both spheres the time of the impact`() {
+        val outcome = CollisionOutcome()
+        val rough = CollisionLaw(Noting(isRough = true, { 0.75 }, { 0.0 }))
+        assertTrue(rough.collide(rows(spinning), 0, 1, 0, still, 0.0, outcome))
+        assertTrue(outcome.rubbed > 0 && outcome.slideY != 0.0)
+        val smooth = CollisionLaw(Noting(isRough = false, { 0.75 }), ContactDurationGuard(0.1))
+        val rows = StepRows().apply { load(spinning, intArrayOf(0, 1), 1.0, true) }
+        assertTrue(smooth.collide(rows, 0, 1, 0, still, 0.25, outcome))
+        assertEquals(listOf(0.0, 0.0, 0.0, 0.0), with(outcome) { listOf(slideX, slideY, slideZ, rubbed) })
+        assertEquals(listOf(0.25, 0.25), List(2) { rows.lastCollision[it] })
     }
 
     @Test
