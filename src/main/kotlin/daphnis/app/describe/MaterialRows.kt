@@ -50,8 +50,10 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
     private fun <T> words(serializer: KSerializer<T>, law: T): String {
         val keys = JSON.encodeToJsonElement(serializer, law).jsonObject
         val type = (keys["type"] as? JsonPrimitive)?.content.orEmpty()
-        return (listOf(type) + keys.filter { (key, value) -> key != "type" && value !is JsonNull }
-            .map { (key, value) -> "$key $value" }).joinToString(", ")
+        return (
+            listOf(type) + keys.filter { (key, value) -> key != "type" && value !is JsonNull }
+                .map { (key, value) -> "$key $value" }
+            ).joinToString(", ")
     }
 
     private companion object {

@@ -138,8 +138,14 @@ class MaterialColumnsTest {
     fun `partial temperatures are energies without the flow and the mean, and bodies have none`() {
         val zero = DoubleArray(4)
         val p = Population(
-            zero.copyOf(), doubleArrayOf(1.0, -1.0, 1.0, -1.0), zero.copyOf(), doubleArrayOf(3.0, 1.0, 2.0, 9.0),
-            zero.copyOf(), zero.copyOf(), DoubleArray(4) { 0.1 }, doubleArrayOf(1.0, 1.0, 2.0, 50.0),
+            zero.copyOf(),
+            doubleArrayOf(1.0, -1.0, 1.0, -1.0),
+            zero.copyOf(),
+            doubleArrayOf(3.0, 1.0, 2.0, 9.0),
+            zero.copyOf(),
+            zero.copyOf(),
+            DoubleArray(4) { 0.1 },
+            doubleArrayOf(1.0, 1.0, 2.0, 50.0),
         ).withMaterial(intArrayOf(0, 0, 1, 2), names)
         // v_x = ½ y of the flow: without it 5/2, 3/2, 3/2, of which the mean is 7/4.
         val flow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = 0.5)
