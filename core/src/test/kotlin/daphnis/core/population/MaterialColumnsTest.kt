@@ -77,7 +77,7 @@ class MaterialColumnsTest {
         val e = assertThrows(IllegalArgumentException::class.java) {
             made().add(others().withMaterial(IntArray(20), listOf("ice")))
         }
-        assertTrue("[ice]; they must be [ice, rock, iron]" in e.message!!) { e.message }
+        assertTrue("[ice]; they must be [ice, rock, iron], as" in e.message!!) { e.message }
     }
 
     private fun Population.copyAnew() = Population(x, y, z, vx, vy, vz, radius, mass, id)
