@@ -210,8 +210,7 @@ public class Population internal constructor(
     public fun withMaterial(material: IntArray, names: List<String>): Population {
         require(names.isNotEmpty()) { "no material is named; give a name for each number" }
         val numbers = listOf(DoubleArray(material.size) { material[it].toDouble() })
-        val columns = PopulationColumns.joined(listOf(this)).with(SphereQuantity.MATERIAL, numbers)
-        return copyOf(columns, names.toList())
+        return copyOf(PopulationColumns.joined(listOf(this)).with(SphereQuantity.MATERIAL, numbers), names.toList())
     }
 
     /** A deep copy. */
