@@ -222,3 +222,38 @@ def test_a_run_has_the_spins_of_its_states(tmp_path: Any) -> None:
     assert one.last().spin.any() and np.array_equal(one.last().spin, two.last().spin)
     assert one.series["rotational_energy"].iloc[-1] > 0
     assert one.series.attrs["units"]["mean_spin_x"] == "units of 1/time"
+
+
+def test_spheres_have_materials(gas: dict[str, Any], spheres: dict[str, Any], tmp_path: Any) -> None:
+    sticky = {"type": "constant", "coefficient": 0.3}
+    mixed = {**gas, "contacts": [{"between": ["ice", "rock"], "restitution": sticky}]}
+    words = ["ice", "rock"] * 500
+    ends = []
+    for material, materials in ((words, None), (np.arange(1000) % 2, ["ice", "rock"]), (words, ["ice", "rock"])):
+        with daphnis.Simulation(mixed, **spheres, material=material, materials=materials) as simulation:
+            state = simulation.advance_to(2.0).state()
+            assert state.materials == ["ice", "rock"]
+            assert state.material is not None and np.array_equal(state.material, np.arange(1000) % 2)
+            assert np.array_equal(state.to_frame()["material"], state.material)
+            ends.append(simulation.digest)
+    assert len(set(ends)) == 1
+    with daphnis.Simulation(gas, **spheres) as simulation:
+        state = simulation.advance_to(2.0).state()
+        assert state.material is None and state.materials == [] and "material" not in state.to_frame()
+        assert simulation.digest != ends[0]
+    for wrong, message in (
+        ({"material": words[:5]}, "material: has the shape"),
+        ({"material": [0.5] * 1000}, "material: has the type float64; it must be names or whole numbers"),
+        ({"material": [0] * 1000}, "materials: is missing"),
+        ({"material": [2] * 1000, "materials": ["ice", "rock"]}, "material: has 2; it must be a number in 0..1"),
+        ({"material": ["ice", "sand"] * 500, "materials": ["ice", "rock"]}, "material: has 'sand'"),
+        ({"materials": ["ice"]}, "materials: is given without material"),
+        ({"material": ["ice", "a b"] * 500}, "must be a word of letters, digits"),
+    ):
+        with pytest.raises(daphnis.InputError, match=message):
+            daphnis.Simulation(mixed, **spheres, **wrong)
+    run = daphnis.run("mixture", tmp_path / "run", set={"particles.count": 200, "box.lengths": [20, 20, 20]}, steps=20)
+    last = run.last()
+    assert last.materials == ["heavy", "light"] and np.bincount(last.material).tolist() == [100, 100]
+    assert set(last.mass[last.material == 0]) == {8.0}
+    assert run.series["temperature_heavy"].iloc[-1] > 0

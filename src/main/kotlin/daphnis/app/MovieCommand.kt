@@ -35,7 +35,8 @@ class MovieCommand : CliktCommand(name = "movie") {
     private val colour by option(
         "--colour",
         "--color",
-        help = "what the colour means: speed against the mean flow (default), spin, size, height, material or density",
+        help = "what the colour means: speed against the mean flow (default), spin, size, height, material or " +
+            "surface density",
     ).choice(MovieColour.entries.associateBy { it.word }).default(MovieColour.SPEED)
     private val fps by option(
         "--fps",

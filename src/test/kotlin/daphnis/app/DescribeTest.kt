@@ -140,6 +140,20 @@ class DescribeTest {
     }
 
     @Test
+    fun `each material has a line, and so has each contact`() {
+        val pair = """{"between":["light","heavy"],"restitution":{"type":"constant","coefficient":0.5}}"""
+        val like = """{"between":["heavy","heavy"],"roughness":{"type":"constant","coefficient":0.3}}"""
+        val text = describe("mixture", "contacts=[$pair,$like]", "box.lengths=[60,60,60]", BODY)
+        assertTrue("heavy: 2000 spheres, radius 1 length unit, mass 8 mass units" in row(text, "materials")) { text }
+        assertTrue("light: 2000 spheres, radius 0.5 length units, mass 1 mass unit" in text) { text }
+        assertTrue("moon: 1 sphere, radius 5 length units" in text && "of moon, at 0 length units" in text) { text }
+        assertTrue("light with heavy: restitution constant, coefficient 0.5" in row(text, "contacts")) { text }
+        assertTrue("heavy with heavy: roughness constant, coefficient 0.3" in text) { text }
+        val plain = describe("cooling-gas")
+        assertFalse("materials" in plain || "contacts" in plain) { plain }
+    }
+
+    @Test
     fun `laws by name say what they are, and the coefficient at two speeds`() {
         val units = """units={"speedInCmPerSecond":2}"""
         fun said(law: String) = row(describe("cooling-gas", "restitution=$law", units), "restitution")
@@ -269,5 +283,9 @@ class DescribeTest {
             -1.5e-20 to "-1.5e-20", 1e20 to "1e20", 1e-10 to "1e-10", Double.NaN to "NaN",
         )
         for ((value, text) in cases) assertEquals(text, Quantities.number(value))
+    }
+
+    private companion object {
+        const val BODY = """bodies=[{"radius":5,"position":[0,0,0],"material":"moon"}]"""
     }
 }

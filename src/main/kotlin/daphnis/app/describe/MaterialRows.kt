@@ -5,6 +5,7 @@ import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.ScenarioSetup
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.jsonObject
 
@@ -49,7 +50,10 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
     private fun <T> words(serializer: KSerializer<T>, law: T): String {
         val keys = JSON.encodeToJsonElement(serializer, law).jsonObject
         val type = (keys["type"] as? JsonPrimitive)?.content.orEmpty()
-        return (listOf(type) + keys.filterKeys { it != "type" }.map { (key, value) -> "$key $value" }).joinToString(", ")
+        return (
+            listOf(type) + keys.filter { (key, value) -> key != "type" && value !is JsonNull }
+                .map { (key, value) -> "$key $value" }
+            ).joinToString(", ")
     }
 
     private companion object {

@@ -125,7 +125,13 @@ internal class H5mdParticles(
             image?.let { data -> Array(3) { axis -> IntArray(count) { data[cube(t, order[it], axis)] } } },
             head.hasTime, head.shift, id != null, species = made,
         )
-        return if (materials.isEmpty() || made == null) state else state.withMaterials(made.numbers(materials), materials)
+        return if (materials.isEmpty() ||
+            made == null
+        ) {
+            state
+        } else {
+            state.withMaterials(made.numbers(materials), materials)
+        }
     }
 
     private fun at(isByFrame: Boolean, t: Int, k: Int) = if (isByFrame) t * count + k else k

@@ -171,8 +171,7 @@ public class Snapshot internal constructor(
     }
 
     /** The same state, arrays shared, without materials. */
-    internal fun withoutMaterials(): Snapshot =
-        with(known = known - SphereQuantity.MATERIAL, materials = emptyList())
+    internal fun withoutMaterials(): Snapshot = with(known = known - SphereQuantity.MATERIAL, materials = emptyList())
 
     /** Edge vectors of the cell, by row: the one along [normalAxis] leans by the offset of sliding images. */
     public fun edges(): Array<DoubleArray> = Array(3) { row ->

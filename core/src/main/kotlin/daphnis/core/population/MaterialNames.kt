@@ -7,8 +7,7 @@ internal object MaterialNames {
     private val WORD = Regex("[A-Za-z0-9_-]+")
 
     /** What is wrong with [name], in words that follow it; null when it is a plain word, which every file can hold. */
-    fun problem(name: String): String? =
-        if (WORD.matches(name)) null else "must be a word of letters, digits, _ and -"
+    fun problem(name: String): String? = if (WORD.matches(name)) null else "must be a word of letters, digits, _ and -"
 
     /**
      * Checks that [names] are plain words, and that each of the [spheres] has the number of one.

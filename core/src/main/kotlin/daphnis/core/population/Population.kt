@@ -69,34 +69,12 @@ public class Population internal constructor(
     ) : this(PopulationColumns.of(arrayOf(x, y, z, vx, vy, vz, radius, mass), id))
 
     init {
-        val n = x.size
-        for (place in SphereQuantity.present(optional)) {
-            require(column(place).size == n) { "${nameOf(place)} has ${column(place).size} entries, x has $n" }
-        }
-        require(id.size == n) { "id has ${id.size} entries, x has $n" }
-        for (quantity in SphereQuantity.EXPORTED) {
-            if (quantity.isIn(optional)) for (place in quantity.places) check(quantity, place)
-        }
+        PopulationCheck.columns(now)
         MaterialNames.check(this, materials)
-        for (k in 0 until n) require(id[k] >= 0) { "id ${id[k]} is negative; ids must be at least 0" }
-        val sorted = id.copyOf().apply { sort() }
-        for (k in 1 until n) require(sorted[k] != sorted[k - 1]) { "id ${sorted[k]} occurs twice" }
-        idPlaces = IdPlaces(sorted)
+        idPlaces = IdPlaces(PopulationCheck.sortedIds(id))
         crossings = Crossings(idPlaces)
         crossingsBefore = crossings
     }
-
-    private fun check(quantity: SphereQuantity, place: Int) {
-        val column = column(place)
-        for (k in 0 until size) {
-            require(column[k].isFinite()) { "${nameOf(place)} of particle ${id[k]} is ${column[k]}; it must be finite" }
-            require(!quantity.isPositive || column[k] > 0) {
-                "${nameOf(place)} of particle ${id[k]} is ${column[k]}; it must be > 0"
-            }
-        }
-    }
-
-    private fun nameOf(place: Int) = SphereQuantity.at(place).let { it.columns[place - it.place] }
 
     /**
      * The present index of the sphere with the stable id [id], or −1 when there is none. Allocates nothing once warm.
@@ -176,13 +154,7 @@ public class Population internal constructor(
     public fun add(others: Population) {
         if (others.size == 0) return
         for (id in others.id) require(indexOf(id) < 0) { "id $id is taken; a sphere that is added needs a new one" }
-        require(hasSpin || !others.hasSpin) { "spheres to be added have spins, those that are there none" }
-        require(hasMaterials || !others.hasMaterials) {
-            "spheres to be added have materials, those that are there none"
-        }
-        require(!others.hasMaterials || others.materials == materials) {
-            "materials of spheres to be added are ${others.materials}; they must be $materials as of those that are there"
-        }
+        PopulationCheck.mayJoin(this, others)
         val all = PopulationColumns.joined(listOf(now, others.now))
         val places = IdPlaces(all.id.copyOf().apply { sort() })
         val counts = Crossings(places)
@@ -238,8 +210,7 @@ public class Population internal constructor(
     public fun withMaterial(material: IntArray, names: List<String>): Population {
         require(names.isNotEmpty()) { "no material is named; give a name for each number" }
         val numbers = listOf(DoubleArray(material.size) { material[it].toDouble() })
-        val columns = PopulationColumns.joined(listOf(this)).with(SphereQuantity.MATERIAL, numbers)
-        return copyOf(columns, names.toList())
+        return copyOf(PopulationColumns.joined(listOf(this)).with(SphereQuantity.MATERIAL, numbers), names.toList())
     }
 
     /** A deep copy. */

@@ -117,7 +117,6 @@ internal class DrawnRadii(
         checkCount(key, value, wanted / kinds.maxOf { measure(it, it.most) })
         val random = stream()
         var radii = DoubleArray(FEW)
-        var of = IntArray(FEW)
         val taken = IntArray(kinds.size)
         var count = 0
         var sum = 0.0
@@ -132,17 +131,17 @@ internal class DrawnRadii(
                 if (!isRoomFor(2.0 * count)) foresee(key, value, count, volume, sum / wanted, margin = 1.0)
                 checkMemory(key, 2.0 * count)
                 radii = radii.copyOf(2 * count)
-                of = of.copyOf(2 * count)
             }
-            radii[count] = r
-            of[count++] = kind
+            radii[count++] = r
             taken[kind]++
             sum += its
             volume += SphereKind.volume(r)
             if (volume >= CLOSEST_PACKING * box.volume) checkFilling(key, value, volume, "at least ")
         }
         check.that(key, value, count >= 1) { "is less than one sphere in this box" }
-        return mixed(radii.copyOf(count), of.copyOf(count), random)
+        taken.fill(0)
+        val of = IntArray(count) { k -> next(taken, k).also { taken[it]++ } }
+        return mixed(radii.copyOf(count), of, random)
     }
 
     /** The kind that is farthest behind its share, of which so many have been [taken], in all [count]. */

@@ -154,7 +154,8 @@ internal class FileState(
             return snapshot.withMaterials(numbers, materials)
         }
         if (materials.size > 1) {
-            notices += "${spec.path} does not say what spheres are made of: all are of the first material, ${materials[0]}"
+            notices +=
+                "${spec.path} does not say what spheres are made of: all are of the first material, ${materials[0]}"
         }
         return snapshot.withMaterials(IntArray(snapshot.size), materials)
     }

@@ -33,7 +33,9 @@ internal class InitialState(
     fun population(isPlaced: Boolean = true): Population {
         val placement = scenario.placement
         if (placement is PlacementSpec.File) {
-            return FileState(scenario, boundary, placement, check, materials.names, start).population(notices) { stream(SPINS) }
+            return FileState(scenario, boundary, placement, check, materials.names, start).population(notices) {
+                stream(SPINS)
+            }
         }
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")

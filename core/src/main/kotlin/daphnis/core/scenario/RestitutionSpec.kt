@@ -97,7 +97,14 @@ internal fun RestitutionSpec.law(scenario: Scenario, check: ValueCheck, key: Str
             StepRestitution(speed, coefficient, below, unit)
         }
         is RestitutionSpec.Table -> table(key, unit, check)
-        is RestitutionSpec.Viscoelastic -> viscoelastic(scenario.particles?.takeIf { it.materials == null }, key, unit, check)
+        is RestitutionSpec.Viscoelastic -> viscoelastic(
+            scenario.particles?.takeIf {
+                it.materials == null
+            },
+            key,
+            unit,
+            check,
+        )
     }
 }
 

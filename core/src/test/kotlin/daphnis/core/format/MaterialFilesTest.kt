@@ -127,7 +127,9 @@ class MaterialFilesTest {
         assertEquals(emptyList<String>(), notices)
         assertEquals(listOf(1, 0), snapshot.species!!.numbers(listOf("O", "H")).toList())
         val e = assertThrows(FormatException::class.java) { snapshot.species!!.numbers(listOf("O", "C")) }
-        assertTrue("particles of 'H' are of none of the materials O, C, nor of a number 0 to 1" in e.message!!) { e.message }
+        assertTrue("particles of 'H' are of none of the materials O, C, nor of a number 0 to 1" in e.message!!) {
+            e.message
+        }
         val dump = read(written(LammpsDump, made).path)
         assertFalse(dump.hasMaterials)
         assertEquals(List(30) { it % 2 }, dump.species!!.numbers(listOf("ice", "rock")).toList())

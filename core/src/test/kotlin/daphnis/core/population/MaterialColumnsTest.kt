@@ -77,7 +77,7 @@ class MaterialColumnsTest {
         val e = assertThrows(IllegalArgumentException::class.java) {
             made().add(others().withMaterial(IntArray(20), listOf("ice")))
         }
-        assertTrue("[ice]; they must be [ice, rock, iron]" in e.message!!) { e.message }
+        assertTrue("[ice]; they must be [ice, rock, iron], as" in e.message!!) { e.message }
     }
 
     private fun Population.copyAnew() = Population(x, y, z, vx, vy, vz, radius, mass, id)
@@ -138,8 +138,14 @@ class MaterialColumnsTest {
     fun `partial temperatures are energies without the flow and the mean, and bodies have none`() {
         val zero = DoubleArray(4)
         val p = Population(
-            zero.copyOf(), doubleArrayOf(1.0, -1.0, 1.0, -1.0), zero.copyOf(), doubleArrayOf(3.0, 1.0, 2.0, 9.0),
-            zero.copyOf(), zero.copyOf(), DoubleArray(4) { 0.1 }, doubleArrayOf(1.0, 1.0, 2.0, 50.0),
+            zero.copyOf(),
+            doubleArrayOf(1.0, -1.0, 1.0, -1.0),
+            zero.copyOf(),
+            doubleArrayOf(3.0, 1.0, 2.0, 9.0),
+            zero.copyOf(),
+            zero.copyOf(),
+            DoubleArray(4) { 0.1 },
+            doubleArrayOf(1.0, 1.0, 2.0, 50.0),
         ).withMaterial(intArrayOf(0, 0, 1, 2), names)
         // v_x = ½ y of the flow: without it 5/2, 3/2, 3/2, of which the mean is 7/4.
         val flow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = 0.5)

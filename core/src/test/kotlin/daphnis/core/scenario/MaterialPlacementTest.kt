@@ -23,14 +23,14 @@ import daphnis.core.run.results
 import daphnis.core.run.tableScenario
 import daphnis.core.run.toStep
 import daphnis.core.surface.MaterialLaws
-import java.nio.file.Files
-import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** Materials of states from files and of runs. */
 class MaterialPlacementTest {
@@ -87,7 +87,11 @@ class MaterialPlacementTest {
         assertTrue(one.notices.none { "material" in it }) { "${one.notices}" }
         val two = placed(file, """placement.materials=["ice", "rock"]""")
         assertEquals(listOf(0.0, 0.0, 0.0), two.population.material.toList())
-        assertTrue(two.notices.any { "does not say what spheres are made of: all are of the first material, ice" in it })
+        assertTrue(
+            two.notices.any {
+                "does not say what spheres are made of: all are of the first material, ice" in it
+            },
+        )
     }
 
     @Test
@@ -111,7 +115,9 @@ class MaterialPlacementTest {
             placed(file, "placement.materials=$names")
         }.message.orEmpty()
         assertTrue("placement.materials: is empty" in refused("[]"))
-        assertTrue("placement.materials[1]: is 'ice', which another material is called" in refused("""["ice", "ice"]"""))
+        assertTrue(
+            "placement.materials[1]: is 'ice', which another material is called" in refused("""["ice", "ice"]"""),
+        )
         assertTrue("placement.materials[0]: is 'a b'; it must be a word" in refused("""["a b"]"""))
     }
 
@@ -137,7 +143,11 @@ class MaterialPlacementTest {
         val second = Run.start(again, "again", home.resolve("again")).use { it.execute() }
         assertEquals(whole.stateDigest, second.stateDigest)
         val other = mixture("contacts[0].restitution.coefficient=0.9")
-        assertTrue(whole.stateDigest != Run.start(other, "test", home.resolve("other")).use { it.execute() }.stateDigest)
+        assertTrue(
+            whole.stateDigest != Run.start(other, "test", home.resolve("other")).use {
+                it.execute()
+            }.stateDigest,
+        )
         val run = Run.open(home.resolve("whole"))
         val state = run.atStep(run.steps()[1])
         val from = Run.start(again, "test", home.resolve("from"), from = RunOrigin(run, state)).use { it.execute() }

@@ -81,8 +81,13 @@ class MaterialScenarioTest {
         fun total(key: String) = setup("""particles={$key, "materials": $half}""").population
         val volume = 4.0 / 3.0 * Math.PI
         for ((key, wanted, measure) in listOf(
-            Triple("\"fillingFactor\": 0.1", 0.1 * 120000) { q: Population, k: Int -> volume * Math.pow(q.radius[k], 3.0) },
-            Triple("\"opticalDepth\": 0.8", 0.8 * 3000) { q: Population, k: Int -> Math.PI * q.radius[k] * q.radius[k] },
+            Triple("\"fillingFactor\": 0.1", 0.1 * 120000) { q: Population, k: Int ->
+                volume *
+                    Math.pow(q.radius[k], 3.0)
+            },
+            Triple("\"opticalDepth\": 0.8", 0.8 * 3000) { q: Population, k: Int ->
+                Math.PI * q.radius[k] * q.radius[k]
+            },
             Triple("\"surfaceDensity\": 1.5", 1.5 * 3000) { q: Population, k: Int -> q.mass[k] },
         )) {
             val q = total(key)
@@ -121,7 +126,10 @@ class MaterialScenarioTest {
         val other = setup(plain, "bodies=[$moonlet, {\"radius\": 3, \"position\": [20, 0, 0]}]").population
         assertEquals(listOf("particles", "moonlet"), other.materials)
         assertEquals(List(9) { 0.0 } + listOf(1.0, 0.0), other.material.toList())
-        assertTrue("bodies[0].material: is missing; give one of ice, rock" in refused("bodies=[{\"radius\": 3, \"position\": [0, 0, 0]}]"))
+        assertTrue(
+            "bodies[0].material: is missing; give one of ice, rock" in
+                refused("bodies=[{\"radius\": 3, \"position\": [0, 0, 0]}]"),
+        )
     }
 
     @Test
@@ -147,7 +155,8 @@ class MaterialScenarioTest {
         val surfaces = setup("""contacts=[{"between": ["ice", "ice"], "roughness": $ROUGH}]""")
         assertTrue(surfaces.restitution is Restitution && surfaces.roughness is MaterialRoughness)
         assertTrue(surfaces.population.hasSpin)
-        val normal = setup("""contacts=[{"between": ["ice", "ice"], "restitution": {"type": "constant", "coefficient": 0.5}}]""")
+        val normal =
+            setup("""contacts=[{"between": ["ice", "ice"], "restitution": {"type": "constant", "coefficient": 0.5}}]""")
         assertTrue(normal.restitution is MaterialLaws && normal.roughness == null && !normal.population.hasSpin)
     }
 
@@ -176,7 +185,8 @@ class MaterialScenarioTest {
             "$materials[1].name=ice" to "$materials[1].name: is 'ice', which another material is called",
             "$materials[1].count=5" to "$materials[0]: needs a share or a count",
             "$materials=[]" to "$materials: is empty; name one or leave it out",
-            """particles.sizes={"type": "equal", "radius": 1}""" to "particles.sizes: must be left out where there are materials",
+            """particles.sizes={"type": "equal", "radius": 1}""" to
+                "particles.sizes: must be left out where there are materials",
             "particles.density=2" to "particles.density: must be left out",
             "particles.mass=2" to "particles.mass: must be left out",
             "$materials[1].sizes.minimum=-1" to "$materials[1].sizes: ",
@@ -185,7 +195,8 @@ class MaterialScenarioTest {
             contacts("\"ice\", \"rok\"") to "contacts[0].between: is rok; did you mean 'rock'? known: ice, rock",
             """contacts=[$PAIR, {"between": ["rock", "ice"], "roughness": $ROUGH}]""" to
                 "contacts[1].between: names rock, ice a second time",
-            """contacts=[{"between": ["ice", "ice"]}]""" to "contacts[0]: says nothing; give restitution, roughness, or both",
+            """contacts=[{"between": ["ice", "ice"]}]""" to
+                "contacts[0]: says nothing; give restitution, roughness, or both",
             """contacts=[{"between": ["ice", "ice"], "roughness": {"type": "smooth", "momentFactor": 0.5}}]""" to
                 "contacts[0].roughness.momentFactor: is that of all spheres",
             """contacts=[{"between": ["ice", "ice"], "roughness": {"type": "constant", "coefficient": 2}}]""" to

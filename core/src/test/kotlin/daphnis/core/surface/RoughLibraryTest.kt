@@ -3,15 +3,20 @@ package daphnis.core.surface
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
+import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
+import daphnis.core.boundary.Periodic
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.population.MaterialSums
+import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
+import daphnis.core.randomSpheres
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** The example of rough spheres in docs/library.md. */
+/** The examples of rough spheres and materials in docs/library.md. */
 class RoughLibraryTest {
     @Test
     fun `a law of one's own is asked about each impact`() {
@@ -31,5 +36,21 @@ class RoughLibraryTest {
         // Equal impulses: spins are as the inverses of mass · radius.
         assertEquals(1.5, one / other, 1e-12)
         assertTrue(one != 0.0)
+    }
+
+    @Test
+    fun `materials of one's own have laws by pair`() {
+        val boundary = Periodic(Box.centred(9.0, 9.0, 9.0))
+        val spheres = randomSpheres(100, boundary, 4, 1.0) { 0.5 }
+        // example: materials
+        val mixture = spheres.withMaterial(IntArray(spheres.size) { it % 2 }, listOf("ice", "rock"))
+        val law = MaterialLaws(ConstantRestitution(0.9)).between(0, 1, ConstantRestitution(0.3))
+        val simulation = Simulation(mixture, boundary, CollisionForcing(law), FixedTimeStep(0.1))
+        while (simulation.time < 5.0) simulation.advance()
+        val sums = PopulationSums(boundary.meanFlow).apply { take(simulation.population) }
+        val temperatures = MaterialSums(mixture.materials).apply { take(simulation.population, sums) }
+        for ((k, name) in mixture.materials.withIndex()) println("$name: ${temperatures.temperature(k)}")
+        // end
+        assertTrue(List(2) { temperatures.temperature(it) }.all { it > 0 && it < 0.5 })
     }
 }

@@ -26,7 +26,8 @@ internal object FreeCooling {
     fun isOf(scenario: Scenario, dispersion: Double): Boolean {
         if (isDriven(scenario)) return false
         return scenario.impacts.any { isRubbing(it.roughness) } ||
-            scenario.impacts.any { isLossy(it.restitution!!) } && !isElastic(scenario.guard, dispersion)
+            scenario.impacts.any { isLossy(it.restitution!!) } &&
+            !isElastic(scenario.guard, dispersion)
     }
 
     /** Whether impacts lose energy however slow they are; laws that are elastic for slow ones end the cooling. */

@@ -24,6 +24,22 @@ class FreeCoolingTest {
     }
 
     @Test
+    fun `a mixture cools for ever when impacts of any pair of materials take energy`() {
+        val elastic = "restitution.coefficient=1"
+        fun pair(names: String, law: String) = """{"between":[$names],$law}"""
+        val sticky = """"restitution":{"type":"constant","coefficient":0.5}"""
+        val rough = """"roughness":{"type":"constant","coefficient":0.5}"""
+        val unlike = """"heavy","light""""
+        assertEquals(true, isOf("mixture"))
+        assertEquals(false, isOf("mixture", elastic))
+        assertEquals(true, isOf("mixture", elastic, "contacts=[${pair(unlike, sticky)}]"))
+        assertEquals(true, isOf("mixture", elastic, "contacts=[${pair(unlike, rough)}]"))
+        val all = listOf(unlike, """"heavy","heavy"""", """"light","light"""")
+        val one = """"restitution":{"type":"constant","coefficient":1}"""
+        assertEquals(false, isOf("mixture", "contacts=[${all.joinToString { pair(it, one) }}]"))
+    }
+
+    @Test
     fun `inelastic spheres cool for ever unless something heats them, or slow impacts are elastic`() {
         assertEquals(true, isOf("cooling-gas"))
         assertEquals(true, isOf("cooling-gas", "boundary={\"type\":\"walls\"}"))

@@ -5,8 +5,8 @@ import daphnis.core.growth.IntList
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
-import daphnis.core.population.optional
 import daphnis.core.population.isFinite
+import daphnis.core.population.optional
 import daphnis.core.search.StepBounds
 
 /**
