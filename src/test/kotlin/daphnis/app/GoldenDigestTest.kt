@@ -86,7 +86,13 @@ class GoldenDigestTest {
         /** A whole number of steps can fall short of the end by round-off. */
         const val SLACK = 1e-9
         val QUICK = listOf(
-            "paper-figure-1", "elastic-gas", "cooling-gas", "rough-gas", "mixture", "shear-cell", "ring-patch",
+            "paper-figure-1",
+            "elastic-gas",
+            "cooling-gas",
+            "rough-gas",
+            "mixture",
+            "shear-cell",
+            "ring-patch",
             "rough-ring",
         )
         val ODD = listOf(

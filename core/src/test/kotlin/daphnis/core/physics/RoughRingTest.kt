@@ -9,9 +9,9 @@ import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.population.SpinSums
-import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.VelocityMoments
 import daphnis.core.run.CollisionStatistics
 import daphnis.core.surface.ConstantRoughness
