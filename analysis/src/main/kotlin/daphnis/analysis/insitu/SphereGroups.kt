@@ -27,6 +27,29 @@ public interface SphereGroups {
 }
 
 /**
+ * The materials of the spheres, group by number.
+ *
+ * @property count number of materials
+ */
+public class MaterialGroups(override val count: Int) : SphereGroups {
+    init {
+        require(count >= 1) { "there are $count materials; there must be one at least" }
+    }
+
+    override fun of(state: State, index: Int): Int {
+        val p = state.population
+        return if (p.hasMaterials) p.material[index].toInt().let { if (it < count) it else -1 } else -1
+    }
+
+    public companion object {
+        /** Those of the spheres of [sample]; null where these have none. */
+        @JvmStatic
+        public fun of(sample: State): MaterialGroups? =
+            sample.population.materials.size.let { if (it > 0) MaterialGroups(it) else null }
+    }
+}
+
+/**
  * Classes of radii.
  *
  * @param edges lower edges of the classes and the upper edge of the last, ascending; the last class includes its upper
