@@ -33,9 +33,13 @@ internal class MaterialSection(private val study: Study) : Section {
     private val besides = pairs?.let { Averages(it) }
     private val motions = groups?.let { Averages(DispersionBySize(it)) }
     private val ratios = groups?.let { Averages(ratios(DispersionBySize(it))) }
-    private val spins = study.motion.rotation?.let { r -> groups?.let { Averages(RotationByGroup(it, r.momentFactor)) } }
+    private val spins = study.motion.rotation?.let { r ->
+        groups?.let { Averages(RotationByGroup(it, r.momentFactor)) }
+    }
     private val series = study.input.series?.takeIf { s -> there.all { SeriesColumns.temperatureOf(names[it]) in s } }
-    private val rows = series?.let { s -> s[SeriesColumns.TIME].indices.filter { s[SeriesColumns.TIME][it] >= study.from } }
+    private val rows = series?.let { s ->
+        s[SeriesColumns.TIME].indices.filter { s[SeriesColumns.TIME][it] >= study.from }
+    }
         ?.takeIf { it.size >= 2 }
 
     override val heading = "Materials"
@@ -50,11 +54,11 @@ internal class MaterialSection(private val study: Study) : Section {
         return PairCorrelation(minOf(room, RADII * 2 * study.bulk.typicalRadius), BINS, 0.0, groups!!)
     }
 
-    /** Temperatures over that of the first material in the same state. */
+    /** The temperature of the first material over each in the same state. */
     private fun ratios(motion: DispersionBySize) = Measure { state ->
         val all = motion.of(state)
         fun temperature(k: Int) = all[k * DispersionBySize.COLUMNS.size + TEMPERATURE]
-        DoubleArray(names.size) { temperature(it) / temperature(there[0]) }
+        DoubleArray(names.size) { temperature(there[0]) / temperature(it) }
     }
 
     override fun add(state: State) {
@@ -73,7 +77,7 @@ internal class MaterialSection(private val study: Study) : Section {
     private fun ratio(k: Int): BlockAverage = rows?.let { r ->
         val all = series!![SeriesColumns.temperatureOf(names[k])]
         val first = series[SeriesColumns.temperatureOf(names[there[0]])]
-        BlockAverage.of(DoubleArray(r.size) { all[r[it]] / first[r[it]] })
+        BlockAverage.of(DoubleArray(r.size) { first[r[it]] / all[r[it]] })
     } ?: ratios!!.average(k)
 
     override fun numbers(): List<NumberRow> {
@@ -84,8 +88,14 @@ internal class MaterialSection(private val study: Study) : Section {
             rows.average("partial_temperature_${names[k]}", name, temperature(k), units.energy, "m ⟨c²⟩/3, an energy")
         }
         for (k in there.drop(1)) {
-            val key = "temperature_ratio_${names[k]}_$first"
-            rows.average(key, "temperature of ${names[k]} over that of $first", ratio(k), "", "mean of the ratio at each time")
+            val key = "temperature_ratio_${first}_${names[k]}"
+            rows.average(
+                key,
+                "temperature of $first over that of ${names[k]}",
+                ratio(k),
+                "",
+                "mean of the ratio at each time",
+            )
         }
         return rows.list()
     }
