@@ -80,6 +80,9 @@ public object FrameSetup {
                 "follows from frame.oblateness; give one of the two"
             }
             check.positive("frame.oblateness.radiusInKm", oblate.radiusInKm)
+            check.that("frame.distanceInKm", distance, distance >= oblate.radiusInKm) {
+                "is inside the planet, whose radius is ${oblate.radiusInKm} km"
+            }
         }
         val inSeconds = try {
             if (oblate == null) {
