@@ -147,8 +147,8 @@ class DescribeTest {
         assertTrue("heavy: 2000 spheres, radius 1 length unit, mass 8 mass units" in row(text, "materials")) { text }
         assertTrue("light: 2000 spheres, radius 0.5 length units, mass 1 mass unit" in text) { text }
         assertTrue("moon: 1 sphere, radius 5 length units" in text && "of moon, at 0 length units" in text) { text }
-        assertTrue("light with heavy: restitution constant, coefficient 0.5" in row(text, "contacts")) { text }
-        assertTrue("heavy with heavy: roughness constant, coefficient 0.3" in text) { text }
+        assertTrue("light with heavy: restitution 0.5 at every speed" in row(text, "contacts")) { text }
+        assertTrue("heavy with heavy: roughness constant, β = 0.3 (-1 smooth, 1 perfectly rough)" in text) { text }
         val plain = describe("cooling-gas")
         assertFalse("materials" in plain || "contacts" in plain) { plain }
     }
@@ -175,20 +175,20 @@ class DescribeTest {
     @Test
     fun `rough spheres have a law of surfaces, a moment of inertia and spins, smooth ones no such rows`() {
         val text = describe("rough-gas", """spins={"type":"rest","mean":[3,0,4]}""")
-        assertEquals("0.5 of the tangential velocity is reversed; moment of inertia 0.4 m r^2", row(text, "roughness"))
-        assertEquals("5 radians per unit of time (root mean square) at the start", row(text, "spins"))
+        assertEquals("constant, β = 0.5 (-1 smooth, 1 perfectly rough); moment of inertia 0.4 m r^2", row(text, "roughness"))
+        assertEquals("5 radians per unit of time (root mean square of the whole vector, the mean included) at the start", row(text, "spins"))
         assertTrue(row(text, "memory").endsWith(" of the heap of Java, 412 B per sphere")) { text }
         val coulomb = """roughness={"type":"coulomb","friction":0.3,"sticking":0.2,"momentFactor":0.5}"""
         val words = "sticking 0.2 unless friction 0.3 is too weak for that; moment of inertia 0.5 m r^2"
         assertEquals(words, row(describe("ring-patch", coulomb), "roughness"))
         val inMetres = """spins={"type":"rest","mean":[0,1,0]}"""
         val ring = describe("ring-patch", coulomb, inMetres, "units={\"lengthInMetres\":1,\"speedInCmPerSecond\":0.02}")
-        assertEquals("0.0002 rad/s (root mean square) at the start", row(ring, "spins"))
+        assertEquals("0.0002 rad/s (root mean square of the whole vector, the mean included) at the start", row(ring, "spins"))
         assertEquals("none at the start", row(describe("rough-gas"), "spins"))
         val half = """{"type":"constant","coefficient":0.5}"""
         fun between(walls: String) = describe("cooling-gas", """boundary={"type":"walls","axes":"z",$walls}""")
         fun box(walls: String) = row(between(walls), "box").substringAfter(", walls")
-        val all = "0.5 of the tangential velocity is reversed"
+        val all = "constant, β = 0.5 (-1 smooth, 1 perfectly rough)"
         assertEquals(" across z, restitution 1, surfaces smooth", box(""""restitution":1"""))
         assertEquals(
             " across z, restitution 0.8, surfaces $all",

@@ -192,7 +192,7 @@ class MaterialScenarioTest {
             "$materials[1].sizes.minimum=-1" to "$materials[1].sizes: ",
             "$materials[1].mass=0" to "$materials[1].mass: is 0.0; must be > 0",
             contacts("\"ice\"") to "contacts[0].between: is [ice]; must be the names of two materials",
-            contacts("\"ice\", \"rok\"") to "contacts[0].between: is rok; did you mean 'rock'? known: ice, rock",
+            contacts("\"ice\", \"rok\"") to "contacts[0].between: is 'rok'; did you mean 'rock'? known: ice, rock",
             """contacts=[$PAIR, {"between": ["rock", "ice"], "roughness": $ROUGH}]""" to
                 "contacts[1].between: names rock, ice a second time",
             """contacts=[{"between": ["ice", "ice"]}]""" to
