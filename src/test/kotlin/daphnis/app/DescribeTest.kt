@@ -149,6 +149,23 @@ class DescribeTest {
         assertTrue("moon: 1 sphere, radius 5 length units" in text && "of moon, at 0 length units" in text) { text }
         assertTrue("light with heavy: restitution 0.5 at every speed" in row(text, "contacts")) { text }
         assertTrue("heavy with heavy: roughness constant, β = 0.3 (-1 smooth, 1 perfectly rough)" in text) { text }
+        val others = " (pairs with no other in contacts)"
+        assertEquals("0.9 at every speed$others", row(text, "restitution").replace(Regex("\\s+"), " "))
+        assertTrue(row(text, "roughness").startsWith("smooth$others; moment of inertia")) { text }
+        val alone = row(describe("mixture", "contacts=[$like]"), "restitution")
+        assertEquals("0.9 at every speed", alone)
+        fun contact(law: String) = row(
+            describe("mixture", "contacts=[{\"between\":[\"light\",\"light\"],\"restitution\":$law}]"),
+            "contacts",
+        ).replace(Regex("\\s+"), " ").substringAfter("restitution ")
+        val law = "{\"type\":\"viscoelastic\",\"coefficient\":0.6,\"speed\":2"
+        assertEquals("viscoelastic, 0.6 at 2 cm/s", contact("$law}"))
+        assertEquals(
+            "viscoelastic, 0.6 at 2 cm/s of two spheres of radius 1 length unit and mass 3 mass units",
+            contact("$law,\"radius\":1,\"mass\":3}"),
+        )
+        assertEquals("bridges, 0.34 v^-0.234 with v in cm/s", contact("{\"type\":\"bridges\"}"))
+        assertEquals("table of 1 point, 0.5 at 2 cm/s", contact("{\"type\":\"table\",\"points\":[[2,0.5]]}"))
         val plain = describe("cooling-gas")
         assertFalse("materials" in plain || "contacts" in plain) { plain }
     }
@@ -177,6 +194,9 @@ class DescribeTest {
         val text = describe("rough-gas", """spins={"type":"rest","mean":[3,0,4]}""")
         assertEquals("constant, β = 0.5 (-1 smooth, 1 perfectly rough); moment of inertia 0.4 m r^2", row(text, "roughness"))
         assertEquals("5 radians per unit of time (root mean square of the whole vector, the mean included) at the start", row(text, "spins"))
+        val one = describe("rough-gas", """spins={"type":"rest","mean":[0,0,1]}""", "roughness.coefficient=-0.5")
+        assertTrue(row(one, "spins").startsWith("1 radian per unit of time (root")) { one }
+        assertTrue(row(one, "roughness").startsWith("constant, β = -0.5 (-1 smooth, 1 perfectly rough);")) { one }
         assertTrue(row(text, "memory").endsWith(" of the heap of Java, 412 B per sphere")) { text }
         val coulomb = """roughness={"type":"coulomb","friction":0.3,"sticking":0.2,"momentFactor":0.5}"""
         val words = "sticking 0.2 unless friction 0.3 is too weak for that; moment of inertia 0.5 m r^2"
