@@ -65,7 +65,11 @@ class MovieCommand : CliktCommand(name = "movie") {
             else -> true
         }
         if (!isThere) {
-            throw InputException("--colour", null, "is ${colour.word}; it must be another: the spheres of $directory have none")
+            throw InputException(
+                "--colour",
+                null,
+                "is ${colour.word}; it must be another: the spheres of $directory have none",
+            )
         }
         for (notice in input.notices) warn(notice)
         val rate = fps ?: MovieOptions.rateFor(input.size)

@@ -174,7 +174,11 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
                 population.wz[k] * population.wz[k]
         }
         val spin = if (particles.isEmpty()) 0.0 else sqrt(squares / particles.size)
-        val size = if (spin == 0.0) "none" else "${say.angularSpeed(spin)} (root mean square of the whole vector, the mean included)"
+        val size = if (spin == 0.0) {
+            "none"
+        } else {
+            "${say.angularSpeed(spin)} (root mean square of the whole vector, the mean included)"
+        }
         rows.add("spins", "$size at the start")
     }
 

@@ -16,7 +16,8 @@ internal class Quantities(scenario: ScenarioParts) {
 
     /** Speeds have a meaning in cm/s also without lengths: restitution laws use it. */
     private val speedKnown =
-        si != null || units.speedInCmPerSecond != 1.0 ||
+        si != null ||
+            units.speedInCmPerSecond != 1.0 ||
             (scenario.contacts.map { it.restitution } + scenario.restitution).any {
                 it != null && it !is RestitutionSpec.Constant
             }

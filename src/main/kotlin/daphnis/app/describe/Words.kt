@@ -17,8 +17,16 @@ internal fun RestitutionSpec.inWords(say: Quantities): String = when (this) {
     is RestitutionSpec.Step ->
         "step, ${number(below)} below ${number(speed)} cm/s, ${number(coefficient)} from there on"
     is RestitutionSpec.Table -> {
-        val ends = listOf(points.first(), points.last()).map { (speed, its) -> "${number(its)} at ${number(speed)} cm/s" }
-        if (points.size == 1) "table of 1 point, ${ends[0]}" else "table of ${points.size} points from ${ends[0]} to ${ends[1]}"
+        val ends = listOf(points.first(), points.last()).map { (speed, its) ->
+            "${number(its)} at ${number(speed)} cm/s"
+        }
+        if (points.size ==
+            1
+        ) {
+            "table of 1 point, ${ends[0]}"
+        } else {
+            "table of ${points.size} points from ${ends[0]} to ${ends[1]}"
+        }
     }
     is RestitutionSpec.Viscoelastic -> {
         val of = listOfNotNull(

@@ -27,7 +27,8 @@ internal class ContactLaws(
             val (first, second) = materials.pair(contact)
             val key = "contacts[$k]"
             contact.restitution?.let {
-                laws = laws.between(first, second, measured(it, contact, "$key.restitution").law(scenario, check, "$key.restitution"))
+                val its = "$key.restitution"
+                laws = laws.between(first, second, measured(it, contact, its).law(scenario, check, its))
             }
             contact.roughness?.let { spec ->
                 val law = spec.law("$key.roughness", check)

@@ -9,7 +9,7 @@ import daphnis.analysis.plot.PlotScale
  *   surface density together
  * @property cell of the surface density, in pixels; [passes] of smoothing follow
  * @property colours what the ends of the colour bar stand for
- * @property materials names of those that have a colour, by number, ascending; empty where colours are of another quantity
+ * @property materials names of those that have a colour, by number, ascending; empty for other quantities
  * @property bright the surface density that is as bright as can be
  */
 internal class Scene(
