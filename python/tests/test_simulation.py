@@ -257,3 +257,6 @@ def test_spheres_have_materials(gas: dict[str, Any], spheres: dict[str, Any], tm
     assert last.materials == ["heavy", "light"] and np.bincount(last.material).tolist() == [100, 100]
     assert set(last.mass[last.material == 0]) == {8.0}
     assert run.series["temperature_heavy"].iloc[-1] > 0
+    units = run.series.attrs["units"]
+    assert set(units) == set(run.series.columns)
+    assert units["temperature_heavy"] == units["kinetic_energy"] != ""

@@ -54,7 +54,8 @@ def read_table(path: Path, unit: Callable[[str], str] | None = None) -> pd.DataF
 def _declared(path: Path, table: pd.DataFrame, unit: Callable[[str], str] | None) -> pd.DataFrame:
     """A table of a run, whose columns the library knows; their heads may say their units."""
     table = _headed(table)
-    units = {}
+    # Columns that only some runs have, such as those of materials, are not among the declared ones.
+    units = table.attrs["units"]
     for column in java(_DECLARED[path.name]).INSTANCE.getColumns():
         name = str(column.getName())
         if name in table:

@@ -59,8 +59,17 @@ class MovieCommand : CliktCommand(name = "movie") {
         val path = pathOf(directory, "dir")
         // What was changed beside the states does not show, but for the units; a notice says it.
         val input = AnalysisInput.ofRun(path, acceptLoss = true)
-        if (colour == MovieColour.SPIN && !input.snapshot(input.size - 1).hasSpin) {
-            throw InputException("--colour", null, "is spin; it must be another: the spheres of $directory have none")
+        val isThere = when (colour) {
+            MovieColour.SPIN -> input.snapshot(input.size - 1).hasSpin
+            MovieColour.MATERIAL -> input.snapshot(input.size - 1).hasMaterials
+            else -> true
+        }
+        if (!isThere) {
+            throw InputException(
+                "--colour",
+                null,
+                "is ${colour.word}; it must be another: the spheres of $directory have none",
+            )
         }
         for (notice in input.notices) warn(notice)
         val rate = fps ?: MovieOptions.rateFor(input.size)

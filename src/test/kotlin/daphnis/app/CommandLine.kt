@@ -50,3 +50,23 @@ internal fun assertReplacedWhole(files: List<Path>, write: () -> Unit) {
     for (file in files) assertTrue(Files.readString(file) != "old") { "$file was not written" }
     for (other in held) assertEquals("old", Files.readString(other)) { "$other" }
 }
+
+/** What `describe` says of the scenario [word] with [settings]. */
+internal fun describe(word: String, vararg settings: String) = assertDone(
+    daphnis(
+        "describe",
+        word,
+        *settings.flatMap {
+            listOf("--set", it)
+        }.toTypedArray(),
+    ),
+)
+
+/** The row with [label], continued rows joined. */
+internal fun row(text: String, label: String): String {
+    val lines = text.lines()
+    val at = lines.indexOfFirst { it.startsWith(label.padEnd(18)) }
+    assertTrue(at >= 0) { "no $label in\n$text" }
+    val continued = lines.drop(at + 1).takeWhile { it.startsWith(" ") }
+    return (listOf(lines[at]) + continued).joinToString("\n") { it.drop(18) }
+}

@@ -18,25 +18,6 @@ class DescribeTest {
     @TempDir
     lateinit var home: Path
 
-    private fun describe(word: String, vararg settings: String) = assertDone(
-        daphnis(
-            "describe",
-            word,
-            *settings.flatMap {
-                listOf("--set", it)
-            }.toTypedArray(),
-        ),
-    )
-
-    /** The row with [label], continued rows joined. */
-    private fun row(text: String, label: String): String {
-        val lines = text.lines()
-        val at = lines.indexOfFirst { it.startsWith(label.padEnd(18)) }
-        assertTrue(at >= 0) { "no $label in\n$text" }
-        val continued = lines.drop(at + 1).takeWhile { it.startsWith(" ") }
-        return (listOf(lines[at]) + continued).joinToString("\n") { it.drop(18) }
-    }
-
     private fun assertNear(expected: Double, found: String) = assertTrue(abs(found.toDouble() / expected - 1) < 6e-4) {
         "$found is not $expected"
     }
@@ -140,20 +121,6 @@ class DescribeTest {
     }
 
     @Test
-    fun `each material has a line, and so has each contact`() {
-        val pair = """{"between":["light","heavy"],"restitution":{"type":"constant","coefficient":0.5}}"""
-        val like = """{"between":["heavy","heavy"],"roughness":{"type":"constant","coefficient":0.3}}"""
-        val text = describe("mixture", "contacts=[$pair,$like]", "box.lengths=[60,60,60]", BODY)
-        assertTrue("heavy: 2000 spheres, radius 1 length unit, mass 8 mass units" in row(text, "materials")) { text }
-        assertTrue("light: 2000 spheres, radius 0.5 length units, mass 1 mass unit" in text) { text }
-        assertTrue("moon: 1 sphere, radius 5 length units" in text && "of moon, at 0 length units" in text) { text }
-        assertTrue("light with heavy: restitution constant, coefficient 0.5" in row(text, "contacts")) { text }
-        assertTrue("heavy with heavy: roughness constant, coefficient 0.3" in text) { text }
-        val plain = describe("cooling-gas")
-        assertFalse("materials" in plain || "contacts" in plain) { plain }
-    }
-
-    @Test
     fun `laws by name say what they are, and the coefficient at two speeds`() {
         val units = """units={"speedInCmPerSecond":2}"""
         fun said(law: String) = row(describe("cooling-gas", "restitution=$law", units), "restitution")
@@ -175,20 +142,32 @@ class DescribeTest {
     @Test
     fun `rough spheres have a law of surfaces, a moment of inertia and spins, smooth ones no such rows`() {
         val text = describe("rough-gas", """spins={"type":"rest","mean":[3,0,4]}""")
-        assertEquals("0.5 of the tangential velocity is reversed; moment of inertia 0.4 m r^2", row(text, "roughness"))
-        assertEquals("5 radians per unit of time (root mean square) at the start", row(text, "spins"))
+        assertEquals(
+            "constant, β = 0.5 (-1 smooth, 1 perfectly rough); moment of inertia 0.4 m r^2",
+            row(text, "roughness"),
+        )
+        assertEquals(
+            "5 radians per unit of time (root mean square of the whole vector, the mean included) at the start",
+            row(text, "spins"),
+        )
+        val one = describe("rough-gas", """spins={"type":"rest","mean":[0,0,1]}""", "roughness.coefficient=-0.5")
+        assertTrue(row(one, "spins").startsWith("1 radian per unit of time (root")) { one }
+        assertTrue(row(one, "roughness").startsWith("constant, β = -0.5 (-1 smooth, 1 perfectly rough);")) { one }
         assertTrue(row(text, "memory").endsWith(" of the heap of Java, 412 B per sphere")) { text }
         val coulomb = """roughness={"type":"coulomb","friction":0.3,"sticking":0.2,"momentFactor":0.5}"""
         val words = "sticking 0.2 unless friction 0.3 is too weak for that; moment of inertia 0.5 m r^2"
         assertEquals(words, row(describe("ring-patch", coulomb), "roughness"))
         val inMetres = """spins={"type":"rest","mean":[0,1,0]}"""
         val ring = describe("ring-patch", coulomb, inMetres, "units={\"lengthInMetres\":1,\"speedInCmPerSecond\":0.02}")
-        assertEquals("0.0002 rad/s (root mean square) at the start", row(ring, "spins"))
+        assertEquals(
+            "0.0002 rad/s (root mean square of the whole vector, the mean included) at the start",
+            row(ring, "spins"),
+        )
         assertEquals("none at the start", row(describe("rough-gas"), "spins"))
         val half = """{"type":"constant","coefficient":0.5}"""
         fun between(walls: String) = describe("cooling-gas", """boundary={"type":"walls","axes":"z",$walls}""")
         fun box(walls: String) = row(between(walls), "box").substringAfter(", walls")
-        val all = "0.5 of the tangential velocity is reversed"
+        val all = "constant, β = 0.5 (-1 smooth, 1 perfectly rough)"
         assertEquals(" across z, restitution 1, surfaces smooth", box(""""restitution":1"""))
         assertEquals(
             " across z, restitution 0.8, surfaces $all",
@@ -283,9 +262,5 @@ class DescribeTest {
             -1.5e-20 to "-1.5e-20", 1e20 to "1e20", 1e-10 to "1e-10", Double.NaN to "NaN",
         )
         for ((value, text) in cases) assertEquals(text, Quantities.number(value))
-    }
-
-    private companion object {
-        const val BODY = """bodies=[{"radius":5,"position":[0,0,0],"material":"moon"}]"""
     }
 }

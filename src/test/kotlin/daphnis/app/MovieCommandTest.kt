@@ -88,6 +88,7 @@ class MovieCommandTest {
         assertRefused(movie(run, "--view", "front"), "--view", "front")
         assertRefused(movie(run, "--colour", "mood"), "--colour", "mood")
         assertRefused(movie(run, "--colour", "spin"), "--colour", "is spin", "have none")
+        assertRefused(movie(run, "--colour", "material"), "--colour", "is material", "have none")
         assertRefused(movie("${folder.resolve("none")}"), "none", "no such")
         val without = run("without", "cooling-gas", "--steps", "1", "--set", "output.snapshotEvery=0")
         Files.list(Path.of(without, "snapshots")).use { files -> files.toList().forEach(Files::delete) }

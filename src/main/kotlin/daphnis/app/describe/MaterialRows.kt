@@ -1,13 +1,6 @@
 package daphnis.app.describe
 
-import daphnis.core.scenario.RestitutionSpec
-import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.ScenarioSetup
-import kotlinx.serialization.KSerializer
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.JsonNull
-import kotlinx.serialization.json.JsonPrimitive
-import kotlinx.serialization.json.jsonObject
 
 /** What spheres are made of, and how materials collide where that is not as for all. */
 internal class MaterialRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
@@ -36,8 +29,8 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
     fun contacts() {
         for (contact in setup.scenario.contacts) {
             val laws = listOfNotNull(
-                contact.restitution?.let { "restitution ${words(RestitutionSpec.serializer(), it)}" },
-                contact.roughness?.let { "roughness ${words(RoughnessSpec.serializer(), it)}" },
+                contact.restitution?.let { "restitution ${it.inWords(say)}" },
+                contact.roughness?.let { "roughness ${it.inWords(Quantities::number)}" },
             )
             rows.add("contacts", "${contact.between.joinToString(" with ")}: ${laws.joinToString("; ")}")
         }
@@ -46,18 +39,7 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
     private fun range(values: List<Double>, say: (Double) -> String): String =
         if (values.min() == values.max()) say(values[0]) else "${say(values.min())} to ${say(values.max())}"
 
-    /** The type of a law and its numbers, by their keys. */
-    private fun <T> words(serializer: KSerializer<T>, law: T): String {
-        val keys = JSON.encodeToJsonElement(serializer, law).jsonObject
-        val type = (keys["type"] as? JsonPrimitive)?.content.orEmpty()
-        return (
-            listOf(type) + keys.filter { (key, value) -> key != "type" && value !is JsonNull }
-                .map { (key, value) -> "$key $value" }
-            ).joinToString(", ")
-    }
-
     private companion object {
         const val VOLUME = 4.0 / 3.0 * Math.PI
-        val JSON = Json { encodeDefaults = true }
     }
 }

@@ -147,24 +147,17 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val c = dispersion()
         val centimetre = 1 / scenario.units.speedInCmPerSecond
         val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
-        return when (val law = scenario.restitution) {
-            is RestitutionSpec.Constant -> "${number(law.coefficient)} at every speed"
-            is RestitutionSpec.Bridges ->
-                "bridges, ${number(law.prefactor)} v^${number(law.exponent)} with v in cm/s: $examples"
-            is RestitutionSpec.Borderies -> "borderies, elastic below ${number(law.criticalSpeed)} cm/s: $examples"
-            is RestitutionSpec.Step ->
-                "step, ${number(
-                    law.below,
-                )} below ${number(law.speed)} cm/s, ${number(law.coefficient)} from there on: " +
-                    examples
-            is RestitutionSpec.Table -> "table of ${law.points.size} points from ${law.points.first().inWords()} " +
-                "to ${law.points.last().inWords()}: $examples"
+        val words = when (val law = scenario.restitution) {
+            is RestitutionSpec.Constant -> law.inWords(say)
             is RestitutionSpec.Viscoelastic ->
                 "viscoelastic; of two spheres of radius ${say.length(radius)} and mass ${say.mass(mass)}: $examples"
+            else -> "${law.inWords(say)}: $examples"
         }
+        return words + ofOthers(scenario.contacts.any { it.restitution != null })
     }
 
-    private fun List<Double>.inWords() = "${number(this[1])} at ${number(this[0])} cm/s"
+    /** Of which impacts a law is where some pairs of materials have another. */
+    private fun ofOthers(hasOthers: Boolean) = if (hasOthers) " (pairs with no other in contacts)" else ""
 
     /** The mean over particles; over bodies where there are none. */
     private fun middle(column: DoubleArray) =
@@ -174,13 +167,18 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     private fun surfaces() {
         if (!population.hasSpin) return
         val law = scenario.roughness?.inWords(::number) ?: "smooth"
-        rows.add("roughness", "$law; moment of inertia ${number(setup.momentFactor)} m r^2")
+        val others = ofOthers(scenario.contacts.any { it.roughness != null })
+        rows.add("roughness", "$law$others; moment of inertia ${number(setup.momentFactor)} m r^2")
         val squares = particles.sumOf { k ->
             population.wx[k] * population.wx[k] + population.wy[k] * population.wy[k] +
                 population.wz[k] * population.wz[k]
         }
         val spin = if (particles.isEmpty()) 0.0 else sqrt(squares / particles.size)
-        val size = if (spin == 0.0) "none" else "${say.angularSpeed(spin)} (root mean square)"
+        val size = if (spin == 0.0) {
+            "none"
+        } else {
+            "${say.angularSpeed(spin)} (root mean square of the whole vector, the mean included)"
+        }
         rows.add("spins", "$size at the start")
     }
 

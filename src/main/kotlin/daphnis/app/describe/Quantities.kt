@@ -16,7 +16,11 @@ internal class Quantities(scenario: ScenarioParts) {
 
     /** Speeds have a meaning in cm/s also without lengths: restitution laws use it. */
     private val speedKnown =
-        si != null || units.speedInCmPerSecond != 1.0 || scenario.restitution !is RestitutionSpec.Constant
+        si != null ||
+            units.speedInCmPerSecond != 1.0 ||
+            (scenario.contacts.map { it.restitution } + scenario.restitution).any {
+                it != null && it !is RestitutionSpec.Constant
+            }
 
     fun length(value: Double): String {
         val metres = (si ?: return plain(value, "length units")).metres * value
@@ -87,7 +91,7 @@ internal class Quantities(scenario: ScenarioParts) {
     /** `2 length units`, but `1 length unit`. */
     private fun plain(value: Double, unit: String): String {
         val number = number(value)
-        return "$number ${if (number == "1") unit.replace("units", "unit") else unit}"
+        return "$number ${if (number == "1") unit.replace("units", "unit").replace("radians", "radian") else unit}"
     }
 
     companion object {

@@ -6,7 +6,11 @@ import daphnis.core.surface.MaterialRoughness
 import daphnis.core.surface.Roughness
 
 /** The laws of impacts in a [scenario], by pair of materials where it says so. */
-internal class ContactLaws(private val scenario: Scenario, private val materials: Materials, check: ValueCheck) {
+internal class ContactLaws(
+    private val scenario: Scenario,
+    private val materials: Materials,
+    private val check: ValueCheck,
+) {
     /** ε; that of all spheres itself where no pair has another. */
     val restitution: ContactLaw
 
@@ -23,7 +27,8 @@ internal class ContactLaws(private val scenario: Scenario, private val materials
             val (first, second) = materials.pair(contact)
             val key = "contacts[$k]"
             contact.restitution?.let {
-                laws = laws.between(first, second, it.law(scenario, check, "$key.restitution"))
+                val its = "$key.restitution"
+                laws = laws.between(first, second, measured(it, contact, its).law(scenario, check, its))
             }
             contact.roughness?.let { spec ->
                 val law = spec.law("$key.roughness", check)
@@ -37,5 +42,54 @@ internal class ContactLaws(private val scenario: Scenario, private val materials
             scenario.contacts.any { it.roughness != null } -> surfaces
             else -> surface
         }
+    }
+
+    /**
+     * The law [spec] that stands at [key], with the spheres that its coefficient is of: where it names none, the two of
+     * [contact]. A viscoelastic law knows two spheres by their effective radius and mass alone, and two equal spheres
+     * with twice these have the same.
+     */
+    private fun measured(spec: RestitutionSpec, contact: ContactSpec, key: String): RestitutionSpec {
+        if (spec !is RestitutionSpec.Viscoelastic || spec.radius != null) return spec
+        check.must("$key.radius", spec.mass == null) { "is missing; give both radius and mass, or none of the two" }
+        val (first, second) = contact.between.map { name ->
+            onlySphere(name) ?: check.fail(
+                "$key.radius",
+                "is missing; give that of two spheres that have the coefficient, since '$name' is not known to have " +
+                    "one radius and one mass",
+            )
+        }
+        return RestitutionSpec.Viscoelastic(
+            spec.coefficient,
+            spec.speed,
+            2 * reduced(first.radius, second.radius),
+            2 * reduced(first.mass, second.mass),
+        )
+    }
+
+    private class One(val radius: Double, val mass: Double)
+
+    private fun reduced(a: Double, b: Double) = if (a == b) a / 2 else a * b / (a + b)
+
+    /** The sphere which all of the material [name] are like; null where they differ or come from a file. */
+    private fun onlySphere(name: String): One? {
+        val particles = scenario.particles ?: return null
+        val kind = particles.materials?.find { it.name == name }
+        val isOthers = particles.materials == null && name == MaterialSpec.PARTICLES
+        val sizes = if (isOthers) particles.sizes else kind?.sizes
+        if (sizes != null && sizes !is SizesSpec.Equal) return null
+        val radius = (sizes as? SizesSpec.Equal)?.radius
+        val mass = if (isOthers) particles.mass else kind?.mass
+        val density = kind?.density ?: particles.density
+        val drawn = radius?.let { One(it, mass ?: (density * VOLUME * it * it * it)) }
+        val bodies = Bodies(scenario.bodies, particles, check)
+        val numbers = materials.ofBodies()
+        val all = numbers.indices.filter { materials.names[numbers[it]] == name }
+            .map { One(bodies.radius[it], bodies.mass[it]) } + listOfNotNull(drawn)
+        return all.firstOrNull()?.takeIf { one -> all.all { it.radius == one.radius && it.mass == one.mass } }
+    }
+
+    private companion object {
+        const val VOLUME = 4.0 / 3.0 * Math.PI
     }
 }

@@ -92,8 +92,8 @@ internal class Materials(
             check.must("contacts", names.isNotEmpty()) { "are between materials, of which none is named" }
             check.that(key, pair, pair.size == 2) { "must be the names of two materials, which may be the same" }
             for (name in pair) {
-                check.that(key, name, name in names) {
-                    "${Nearest.question(name, names)}known: ${names.joinToString()}"
+                check.must(key, name in names) {
+                    "is '${check.brief(name)}'; ${Nearest.question(name, names)}known: ${names.joinToString()}"
                 }
             }
             check.must(key, seen.add(pair.toSet())) { "names ${pair.joinToString()} a second time" }

@@ -34,7 +34,7 @@ public sealed interface RoughnessSpec {
         override val momentFactor: Double? = null,
     ) : RoughnessSpec {
         override fun inWords(number: DoubleFunction<String>): String =
-            "${number.apply(coefficient)} of the tangential velocity is reversed"
+            "constant, β = ${number.apply(coefficient)} (-1 smooth, 1 perfectly rough)"
     }
 
     /**

@@ -163,6 +163,38 @@ class MaterialScenarioTest {
     }
 
     @Test
+    fun `a viscoelastic law of a pair is measured by the two spheres that it is of`() {
+        val moon = "bodies=[{\"radius\": 2, \"position\": [0, 0, 0], \"material\": \"moon\", \"mass\": 50}]"
+        val law = "{\"type\": \"viscoelastic\", \"coefficient\": 0.6, \"speed\": 0.3"
+        fun between(pair: String, more: String = "") = arrayOf(
+            moon,
+            "contacts=[{\"between\": [$pair], \"restitution\": $law$more}}]",
+        )
+        val ice = 0.9 * 4.0 / 3.0 * Math.PI * 0.125
+        val unlike = setup(*between("\"moon\", \"ice\"")).restitution
+        val contact = SurfaceContact.headOn(0.3, 2 * 2.0 * 0.5 / 2.5, 2 * 50 * ice / (50 + ice))
+        contact.firstMaterial = 0
+        contact.secondMaterial = 2
+        assertEquals(0.6, unlike.restitution(contact), 1e-12)
+        val like = setup(*between("\"ice\", \"ice\"")).restitution
+        val two = SurfaceContact.headOn(0.3, 0.5, ice)
+        assertEquals(0.6, like.restitution(two), 1e-12)
+        // Given, they are what is said.
+        val given = setup(*between("\"ice\", \"ice\"", ", \"radius\": 1, \"mass\": 1")).restitution
+        assertEquals(0.6, given.restitution(SurfaceContact.headOn(0.3, 1.0, 1.0)), 1e-12)
+        assertTrue(abs(given.restitution(two) - 0.6) > 0.01)
+        val key = "contacts[0].restitution.radius: is missing"
+        assertTrue("$key; give that of two spheres" in refused(*between("\"ice\", \"rock\"")))
+        assertTrue("'rock' is not known to have one radius" in refused(*between("\"ice\", \"rock\"")))
+        assertTrue("$key; give both" in refused(*between("\"ice\", \"ice\"", ", \"mass\": 1")))
+        val berg = moon.replace("\"moon\"", "\"ice\"")
+        assertTrue("'ice' is not known" in refused(berg, between("\"ice\", \"ice\"")[1]))
+        val plain = "particles={\"count\": 9, \"mass\": 3, \"sizes\": {\"type\": \"equal\", \"radius\": 1}}"
+        val others = setup(plain, *between("\"particles\", \"particles\"")).restitution
+        assertEquals(0.6, others.restitution(SurfaceContact.headOn(0.3, 1.0, 3.0)), 1e-12)
+    }
+
+    @Test
     fun `the default guard is there where any pair is inelastic at all speeds`() {
         assertTrue(setup().scenario.guard is GuardSpec.None)
         val one = """contacts=[{"between": ["ice", "rock"], "restitution": {"type": "constant", "coefficient": 0.5}}]"""
@@ -194,7 +226,7 @@ class MaterialScenarioTest {
             "$materials[1].sizes.minimum=-1" to "$materials[1].sizes: ",
             "$materials[1].mass=0" to "$materials[1].mass: is 0.0; must be > 0",
             contacts("\"ice\"") to "contacts[0].between: is [ice]; must be the names of two materials",
-            contacts("\"ice\", \"rok\"") to "contacts[0].between: is rok; did you mean 'rock'? known: ice, rock",
+            contacts("\"ice\", \"rok\"") to "contacts[0].between: is 'rok'; did you mean 'rock'? known: ice, rock",
             """contacts=[$PAIR, {"between": ["rock", "ice"], "roughness": $ROUGH}]""" to
                 "contacts[1].between: names rock, ice a second time",
             """contacts=[{"between": ["ice", "ice"]}]""" to

@@ -80,6 +80,7 @@ internal class Legend(private val scene: Scene) {
         val (name, factor) = meaning()
         g.drawString(name, left.toFloat(), top + LINE_1 * size)
         val start = left + g.fontMetrics.stringWidth(name) + margin
+        if (scene.options.colour == MovieColour.MATERIAL) return swatches(g, map, start, right, top)
         val range = scene.colours
         val bottom = top + (LINE_1 * size).roundToInt()
         if (!(range.low < range.high)) {
@@ -104,6 +105,43 @@ internal class Legend(private val scene: Scene) {
         }
         for (label in labels) g.fillRect(label.mark, bottom, 1, margin / 3)
         for (label in evenly(labels)) g.drawString(label.text, label.from.toFloat(), top + LINE_2 * size)
+    }
+
+    /** A square of the colour of each material with its name, in two lines; names are cut where there is no room. */
+    private fun swatches(g: Graphics2D, map: ColourMap, left: Int, right: Int, top: Int) {
+        val names = scene.materials.values
+        val side = (BAR * size).roundToInt()
+        val places = (names.maxOfOrNull { it.length } ?: 0).downTo(0).asSequence()
+            .map { most -> flow(g, names.map { cut(it, most) }, left, right, side) }
+            .run { firstOrNull { swatches -> swatches.all { it.line < 2 } } ?: last() }
+        for ((place, number) in places.zip(scene.materials.keys)) {
+            val base = top + (if (place.line == 0) LINE_1 else LINE_2) * size
+            g.color = Color(map.rgb(scene.colours.place(number.toDouble())))
+            g.fillRect(place.x, (base - side).roundToInt(), side, side)
+            g.color = Color.WHITE
+            g.drawString(place.text, (place.x + side + margin / 3).toFloat(), base)
+        }
+    }
+
+    private class Swatch(val text: String, val x: Int, val line: Int)
+
+    private fun flow(g: Graphics2D, texts: List<String>, left: Int, right: Int, side: Int): List<Swatch> {
+        var x = left
+        var line = 0
+        return texts.map { text ->
+            val width = side + margin / 3 + g.fontMetrics.stringWidth(text)
+            if (x > left && x + width > right) {
+                x = left
+                line++
+            }
+            Swatch(text, x, if (x + width > right) 2 else line).also { x += width + margin }
+        }
+    }
+
+    private fun cut(name: String, most: Int) = when {
+        name.length <= most -> name
+        most == 0 -> ""
+        else -> name.take(most) + "…"
     }
 
     private class Label(val text: String, val mark: Int, val from: Int, val to: Int)

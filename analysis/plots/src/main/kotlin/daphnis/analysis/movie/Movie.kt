@@ -32,6 +32,9 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
         require(options.colour != MovieColour.SPIN || input.snapshot(input.size - 1).hasSpin) {
             "the colour is that of spins, which these spheres do not have"
         }
+        require(options.colour != MovieColour.MATERIAL || input.snapshot(input.size - 1).hasMaterials) {
+            "the colour is that of materials, which these spheres do not have"
+        }
         val samples = samples()
         val steps = 2 * samples.size + input.size
         val survey = Survey(options.even(format))

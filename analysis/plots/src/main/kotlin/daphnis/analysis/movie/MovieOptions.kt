@@ -82,7 +82,7 @@ public enum class MovieColour(public val word: String) {
     /** The coordinate z. */
     HEIGHT("height"),
 
-    /** Number of the material, 0 for the first and where there are none. */
+    /** What it is made of. Of spheres with materials. */
     MATERIAL("material"),
 
     /** Mass per area of the picture around the sphere. */

@@ -9,6 +9,7 @@ import daphnis.analysis.plot.PlotScale
  *   surface density together
  * @property cell of the surface density, in pixels; [passes] of smoothing follow
  * @property colours what the ends of the colour bar stand for
+ * @property materials names of those that have a colour, by number, ascending; empty for other quantities
  * @property bright the surface density that is as bright as can be
  */
 internal class Scene(
@@ -20,6 +21,7 @@ internal class Scene(
     val colours: ColourRange,
     val bright: Double,
     val scale: PlotScale,
+    val materials: Map<Int, String> = emptyMap(),
 ) {
     /** Whether a sphere of [radius] is drawn as a disc, in a movie in which most are not. */
     fun isDisc(radius: Double): Boolean = isDisc(view, radius)

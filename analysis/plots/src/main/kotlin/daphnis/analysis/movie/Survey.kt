@@ -15,6 +15,9 @@ import kotlin.math.sqrt
 internal class Survey(private val options: MovieOptions) {
     private var window: Window? = null
     private var colours: ColourRange? = null
+
+    /** Names of the materials of particles, by number. */
+    private val materials = sortedMapOf<Int, String>()
     private var typicalRadius = 0.0
     private var meanRadius = 0.0
     private var number = 0
@@ -40,7 +43,9 @@ internal class Survey(private val options: MovieOptions) {
             typicalRadius = quantile(DoubleArray(of.size) { radius[of[it]] }, 0.5)
             meanRadius = of.sumOf { radius[it] } / of.size
         }
-        val range = rangeOf(state, if (options.colour == MovieColour.SIZE) of else thinned(of)) ?: return
+        val isRare = options.colour == MovieColour.SIZE || options.colour == MovieColour.MATERIAL
+        val range = rangeOf(state, if (isRare) of else thinned(of)) ?: return
+        if (options.colour == MovieColour.MATERIAL) name(state, of)
         colours = colours?.union(range) ?: range
     }
 
@@ -50,9 +55,16 @@ internal class Survey(private val options: MovieOptions) {
             MovieColour.SPEED, MovieColour.SPIN -> ColourRange(0.0, quantile(values, 1 - RARE))
             MovieColour.SIZE -> ColourRange(values.min(), values.max(), mayBeLogarithmic = true)
             MovieColour.HEIGHT -> ColourRange(quantile(values, RARE), quantile(values, 1 - RARE))
-            MovieColour.MATERIAL -> ColourRange(0.0, maxOf(values.max(), state.population.materials.size - 1.0))
+            MovieColour.MATERIAL -> ColourRange(values.min(), values.max())
             MovieColour.DENSITY -> null
         }
+    }
+
+    /** Bodies are drawn in a colour of their own, so what only they are made of is not named. */
+    private fun name(state: State, of: List<Int>) {
+        val p = state.population
+        if (!p.hasMaterials) return
+        for (number in of.mapTo(HashSet()) { p.material[it].toInt() }) materials[number] = p.materials[number]
     }
 
     /** About [MOST] of the indices [of], evenly. */
@@ -102,7 +114,7 @@ internal class Survey(private val options: MovieOptions) {
     fun scene(units: UnitNames, omega: Double?): Scene {
         val range = if (options.colour == MovieColour.DENSITY) ColourRange(0.0, densest) else colours
         val scale = PlotScale(units, omega, if (meanRadius > 0) meanRadius else 1.0)
-        return Scene(options, view, isImage, cell, passes, range ?: ColourRange(0.0, 0.0), densest, scale)
+        return Scene(options, view, isImage, cell, passes, range ?: ColourRange(0.0, 0.0), densest, scale, materials)
     }
 
     private companion object {

@@ -74,6 +74,37 @@ class FramePainterTest {
     }
 
     @Test
+    fun `materials that are shown have a swatch and a name, and what only a body is made of has none`() {
+        val spheres = populationOf(Sphere(2.0, -3.0, r = 0.5), Sphere(-2.0, 3.0, r = 0.5), Sphere(4.0, 0.0, r = 0.5))
+        val names = listOf("unused", "ice", "rock", "moon")
+        val state = State(spheres.withMaterial(intArrayOf(1, 2, 3), names), Periodic(box), 0.0, firstBody = 2)
+        val image = paint(state, colour = MovieColour.MATERIAL) {
+            assertEquals(mapOf(1 to "ice", 2 to "rock"), it.materials)
+        }
+        // Discs are shaded: that of the body has the hue of none of the two.
+        assertTrue(listOf(80 to 120, 320 to 280, 200 to 40).map { (x, y) -> image.getRGB(x, y) }.toSet().size == 3)
+        val map = ColourMap.QUANTITY
+        val below = (400 until image.height).flatMap { y -> (0 until 400).map { image.getRGB(it, y) and 0xffffff } }
+        // Squares of the font's size of 11 times 0.8, and no colour in between.
+        assertEquals(listOf(81, 81), listOf(map.rgb(0.0), map.rgb(1.0)).map { colour -> below.count { it == colour } })
+        assertTrue(below.none { it == map.rgb(0.5) || it == map.rgb(0.25) })
+    }
+
+    @Test
+    fun `names that have no room are cut, and all swatches stay in the picture`() {
+        val names = List(12) { "a-material-with-a-long-name-$it" }
+        val spheres = Array(12) { Sphere(0.0, -4.4 + 0.8 * it, r = 0.35) }
+        val state = State(populationOf(*spheres).withMaterial(IntArray(12) { it }, names), Periodic(box), 0.0)
+        val image = paint(state, colour = MovieColour.MATERIAL)
+        for (k in 0 until 12) {
+            val colour = ColourMap.QUANTITY.rgb(k / 11.0)
+            val rows = 400 until image.height
+            val count = rows.sumOf { y -> (0 until 400).count { image.getRGB(it, y) and 0xffffff == colour } }
+            assertEquals(81, count) { "material $k" }
+        }
+    }
+
+    @Test
     fun `beyond a face the image goes on, where the shear has brought it`() {
         val sphere = Sphere(1.0, 4.9, 0.0, r = 0.4)
         assertTrue(paint(state(Periodic(box), sphere)).shows(-4.9, 1.0))
