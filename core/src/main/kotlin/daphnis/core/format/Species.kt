@@ -10,7 +10,11 @@ import daphnis.core.population.SphereQuantity
  * @param numberedFrom the number that means the first material, in a file whose numbers are never names; null
  *   in others, where all words may be numbers from 0 on
  */
-internal class Species(private val of: IntArray, private val words: List<String>, private val numberedFrom: Int? = null) {
+internal class Species(
+    private val of: IntArray,
+    private val words: List<String>,
+    private val numberedFrom: Int? = null,
+) {
     /** The one word of all particles where that tells nothing: the symbol of an element, or X, but none of [names]. */
     fun placeholder(names: List<String>): String? = words.singleOrNull()?.takeIf { it !in names && SYMBOL.matches(it) }
 

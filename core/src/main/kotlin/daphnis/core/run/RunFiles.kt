@@ -44,7 +44,9 @@ internal class RunFiles(
 
     /** A table that another version began would go on with rows of another width. */
     private fun requireSame(path: Path, columns: Columns<*>) {
-        val there = Files.newBufferedReader(path).use { it.readLine() }.orEmpty().split(',').map { it.substringBefore(" [") }
+        val there = Files.newBufferedReader(path).use {
+            it.readLine()
+        }.orEmpty().split(',').map { it.substringBefore(" [") }
         if (there != columns.columns.map { it.name }) {
             val what = "has other columns than this version of daphnis writes, so the run cannot go on; begin it anew"
             throw InputException("$path", null, what)

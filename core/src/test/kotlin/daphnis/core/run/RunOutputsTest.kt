@@ -12,10 +12,12 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
 import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.InputException
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Dimension
 import daphnis.core.table.UnitsOfDimensions
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -165,5 +167,29 @@ class RunOutputsTest {
             assertTrue(s.collisions!!.counters.collisions > 0 && Files.readAllLines(directory.collisions).size > 1)
             assertTrue(files.all { Files.readString(it).endsWith("\n") }) { "whole lines" }
         }
+    }
+
+    @Test
+    fun `a table that another version began is not gone on with`(@TempDir path: Path) {
+        val directory = RunDirectory(path)
+        RunFiles(directory).use { files ->
+            files.table(SeriesColumns.rows)
+            files.flush()
+        }
+        val file = path.resolve("series.csv")
+        val old = Files.readString(file).replaceFirst("kinetic_energy", "energy_of_motion")
+        for (head in listOf(Files.readString(file), old)) {
+            Files.writeString(file, head)
+            val beginnings = mapOf("series.csv" to Beginning.of(file, Files.size(file)))
+            RunFiles(directory, beginnings).use { files ->
+                if (head != old) {
+                    files.table(SeriesColumns.rows)
+                } else {
+                    val e = assertThrows(InputException::class.java) { files.table(SeriesColumns.rows) }
+                    assertTrue("has other columns than this version of daphnis writes" in e.message!!)
+                }
+            }
+        }
+        assertEquals(old, Files.readString(file))
     }
 }
