@@ -116,7 +116,7 @@ internal class H5mdParticles(
         }
         val made = species?.let { said ->
             Species.Rows(count).also { for (k in 0 until count) it.put(k, "${said.data[at(said.isByFrame, t, k)]}") }
-                .species(order, first = 0)
+                .species(order, numberedFrom = 0)
         }
         val state = Snapshot(
             head.step, head.time, head.lengths, head.periodic, head.lean.offset, IntArray(count) { ids[order[it]] },

@@ -32,8 +32,8 @@ internal class ParticleRows(private val size: Int) {
     /** Names of materials, where the file says that these words are such. */
     var materials: List<String>? = null
 
-    /** The number of the first of [species], where these are numbers. */
-    var firstSpecies = 0
+    /** The number of the first of [species] in a file whose numbers are never names; null in others. */
+    var firstSpecies: Int? = null
 
     /** Boxes crossed, `[axis][k]`; null where the file does not tell. */
     var image: Array<IntArray>? = null

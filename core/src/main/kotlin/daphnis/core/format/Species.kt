@@ -7,12 +7,12 @@ import daphnis.core.population.SphereQuantity
  * LAMMPS, or a material. Which material of a scenario is meant, its author says.
  *
  * @param of place in [words] of the word of each particle, in the order of the state
- * @param first the number that means the first material, where words are numbers
+ * @param numberedFrom the number that means the first material, in a file whose numbers are never names; null
+ *   in others, where all words may be numbers from 0 on
  */
-internal class Species(private val of: IntArray, private val words: List<String>, private val first: Int = 0) {
-    /** Whether all are of one word that is neither one of [names] nor a number, which tells nothing. */
-    fun areAlike(names: List<String>): Boolean =
-        words.size <= 1 && words.none { it in names || it.toIntOrNull() != null }
+internal class Species(private val of: IntArray, private val words: List<String>, private val numberedFrom: Int? = null) {
+    /** The one word of all particles where that tells nothing: the symbol of an element, or X, but none of [names]. */
+    fun placeholder(names: List<String>): String? = words.singleOrNull()?.takeIf { it !in names && SYMBOL.matches(it) }
 
     /**
      * The number among [names] of the material of each particle. Words are names, or all of them are numbers.
@@ -20,7 +20,9 @@ internal class Species(private val of: IntArray, private val words: List<String>
      * @throws FormatException for a word that is neither
      */
     fun numbers(names: List<String>): IntArray {
-        val isNumbered = words.any { it !in names } && words.all { it.toIntOrNull() != null }
+        val first = numberedFrom ?: 0
+        val isNumbered =
+            (numberedFrom != null || words.any { it !in names }) && words.all { it.toIntOrNull() != null }
         val numbers = IntArray(words.size) { k ->
             val word = words[k]
             val number = if (isNumbered) word.toInt() - first else names.indexOf(word)
@@ -47,11 +49,13 @@ internal class Species(private val of: IntArray, private val words: List<String>
         }
 
         /** Particle k of the result is the one at `order[k]`. */
-        fun species(order: IntArray, first: Int): Species =
-            Species(IntArray(order.size) { of[order[it]] }, words.keys.toList(), first)
+        fun species(order: IntArray, numberedFrom: Int?): Species =
+            Species(IntArray(order.size) { of[order[it]] }, words.keys.toList(), numberedFrom)
     }
 
     companion object {
+        private val SYMBOL = Regex("[A-Z][a-z]?")
+
         /** The materials of the particles of a [snapshot] that has some. */
         fun of(snapshot: Snapshot): Species {
             val material = snapshot.material

@@ -83,8 +83,8 @@ public class OrbitalFrequencies @JvmOverloads constructor(
             // κ² = a⁻³ d(a⁴ Ω²)/da, term by term.
             val radial = 1 - terms[0] - 3 * terms[1] - 5 * terms[2]
             require(orbital > 0 && radial > 0 && 2 * orbital > radial) {
-                "at a distance of $distance there is no stable circular orbit: Ω², κ² and ν² are $orbital, $radial " +
-                    "and ${2 * orbital - radial} times those of a point mass"
+                "at ${distance / radius} radii of the planet there is no stable circular orbit: Ω², κ² and ν² are " +
+                    "$orbital, $radial and ${2 * orbital - radial} times those of a point mass"
             }
             val omega = sqrt(gravitationalParameter / (distance * distance * distance) * orbital)
             return OrbitalFrequencies(omega, sqrt(radial / orbital), sqrt((2 * orbital - radial) / orbital))

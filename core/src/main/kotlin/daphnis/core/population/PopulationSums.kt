@@ -75,7 +75,7 @@ public class PopulationSums @JvmOverloads constructor(
     public var scaleHeight: Double = 0.0
         private set
 
-    /** Σ m X / Σ m with X = 4x + 2 v_y/Ω in Hill's frame; otherwise the mean of x. */
+    /** Σ m X / Σ m with X the guiding centre in Hill's frame; otherwise the mean of x. */
     public var guidingX: Double = 0.0
         private set
 

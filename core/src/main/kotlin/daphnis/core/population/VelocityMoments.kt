@@ -15,7 +15,7 @@ import kotlin.math.sqrt
  * @property mean ⟨velocity − the boundary's flow⟩ along x, y, z
  * @property centreZ mean height
  * @property scaleHeight √⟨(z − centre)²⟩
- * @property guidingX Σ m X / Σ m with X = 4x + 2 v_y/Ω in Hill's frame; otherwise the mean of x
+ * @property guidingX Σ m X / Σ m with X the guiding centre in Hill's frame; otherwise the mean of x
  */
 public class VelocityMoments private constructor(
     public val moments: DoubleArray,

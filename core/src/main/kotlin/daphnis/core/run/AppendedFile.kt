@@ -12,7 +12,7 @@ import kotlin.io.path.name
  * there are many, and when they have waited for a second ([flushIfDue]). On resume the file is cut back to the length
  * in the checkpoint, so no line is there twice. The checksum is updated as the file grows, so nothing is read again.
  *
- * @param header names and units of the columns, separated by commas; a file that is continued keeps its own
+ * @param header names and units of the columns, separated by commas; a file that is continued keeps its own units
  * @param kept the beginning to continue from, or null to start a new file
  * @param clock nanoseconds
  */

@@ -1,10 +1,12 @@
 package daphnis.core.run
 
 import daphnis.core.closeAll
+import daphnis.core.scenario.InputException
 import daphnis.core.scenario.UnitsSpec
 import daphnis.core.table.Columns
 import daphnis.core.table.UnitsOfDimensions
 import java.nio.file.Files
+import java.nio.file.Path
 
 /**
  * The tables that outputs of a run write into [directory], and what a checkpoint keeps about them (ADR 33).
@@ -33,9 +35,19 @@ internal class RunFiles(
     fun table(columns: Columns<*>): AppendedFile {
         val name = columns.file
         val path = directory.path.resolve(name)
+        if ((beginnings[name]?.length ?: 0L) > 0L) requireSame(path, columns)
         return AppendedFile(path, columns.header(units), beginnings[name], directory.files, writer, clock).also {
             tables[name] =
                 it
+        }
+    }
+
+    /** A table that another version began would go on with rows of another width. */
+    private fun requireSame(path: Path, columns: Columns<*>) {
+        val there = Files.newBufferedReader(path).use { it.readLine() }.orEmpty().split(',').map { it.substringBefore(" [") }
+        if (there != columns.columns.map { it.name }) {
+            val what = "has other columns than this version of daphnis writes, so the run cannot go on; begin it anew"
+            throw InputException("$path", null, what)
         }
     }
 

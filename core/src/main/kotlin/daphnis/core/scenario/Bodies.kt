@@ -16,6 +16,9 @@ internal class Bodies(private val specs: List<BodySpec>, private val particles: 
             }
             body.mass?.let { check.positive("$key.mass", it) }
             body.density?.let { check.positive("$key.density", it) }
+            check.must("$key.density", body.mass != null || density(body) != null) {
+                "is missing; particles have materials, none of which says what this body weighs (or give mass)"
+            }
         }
     }
 
@@ -23,13 +26,17 @@ internal class Bodies(private val specs: List<BodySpec>, private val particles: 
 
     val mass: DoubleArray get() = DoubleArray(specs.size) {
         specs[it].mass
-            ?: (density(specs[it]) * 4.0 / 3.0 * Math.PI * cube(specs[it].radius))
+            ?: (density(specs[it])!! * 4.0 / 3.0 * Math.PI * cube(specs[it].radius))
     }
 
-    /** Its own, else that of other spheres of its material, else that of all. */
-    private fun density(body: BodySpec): Double = body.density
-        ?: particles.materials?.find { it.name == body.material }?.takeIf { it.mass == null }?.density
-        ?: particles.density
+    /** Its own, else that of other spheres of its material, else, where there are no materials, that of all. */
+    private fun density(body: BodySpec): Double? = body.density ?: particles.materials.let { all ->
+        if (all == null) {
+            particles.density
+        } else {
+            all.find { it.name == body.material }?.takeIf { it.mass == null }?.density
+        }
+    }
 
     val obstacles: List<Obstacle> get() = specs.map {
         Obstacle(it.position[0], it.position[1], it.position[2], it.radius)

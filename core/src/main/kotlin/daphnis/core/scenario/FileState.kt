@@ -145,7 +145,8 @@ internal class FileState(
             return snapshot.withoutMaterials()
         }
         val said = if (snapshot.hasMaterials) Species.of(snapshot) else snapshot.species
-        if (said != null && !said.areAlike(materials)) {
+        val placeholder = if (snapshot.hasMaterials) null else said?.placeholder(materials)
+        if (said != null && placeholder == null) {
             val numbers = try {
                 said.numbers(materials)
             } catch (e: FormatException) {
@@ -155,7 +156,8 @@ internal class FileState(
         }
         if (materials.size > 1) {
             notices +=
-                "${spec.path} does not say what spheres are made of: all are of the first material, ${materials[0]}"
+                "${spec.path} does not say what spheres are made of${placeholder?.let { " but '$it'" }.orEmpty()}: " +
+                "all are of the first material, ${materials[0]}"
         }
         return snapshot.withMaterials(IntArray(snapshot.size), materials)
     }

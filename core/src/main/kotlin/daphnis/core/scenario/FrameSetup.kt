@@ -80,6 +80,9 @@ public object FrameSetup {
                 "follows from frame.oblateness; give one of the two"
             }
             check.positive("frame.oblateness.radiusInKm", oblate.radiusInKm)
+            check.that("frame.distanceInKm", distance, distance >= oblate.radiusInKm) {
+                "is inside the planet, whose radius is ${oblate.radiusInKm} km"
+            }
         }
         val inSeconds = try {
             if (oblate == null) {
@@ -124,7 +127,7 @@ public object FrameSetup {
         val fitsRadially = !boundary.repeats(0) || flow?.rate == -frequencies.shearRate
         val fitsVertically = !boundary.repeats(2) || frequencies.verticalFactor == 0.0
         check.that("boundary.type", scenario.boundary, fitsRadially && fitsVertically) {
-            "it cannot be combined with a frame of type hill, whose mean flow v_y = -3/2 Ω x " +
+            "it cannot be combined with a frame of type hill, whose mean flow shears along x and " +
                 "is not the same at both faces; it must be hill-sheet or open (or walls across x and z)"
         }
     }

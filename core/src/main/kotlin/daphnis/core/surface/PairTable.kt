@@ -17,7 +17,9 @@ internal class PairTable<T>(val others: T, private val rows: List<List<T>> = emp
 
     /** The same table, but with [value] for the pair [first], [second]. */
     fun with(first: Int, second: Int, value: T): PairTable<T> {
-        require(first >= 0 && second >= 0) { "materials are $first and $second; their numbers must be at least 0" }
+        require(first in 0 until MOST && second in 0 until MOST) {
+            "materials are $first and $second; their numbers must be at least 0 and below $MOST"
+        }
         val size = maxOf(rows.size, maxOf(first, second) + 1)
         val table = List(size) { i ->
             List(size) { j -> if (i == first && j == second || i == second && j == first) value else get(i, j) }
@@ -25,3 +27,6 @@ internal class PairTable<T>(val others: T, private val rows: List<List<T>> = emp
         return PairTable(others, table)
     }
 }
+
+/** As many as there can be in a population. */
+private const val MOST = 1000

@@ -100,6 +100,16 @@ class MaterialFilesTest {
     }
 
     @Test
+    fun `names that are numbers of others stay names`() {
+        val odd = plain.withMaterial(IntArray(30) { it % 2 }, listOf("1", "0"))
+        for (format in listOf(H5md, ExtendedXyz)) {
+            val back = read(written(format, odd).path)
+            assertEquals(listOf("1", "0"), back.materials)
+            assertEquals(List(30) { (it % 2).toDouble() }, back.material.toList())
+        }
+    }
+
+    @Test
     fun `a table has materials by name or number`() {
         fun table(vararg words: String): Snapshot {
             val file = home.resolve("a.csv")

@@ -9,7 +9,9 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
+import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -81,6 +83,18 @@ class OblateFrameTest {
             assertEquals(start.i, back.i, 1e-14)
             assertEquals(start.verticalPhase, back.verticalPhase, 1e-14)
             assertEquals(back.guidingX - s[0], f.inwards(s[0], s[4]), 1e-14)
+        }
+    }
+
+    @Test
+    fun `satellites and sums are of these orbits`() {
+        for (f in cases) {
+            val moon = Satellite(1.0, start, f)
+            assertArrayEquals(start.after(2.0, f).state(f), moon.state(2.0))
+            val s = start.state(f)
+            val sums = PopulationSums(HillSheet(Box.centred(10.0, 20.0, 4.0), f).meanFlow, f)
+            sums.take(populationOf(Sphere(s[0], s[1], s[2], s[3], s[4], s[5])))
+            assertEquals(start.guidingX, sums.guidingX, 1e-13)
         }
     }
 

@@ -64,6 +64,7 @@ class OrbitalFrequenciesTest {
             { OrbitalFrequencies(1.0, 2.0) },
             { OrbitalFrequencies(1.0, Double.NaN) },
             { OrbitalFrequencies(1.0, 1.0, -0.1) },
+            { OrbitalFrequencies(1.0, 1.0, Double.POSITIVE_INFINITY) },
             { OrbitalFrequencies.around(0.0, 1.0) },
             { OrbitalFrequencies.around(1.0, 1.0, -1.0) },
             { OrbitalFrequencies.around(1.0, 1.0, 1.0, j2 = 0.7) },

@@ -48,6 +48,7 @@ class FrameSetupTest {
             """"distanceInKm":1e5,"radialFactor":0.9,$oblate""" to "frame.radialFactor",
             """"distanceInKm":1e5,"oblateness":{"radiusInKm":0,"j2":0.01}""" to "frame.oblateness.radiusInKm",
             """"distanceInKm":1e5,"oblateness":{"radiusInKm":60330,"j2":3}""" to "frame.oblateness",
+            """"distanceInKm":6e4,"oblateness":{"radiusInKm":60330,"j2":0.01}""" to "frame.distanceInKm",
             """"distanceInKm":1e5,"oblateness":{"j2":0.01}""" to "frame.oblateness.radiusInKm",
         )) {
             val message = assertThrows(InputException::class.java) { frequencies(frame) }.message!!

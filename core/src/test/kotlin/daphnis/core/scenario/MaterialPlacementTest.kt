@@ -89,9 +89,24 @@ class MaterialPlacementTest {
         assertEquals(listOf(0.0, 0.0, 0.0), two.population.material.toList())
         assertTrue(
             two.notices.any {
-                "does not say what spheres are made of: all are of the first material, ice" in it
+                "does not say what spheres are made of but 'X': all are of the first material, ice" in it
             },
         )
+    }
+
+    @Test
+    fun `a file of one other material is refused, and names that are numbers are no numbers`() {
+        val rocks = three().withMaterial(IntArray(3), listOf("rock"))
+        val e = assertThrows(InputException::class.java) { placed(write(rocks), """placement.materials=["ice"]""") }
+        assertTrue("particles of 'rock' are of none of the materials ice" in e.message!!)
+        val names = listOf("1", "0")
+        val odd = three().withMaterial(intArrayOf(0, 1, 0), names)
+        val dump = home.resolve("odd.lammpstrj")
+        Files.newBufferedWriter(dump).use { LammpsDump.write(Snapshot.of(odd, Open, 0, 0.0), it) }
+        for (file in listOf(write(odd), "$dump")) {
+            val found = placed(file, """placement.materials=["1", "0"]""").population
+            assertEquals(listOf(0.0, 1.0, 0.0), found.material.toList()) { file }
+        }
     }
 
     @Test

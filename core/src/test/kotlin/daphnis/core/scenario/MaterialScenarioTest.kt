@@ -126,6 +126,8 @@ class MaterialScenarioTest {
         val other = setup(plain, "bodies=[$moonlet, {\"radius\": 3, \"position\": [20, 0, 0]}]").population
         assertEquals(listOf("particles", "moonlet"), other.materials)
         assertEquals(List(9) { 0.0 } + listOf(1.0, 0.0), other.material.toList())
+        val light = """bodies=[{"radius": 5, "position": [0, 0, 0], "material": "moonlet"}]"""
+        assertTrue("bodies[0].density: is missing" in refused(light))
         assertTrue(
             "bodies[0].material: is missing; give one of ice, rock" in
                 refused("bodies=[{\"radius\": 3, \"position\": [0, 0, 0]}]"),

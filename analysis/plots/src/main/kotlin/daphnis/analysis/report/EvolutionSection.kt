@@ -54,7 +54,13 @@ internal class EvolutionSection(private val study: Study) : Section {
         val rate = plots.collisionRate()
         val energies = plots.energies()
         if (temperatures.isNotEmpty()) {
-            val ofSpins = if (temperatures.size == 1) "" else ", and of rotation, Σ I ω²/3M, the mean spin in it"
+            val ofSpins = if (temperatures.size ==
+                1
+            ) {
+                ""
+            } else {
+                ", and that of rotation, Σ I ω²/3M, in which the mean spin is"
+            }
             study.draw(
                 page,
                 plots.temperaturePlot(temperatures),

@@ -43,7 +43,7 @@ internal class SpinNumbers(private val study: Study, private val rows: NumberRow
             "fourth cumulant a₂ of velocities",
             study.motion.cumulant("a2"),
             "",
-            "⟨c⁴⟩ = (5/3) ⟨c²⟩² (1 + a₂); 0 for a Maxwellian",
+            "⟨c⁴⟩ = (5/3) ⟨c²⟩² (1 + a₂), of √m c; 0 for Maxwellians of one temperature",
         )
         if (study.motion.rotation == null) return
         val ofSpins = "the same of spins; 0 for a Maxwellian"

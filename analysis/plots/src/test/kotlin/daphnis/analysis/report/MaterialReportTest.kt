@@ -48,7 +48,7 @@ class MaterialReportTest {
     fun `where the others are moonlets there is nothing to compare`(@TempDir home: Path) {
         val one = listOf(
             """particles={"count":200,"materials":[{"name":"ice","share":1,"sizes":{"type":"equal","radius":0.5}}]}""",
-            """bodies=[{"radius":2,"position":[0,0,0],"material":"rock"}]""",
+            """bodies=[{"radius":2,"position":[0,0,0],"material":"rock","mass":9}]""",
         )
         val numbers = report(home, small.drop(1) + one)
         assertFalse(numbers.keys.any { "partial_temperature" in it })

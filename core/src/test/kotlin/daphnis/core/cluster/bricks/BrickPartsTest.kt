@@ -21,6 +21,7 @@ class BrickPartsTest {
         assertNotEquals(PathHash.mix(1L, 0.0), PathHash.mix(1L, -0.0))
         val p = populationOf(Sphere(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0))
             .withSpin(doubleArrayOf(9.0), doubleArrayOf(10.0), doubleArrayOf(11.0))
+            .withMaterial(intArrayOf(0), listOf("ice"))
         val whole = PathHash.whole(once, p, 0, tracksLastCollision = true)
         for (column in List(p.columnCount) { p.column(it) }) {
             val before = column[0]
