@@ -39,6 +39,6 @@ class DescribeMaterialsTest {
     }
 
     private companion object {
-        const val BODY = """bodies=[{"radius":5,"position":[0,0,0],"material":"moon"}]"""
+        const val BODY = """bodies=[{"radius":5,"position":[0,0,0],"material":"moon","density":1}]"""
     }
 }
