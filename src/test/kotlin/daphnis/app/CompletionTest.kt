@@ -43,7 +43,7 @@ class CompletionTest {
         assertEquals(allEngines.names.toList(), offered("daphnis", "run", "--engine", ""))
         assertEquals(listOf("serial,islands"), offered("daphnis", "bench", "--engines", "serial,isl"))
         assertEquals(listOf("h5md"), offered("daphnis", "export", "mine", "--format", "h"))
-        assertEquals(listOf("mine.json"), offered("daphnis", "analyze", "--scenario", "mi"))
+        assertEquals(listOf("mine.json"), offered("daphnis", "analyze", "--scenario", "min"))
         assertEquals(listOf("bash"), offered("daphnis", "completion", "b"))
     }
 

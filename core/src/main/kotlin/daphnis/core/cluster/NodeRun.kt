@@ -45,7 +45,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
     }
 
     private fun receivePart(begin: Begin): Population {
-        val part = Population(SpheresWire.receive(mail, Mail.LEADER))
+        val part = Population(SpheresWire.receive(mail, Mail.LEADER), emptyList())
         part.beginPart(IdPlaces.like(begin.ids, begin.idCount))
         return part
     }

@@ -19,7 +19,7 @@ public class Population internal constructor(
      * Names of the materials that spheres are made of, by number, see [SphereColumns.material]; empty where none have
      * been named. Not a part of what the digest takes in.
      */
-    public val materials: List<String> = emptyList(),
+    public val materials: List<String>,
 ) : SphereColumns {
     private val sets = ColumnSets(columns)
     private val now: PopulationColumns get() = sets.now
@@ -66,7 +66,7 @@ public class Population internal constructor(
         radius: DoubleArray,
         mass: DoubleArray,
         id: IntArray = IntArray(x.size) { it },
-    ) : this(PopulationColumns.of(arrayOf(x, y, z, vx, vy, vz, radius, mass), id))
+    ) : this(PopulationColumns.of(arrayOf(x, y, z, vx, vy, vz, radius, mass), id), emptyList())
 
     init {
         PopulationCheck.columns(now)

@@ -72,7 +72,7 @@ internal class NodesTogether(
     private fun part(step: CollisionStep, holder: IntArray, node: Int): CollisionStep {
         val whole = step.population
         val mine = holder.indices.filter { holder[it] == node }.toIntArray()
-        val part = Population(PopulationColumns.picked(whole, mine))
+        val part = Population(PopulationColumns.picked(whole, mine), emptyList())
         return CollisionStep(part, step.boundary, step.law, CollisionCounters(), step.search).also {
             it.start = step.start
             it.duration = step.duration

@@ -27,7 +27,7 @@ class SpinMessagesTest {
             for (until in listOf(0, 2)) {
                 val room = MailRoom(1)
                 SpheresWire.send(room.mail(Mail.LEADER), 0, p, 0, until)
-                val part = Population(SpheresWire.receive(room.mail(0), Mail.LEADER))
+                val part = Population(SpheresWire.receive(room.mail(0), Mail.LEADER), emptyList())
                 assertEquals(until, part.size)
                 assertEquals(p.hasSpin, part.hasSpin)
                 if (p.hasSpin && until > 0) assertEquals(2.0, part.wx[1])

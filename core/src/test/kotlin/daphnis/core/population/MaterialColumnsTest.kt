@@ -113,7 +113,7 @@ class MaterialColumnsTest {
             for (until in listOf(0, 7)) {
                 val room = MailRoom(1)
                 SpheresWire.send(room.mail(Mail.LEADER), 0, p, 0, until)
-                val part = Population(SpheresWire.receive(room.mail(0), Mail.LEADER))
+                val part = Population(SpheresWire.receive(room.mail(0), Mail.LEADER), emptyList())
                 assertEquals(until, part.size)
                 assertEquals(p.optional, part.optional)
                 if (p.hasMaterials) assertArrayEquals(p.material.copyOf(until), part.material)
