@@ -128,6 +128,7 @@ class RunOriginTest {
         }
         wrong(ring("box.lengths[1]=26"), origin("a", 14), "box.lengths[1]", "26.0", "25.0", "after step 14")
         wrong(ring("frame.angularSpeed=0.8"), origin("a", 14), "frame", "0.8", "0.7")
+        wrong(ring("frame.radialFactor=0.9"), origin("a", 14), "frame", "has κ/Ω 0.9", "1.0")
         wrong(ring("units.lengthInMetres=2"), origin("a", 14), "units.lengthInMetres", "is 2.0", "1.0")
         wrong(ring("particles.count=100"), origin("a", 14), "particles.count", "is 100", "has 120")
         wrong(ring("bodies=[]", "forces=[]"), origin("a", 14), "bodies", "0 entries", "1 entry")
