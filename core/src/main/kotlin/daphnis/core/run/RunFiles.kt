@@ -42,11 +42,13 @@ internal class RunFiles(
         }
     }
 
-    /** A table that another version began would go on with rows of another width. */
+    /**
+     * A table that another version began would go on with rows of another width. Behind what the checkpoint knows,
+     * bytes may be anything, also no characters, so no strict reader of text goes over them.
+     */
     private fun requireSame(path: Path, columns: Columns<*>) {
-        val there = Files.newBufferedReader(path).use {
-            it.readLine()
-        }.orEmpty().split(',').map { it.substringBefore(" [") }
+        val header = Files.newInputStream(path).reader().buffered().use { it.readLine() }.orEmpty()
+        val there = header.split(',').map { it.substringBefore(" [") }
         if (there != columns.columns.map { it.name }) {
             val what = "has other columns than this version of daphnis writes, so the run cannot go on; begin it anew"
             throw InputException("$path", null, what)
