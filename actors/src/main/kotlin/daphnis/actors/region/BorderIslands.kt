@@ -1,6 +1,6 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.islands.IslandCrew
+import daphnis.core.engine.islands.IslandWorkers
 
 /**
  * Islands that cross borders, and the locks under which they are processed. An island needs the regions to which its
@@ -9,7 +9,7 @@ import daphnis.core.engine.islands.IslandCrew
  * none, so no batch waits while it holds a lock, and there is no lock order to violate. Batches are tried in the order
  * of their first collisions.
  */
-internal class BorderIslands(private val map: RegionMap, private val crew: IslandCrew) {
+internal class BorderIslands(private val map: RegionMap, private val workers: IslandWorkers) {
     private class Batch(val regions: BooleanArray) {
         val islands = ArrayList<Int>()
         var start = Double.POSITIVE_INFINITY
@@ -33,11 +33,11 @@ internal class BorderIslands(private val map: RegionMap, private val crew: Islan
      */
     fun add(root: Int, also: Int, before: BooleanArray?) {
         val regions = before?.copyOf() ?: BooleanArray(map.count)
-        crew.forEachSeeded(root) { lockAround(map.regionOf(it), regions) }
+        workers.forEachSeeded(root) { lockAround(map.regionOf(it), regions) }
         if (also >= 0) lockAround(map.regionOf(also), regions)
         val batch = waiting.firstOrNull { it.regions.contentEquals(regions) } ?: Batch(regions).also { waiting += it }
         batch.islands += root
-        batch.start = minOf(batch.start, crew.startOf(root))
+        batch.start = minOf(batch.start, workers.startOf(root))
     }
 
     private fun lockAround(region: Int, regions: BooleanArray) {

@@ -1,14 +1,14 @@
 package daphnis.actors.region
 
 import daphnis.core.engine.islands.ClaimRule
-import daphnis.core.engine.islands.IslandCrew
+import daphnis.core.engine.islands.IslandWorkers
 
 /**
  * The work of one region, without any framework. Its owner calls [handle] with one command after the other, from one
  * thread at a time, and each call happens after the one before.
  */
-public class Region(public val number: Int, private val map: RegionMap, private val crew: IslandCrew) {
-    private val worker = crew[number]
+public class Region(public val number: Int, private val map: RegionMap, private val workers: IslandWorkers) {
+    private val worker = workers[number]
     private var locked = BooleanArray(0)
     private val ownSpheres = ClaimRule { map.regionOf(it) == number }
     private val lockedSpheres = ClaimRule { locked[map.regionOf(it)] }
@@ -44,7 +44,7 @@ public class Region(public val number: Int, private val map: RegionMap, private 
         when (command.phase) {
             Phase.SHARE -> command.share!!.run(number)
             Phase.SEARCH -> map.forEachStretch(number) { from, to -> worker.searchStart(from, to) }
-            Phase.PROPOSE -> crew.propose(number)
+            Phase.PROPOSE -> workers.propose(number)
             Phase.WORK -> {
                 worker.group()
                 return RegionReply(number, command.phase, worker.processOwn())

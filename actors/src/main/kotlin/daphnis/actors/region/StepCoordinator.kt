@@ -1,7 +1,7 @@
 package daphnis.actors.region
 
-import daphnis.core.engine.islands.IslandCrew
 import daphnis.core.engine.islands.IslandField
+import daphnis.core.engine.islands.IslandWorkers
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
@@ -35,8 +35,8 @@ public class StepCoordinator @JvmOverloads constructor(
     /** The present step; for the serial engine too, once no region is at work. */
     internal val prepared: PreparedStep = PreparedStep()
     private val field = IslandField(map.count, prepared)
-    private val crew = IslandCrew(field, map.count)
-    private val border = BorderIslands(map, crew)
+    private val workers = IslandWorkers(field, map.count)
+    private val border = BorderIslands(map, workers)
     private val outbox = ArrayDeque<RegionCommand>()
     private var step: CollisionStep? = null
     private var phase = Phase.SEARCH
@@ -46,7 +46,7 @@ public class StepCoordinator @JvmOverloads constructor(
     private var redone = 0L
 
     /** The regions, for the code that runs them. */
-    public val regions: List<Region> = List(map.count) { Region(it, map, crew) }
+    public val regions: List<Region> = List(map.count) { Region(it, map, workers) }
 
     /** Whether the step has ended, successfully or not. */
     public var isFinished: Boolean = true
@@ -111,7 +111,7 @@ public class StepCoordinator @JvmOverloads constructor(
     private fun attempt() {
         val step = step!!
         field.prepare(loop)
-        crew.prepare()
+        workers.prepare()
         map.prepare(field.rows, field.grid, step.boundary)
         border.clear()
         sendAll(Phase.SEARCH)
@@ -189,19 +189,19 @@ public class StepCoordinator @JvmOverloads constructor(
             Phase.SHARE -> isFinished = true
             Phase.SEARCH -> openWindow()
             Phase.PROPOSE -> {
-                crew.joinBorders()
-                for (k in 0 until crew.rootCount) border.add(crew.root(k), NOBODY, null)
+                workers.joinBorders()
+                for (k in 0 until workers.rootCount) border.add(workers.root(k), NOBODY, null)
                 sendAll(Phase.WORK)
             }
             Phase.WORK, Phase.GRANT -> if (border.isEmpty) sendAll(Phase.CHECK) else grant()
             Phase.CHECK ->
-                if (crew.mergeConflicts()) {
-                    for (k in 0 until crew.rootCount) border.add(crew.root(k), NOBODY, null)
+                if (workers.mergeConflicts()) {
+                    for (k in 0 until workers.rootCount) border.add(workers.root(k), NOBODY, null)
                     grant()
                 } else {
                     sendAll(Phase.COMMIT)
                 }
-            Phase.COMMIT -> if (crew.isLastWindow) closeWindow() else sendAll(Phase.LOOK_AHEAD)
+            Phase.COMMIT -> if (workers.isLastWindow) closeWindow() else sendAll(Phase.LOOK_AHEAD)
             Phase.LOOK_AHEAD -> closeWindow()
         }
     }
@@ -212,13 +212,13 @@ public class StepCoordinator @JvmOverloads constructor(
     }
 
     private fun closeWindow() {
-        crew.closeWindow()
+        workers.closeWindow()
         openWindow()
     }
 
     private fun openWindow() {
-        while (!crew.isLastWindow) {
-            if (crew.openWindow() > 0) {
+        while (!workers.isLastWindow) {
+            if (workers.openWindow() > 0) {
                 sendAll(Phase.PROPOSE)
                 return
             }
@@ -228,12 +228,12 @@ public class StepCoordinator @JvmOverloads constructor(
 
     /** The population is written last. Nothing after that can fail, and nothing after that checks [cancel]. */
     private fun finish(step: CollisionStep) {
-        crew.writeTo(step.record)
+        workers.writeTo(step.record)
         if (!cancelled) {
             field.store(loop)
             isStored = true
             step.counters.redoneSteps += redone
-            crew.addTo(step.counters)
+            workers.addTo(step.counters)
         }
         isFinished = true
     }

@@ -4,8 +4,8 @@ import daphnis.actors.gas
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.ConstantRestitution
-import daphnis.core.engine.islands.IslandCrew
 import daphnis.core.engine.islands.IslandField
+import daphnis.core.engine.islands.IslandWorkers
 import daphnis.core.initial.SeededRandom
 import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -21,8 +21,8 @@ class BorderIslandsTest {
     private inner class Window(seed: Long) {
         val map = RegionMap(RegionLayout.Stretches(count))
         val field = IslandField(count)
-        val crew = IslandCrew(field, count)
-        val border = BorderIslands(map, crew)
+        val workers = IslandWorkers(field, count)
+        val border = BorderIslands(map, workers)
         val roots: List<Int>
 
         init {
@@ -31,21 +31,21 @@ class BorderIslandsTest {
             step.duration = 0.1
             field.measure(step)
             field.prepare()
-            crew.prepare()
+            workers.prepare()
             map.prepare(field.rows, field.grid, boundary)
-            val regions = List(count) { Region(it, map, crew) }
+            val regions = List(count) { Region(it, map, workers) }
             fun all(phase: Phase) = regions.forEach { it.handle(RegionCommand(it.number, phase)) }
             all(Phase.SEARCH)
             // Windows with too few of them are left unprocessed.
             while (true) {
-                if (crew.openWindow() == 0) continue
+                if (workers.openWindow() == 0) continue
                 all(Phase.PROPOSE)
-                crew.joinBorders()
-                if (crew.rootCount >= 4) break
-                crew.mergeConflicts()
-                crew.closeWindow()
+                workers.joinBorders()
+                if (workers.rootCount >= 4) break
+                workers.mergeConflicts()
+                workers.closeWindow()
             }
-            roots = List(crew.rootCount) { crew.root(it) }
+            roots = List(workers.rootCount) { workers.root(it) }
         }
 
         /** The regions of the spheres of [root] and [also], and their neighbours. */
@@ -54,7 +54,7 @@ class BorderIslandsTest {
             fun around(slot: Int) {
                 for (k in 0 until count) if (map.areNeighbours(map.regionOf(slot), k)) needed[k] = true
             }
-            crew.forEachSeeded(root, ::around)
+            workers.forEachSeeded(root, ::around)
             if (also >= 0) around(also)
             return needed
         }
@@ -99,7 +99,7 @@ class BorderIslandsTest {
     fun `the batch with the first collision goes first`() {
         val window = Window(3)
         for (root in window.roots) window.border.add(root, -1, null)
-        val first = window.roots.minBy { window.crew.startOf(it) }
+        val first = window.roots.minBy { window.workers.startOf(it) }
         assertTrue(first in window.granted().first().islands.toList())
     }
 

@@ -12,7 +12,7 @@ internal class ColumnSets(now: PopulationColumns) {
     private var spare: PopulationColumns? = null
 
     /** Bodies of [spare] for a step that changes the order, while it has those of [now]. */
-    private var spareBodies: BodyColumns? = null
+    private var spareFixed: FixedColumns? = null
 
     /** The columns at the start of the step under way, while it can be taken back. */
     private var before: PopulationColumns? = null
@@ -26,11 +26,11 @@ internal class ColumnSets(now: PopulationColumns) {
         spare = null
         if (keepsOrder) {
             // Those of before may still be in a set that was written earlier in the step.
-            if (columns.bodies !== now.bodies && columns.bodies !== before?.bodies) spareBodies = columns.bodies
-            columns.bodies = now.bodies
-        } else if (columns.bodies === now.bodies || columns.bodies === before?.bodies) {
-            columns.bodies = spareBodies?.takeIf { it.size == count } ?: now.bodies.empty(count)
-            spareBodies = null
+            if (columns.fixed !== now.fixed && columns.fixed !== before?.fixed) spareFixed = columns.fixed
+            columns.fixed = now.fixed
+        } else if (columns.fixed === now.fixed || columns.fixed === before?.fixed) {
+            columns.fixed = spareFixed?.takeIf { it.size == count } ?: now.fixed.empty(count)
+            spareFixed = null
         }
         if (count != now.size) {
             columns.ownNotes()

@@ -35,12 +35,12 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
 
     override fun column(place: Int): DoubleArray = numbers[place]
 
-    override val id: IntArray get() = bodies.id
+    override val id: IntArray get() = fixed.id
 
     /** What a step does not change: the same for both sets as long as spheres keep their order. */
-    var bodies: BodyColumns = BodyColumns(Array(BODIES.size) { numbers[BODIES[it]] }, id)
+    var fixed: FixedColumns = FixedColumns(Array(FIXED.size) { numbers[FIXED[it]] }, id)
         set(value) {
-            for (k in BODIES.indices) numbers[BODIES[k]] = value.numbers[k]
+            for (k in FIXED.indices) numbers[FIXED[k]] = value.numbers[k]
             field = value
         }
 
@@ -59,7 +59,7 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
         for (place in NOTES) numbers[place] = absent(place, size)
     }
 
-    /** Copies all but positions to [to], which shares our [bodies]. */
+    /** Copies all but positions to [to], which shares our [fixed]. */
     fun copyAllButPositionsInto(to: PopulationColumns) {
         for (place in KEPT) numbers[place].copyInto(to.numbers[place])
         to.shareNotes(this)
@@ -88,7 +88,7 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
     companion object {
         private fun isThere(place: Int, optional: Int) = SphereQuantity.at(place).isIn(optional)
 
-        private val BODIES = SphereQuantity.places { it.change == NEVER }
+        private val FIXED = SphereQuantity.places { it.change == NEVER }
         private val NOTES = SphereQuantity.places { it.change == NOTED }
 
         /** Columns of the set that a step without collisions copies. */
@@ -141,10 +141,10 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
 }
 
 /** The columns of spheres that no step changes, in the order of their places, and the ids. */
-internal class BodyColumns(val numbers: Array<DoubleArray>, val id: IntArray) {
+internal class FixedColumns(val numbers: Array<DoubleArray>, val id: IntArray) {
     val size: Int get() = id.size
 
     /** Columns of the same kind for [size] spheres. */
-    fun empty(size: Int): BodyColumns =
-        BodyColumns(Array(numbers.size) { if (numbers[it] === NONE) NONE else DoubleArray(size) }, IntArray(size))
+    fun empty(size: Int): FixedColumns =
+        FixedColumns(Array(numbers.size) { if (numbers[it] === NONE) NONE else DoubleArray(size) }, IntArray(size))
 }

@@ -48,7 +48,7 @@ class MaterialColumnsTest {
             p.retain { it > 4 }
             p.drift(0.5)
             val hidden = PopulationColumns(p.size, PopulationColumns.joined(listOf(p)))
-            hidden.bodies = hidden.bodies.empty(7)
+            hidden.fixed = hidden.fixed.empty(7)
             for (q in listOf(p, hidden)) {
                 assertFalse(q.hasMaterials)
                 assertSame(SphereQuantity.NONE, q.material)

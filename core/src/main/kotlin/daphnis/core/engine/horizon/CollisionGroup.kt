@@ -43,8 +43,8 @@ internal class CollisionGroup(
     val newLines = NewLines(space, sight, newRoamers, number, numbers)
     val search = LineSearch(frame, cells, space.roamers, space.giants, newRoamers, sight, this)
     val work = GroupWork(search, space.limits)
-    val bodies = EpochBodies(places)
-    val impact = EpochImpact(prepared, bodies, this, witness)
+    val held = GroupSpheres(places)
+    val impact = EpochImpact(prepared, held, this, witness)
     val trails = Trails(frame, cells, number)
     val paths = GroupPaths()
 
@@ -86,12 +86,12 @@ internal class CollisionGroup(
         sight.widen()
     }
 
-    /** Begins a step. See [EpochBodies.begin] about [order]. */
+    /** Begins a step. See [GroupSpheres.begin] about [order]. */
     fun begin(spheres: SphereColumns, order: IntArray?, tracks: Boolean, keepsPaths: Boolean) {
         this.keepsPaths = keepsPaths
         hasFailed = false
         compared = 0
-        bodies.begin(spheres, order, frame.duration, frame.stepLimit, tracks)
+        held.begin(spheres, order, frame.duration, frame.stepLimit, tracks)
         crossings.clear()
         if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         if (!keepsPaths) return
@@ -105,15 +105,15 @@ internal class CollisionGroup(
         impact.begin(record)
     }
 
-    /** Collisions go on in another window of the step. See [EpochBodies.goOn] about [indexAt] and [slotAt]. */
+    /** Collisions go on in another window of the step. See [GroupSpheres.goOn] about [indexAt] and [slotAt]. */
     fun goOn(indexAt: IntArray, slotAt: IntArray) {
         isUnderWay = true
-        bodies.goOn(frame.start, frame.end, indexAt, slotAt)
+        held.goOn(frame.start, frame.end, indexAt, slotAt)
     }
 
     /** Processes all that is queued. @return false when the step cannot be ended in this way */
     fun process(): Boolean {
-        val queue = bodies.queue
+        val queue = held.queue
         while (queue.pop()) {
             if (impact.process(queue.time, queue.first, queue.second, queue.image) != Impact.End.DONE) return false
         }
@@ -159,11 +159,11 @@ internal class CollisionGroup(
         work.asked++
         val time = contact(i, j, code, lines)
         if (time > frame.stepLimit) return
-        bodies.queue.add(time, bodies.placeOf(i), bodies.placeOf(j), lines.spheresImage(code, i, lines, j))
+        held.queue.add(time, held.placeOf(i), held.placeOf(j), lines.spheresImage(code, i, lines, j))
     }
 
     private fun askWalls(slot: Int) {
-        prepared.queueWalls(bodies.rows, bodies.placeOf(slot), bodies.queue, frame.stepLimit)
+        prepared.queueWalls(held.rows, held.placeOf(slot), held.queue, frame.stepLimit)
         val next = frame.step + 1
         if (next == frame.steps) return
         val due = maxOf(frame.stepAt(lines.touchWall(slot, next * frame.duration)), next)
@@ -185,7 +185,7 @@ internal class CollisionGroup(
 
     private fun contact(i: Int, j: Int, code: Int, lines: Lines): Double {
         val image = lines.spheresImage(code, i, lines, j)
-        val time = bodies.contactTime(i, j, image, images)
+        val time = held.contactTime(i, j, image, images)
         val next = frame.step + 1
         if (time <= frame.duration || next == frame.steps) return time
         val touch = lines.touch(i, lines, j, code, next * frame.duration)
@@ -205,7 +205,7 @@ internal class CollisionGroup(
     inline fun meet(piece: Int, other: CollisionGroup, alsoOld: Boolean, isTwice: Boolean, use: (Int) -> Unit) {
         trails.forEachNear(piece, other.trails) { q, code ->
             countCompared()
-            if ((alsoOld || other.trails.isNew(q)) && other.bodies.has(other.trails.slots[q])) {
+            if ((alsoOld || other.trails.isNew(q)) && other.held.has(other.trails.slots[q])) {
                 val touch = touch(piece, other.trails, q, code)
                 if (touch <= frame.end) {
                     if (frame.stepAt(touch) <= frame.step) {
@@ -247,7 +247,7 @@ internal class CollisionGroup(
     }
 
     override fun bend(slot: Int, place: Int) {
-        val state = bodies.rows.state
+        val state = held.rows.state
         val p = place * StepRows.STRIDE
         val v = p + StepRows.VX
         val t = frame.step * frame.duration + state[p + StepRows.TIME]
@@ -278,7 +278,7 @@ internal class CollisionGroup(
 
     override fun lookOut(slot: Int, place: Int, except: Int): Boolean {
         if (lines.isLost || work.isTooMuch()) return false
-        val local = bodies.rows.state[place * StepRows.STRIDE + StepRows.TIME]
+        val local = held.rows.state[place * StepRows.STRIDE + StepRows.TIME]
         sight.hasMetOthers = false
         search.around(slot, frame.stepStart + local, except)
         if (frame.hasWalls) lookAtWalls(slot, frame.stepStart + local)

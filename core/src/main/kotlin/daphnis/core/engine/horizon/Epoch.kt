@@ -254,7 +254,7 @@ internal class Epoch(
             val isDone = whole.process()
             whole.rest()
             if (!isDone || space.isOver) return false
-            whole.bodies.store(columns, frame.duration)
+            whole.held.store(columns, frame.duration)
         }
         return true
     }
@@ -281,8 +281,8 @@ internal class Epoch(
         if (isShared) {
             shared.store(columns)
         } else {
-            whole.bodies.store(columns, frame.duration)
-            whole.bodies.forEachSlot { space.settleLine(it) }
+            whole.held.store(columns, frame.duration)
+            whole.held.forEachSlot { space.settleLine(it) }
         }
     }
 

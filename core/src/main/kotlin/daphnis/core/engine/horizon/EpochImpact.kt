@@ -6,10 +6,10 @@ import daphnis.core.step.PreparedStep
 /** What an epoch does at a collision: the two spheres get new lines, and only then is searched along them. */
 internal class EpochImpact(
     prepared: PreparedStep,
-    private val bodies: EpochBodies,
+    private val held: GroupSpheres,
     private val course: Course,
     witness: Witness?,
-) : Impact(prepared, bodies.rows, bodies.queue, witness) {
+) : Impact(prepared, held.rows, held.queue, witness) {
     /** The rest of the epoch. */
     interface Course {
         /** The spheres at the places [first] and [second] have met; they are the same where one has met a wall. */
@@ -26,12 +26,12 @@ internal class EpochImpact(
         fun lookOut(slot: Int, place: Int, except: Int): Boolean
     }
 
-    override fun slotOf(place: Int): Int = bodies.slotOf(place)
+    override fun slotOf(place: Int): Int = held.slotOf(place)
 
     override fun changed(first: Int, second: Int) {
         course.met(first, if (second < 0) first else second)
-        course.bend(bodies.slotOf(first), first)
-        if (second >= 0) course.bend(bodies.slotOf(second), second)
+        course.bend(held.slotOf(first), first)
+        if (second >= 0) course.bend(held.slotOf(second), second)
     }
 
     override fun outrun(first: Int, second: Int): Boolean {
@@ -40,5 +40,5 @@ internal class EpochImpact(
         return true
     }
 
-    override fun search(place: Int, except: Int): Boolean = course.lookOut(bodies.slotOf(place), place, except)
+    override fun search(place: Int, except: Int): Boolean = course.lookOut(held.slotOf(place), place, except)
 }

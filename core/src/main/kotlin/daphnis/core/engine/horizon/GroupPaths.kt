@@ -8,7 +8,7 @@ import daphnis.core.growth.IntList
 /**
  * What a group's spheres have done to one another in the present step, so that a part of it can be dropped: spheres
  * that have collided are of one **cluster**, whose members are a ring of places. All is addressed by place, as in
- * [EpochBodies].
+ * [GroupSpheres].
  */
 internal class GroupPaths : GrowingTable() {
     private var parent = IntArray(0)

@@ -28,7 +28,7 @@ internal class LastGroup(
     private val reopened = IntList()
 
     /** Pairs of spheres of two groups which touch unless something comes between, and spheres that came near. */
-    private val seeds = PairList()
+    private val touching = PairList()
     private val doomed = PairList()
     private var isInUse = false
 
@@ -64,7 +64,7 @@ internal class LastGroup(
         group.work.start(parts = 1)
         processed = 0
         compared = 0
-        seeds.clear()
+        touching.clear()
         doomed.clear()
         for (lists in due) lists[groups.size].forEach { i, j, code -> look(i, j, code) }
         for (list in meetings) list.forEach { i, j, _ -> doomed.add(i, j, 0) }
@@ -89,7 +89,7 @@ internal class LastGroup(
 
     /** Undoes what this group has done, and begins the step. */
     private fun begin(step: CollisionStep, order: IntArray?, tracks: Boolean) {
-        if (isInUse) group.paths.forEachLive { restore(group.bodies.slotOf(it)) }
+        if (isInUse) group.paths.forEachLive { restore(group.held.slotOf(it)) }
         group.begin(step.population, order, tracks, keepsPaths = true)
         group.rest()
     }
@@ -101,7 +101,7 @@ internal class LastGroup(
     /** A pair of spheres of two groups is due: whether it touches if both keep their lines. */
     private fun look(i: Int, j: Int, code: Int) {
         if (group.wouldTouch(i, j, code)) {
-            seeds.add(i, j, code)
+            touching.add(i, j, code)
             doomed.add(i, j, 0)
         }
     }
@@ -118,7 +118,7 @@ internal class LastGroup(
         if (!haveChanged(slot)) return
         val owner = groups[space.shares.ownerOf(slot)]
         owner.paths.drop(places.of(slot)) { place ->
-            val s = owner.bodies.slotOf(place)
+            val s = owner.held.slotOf(place)
             restore(s)
             places.forget(s)
             reopened.add(s)
@@ -138,18 +138,18 @@ internal class LastGroup(
         group.others = this
         for (k in 0 until reopened.size) {
             if (group.work.isTooMuch()) return
-            val place = group.bodies.placeOf(reopened[k])
+            val place = group.held.placeOf(reopened[k])
             val piece = group.trails.add(reopened[k], lines, frame.stepStart, isNew = false)
             group.paths.setPiece(place, piece)
             meet(piece)
         }
-        seeds.forEach { i, j, code -> group.ask(i, j, code) }
+        touching.forEach { i, j, code -> group.ask(i, j, code) }
         for (lists in due) for (g in groups.indices) lists[g].forEach { i, j, code -> askAgain(i, j, code) }
     }
 
     /** A pair of a group that is due: whether it is one of this group now. */
     private fun askAgain(i: Int, j: Int, code: Int) {
-        if (!group.bodies.has(i) && !group.bodies.has(j)) return
+        if (!group.held.has(i) && !group.held.has(j)) return
         if (!haveChanged(i) && !haveChanged(j)) group.ask(i, j, code)
     }
 
@@ -171,9 +171,9 @@ internal class LastGroup(
     /** Writes its rows to [columns]. */
     fun store(columns: PopulationColumns) {
         if (isInUse) {
-            group.bodies.store(columns, frame.duration)
+            group.held.store(columns, frame.duration)
             group.paths.forEachLive { place ->
-                val slot = group.bodies.slotOf(place)
+                val slot = group.held.slotOf(place)
                 space.before.copy(slot, lines, slot)
             }
         }

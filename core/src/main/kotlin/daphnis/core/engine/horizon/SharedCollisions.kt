@@ -159,8 +159,8 @@ internal class SharedCollisions(
     /** Writes the spheres with rows to [columns]. Others see their lines from now on. */
     fun store(columns: PopulationColumns) {
         each { g ->
-            groups[g].bodies.store(columns, frame.duration)
-            groups[g].paths.forEachLive { place -> settle(groups[g].bodies.slotOf(place)) }
+            groups[g].held.store(columns, frame.duration)
+            groups[g].paths.forEachLive { place -> settle(groups[g].held.slotOf(place)) }
         }
         for (group in groups) group.newRoamers.forEachPresent(lines) { space.addRoamer(it, isFinal = true) }
         last.store(columns)

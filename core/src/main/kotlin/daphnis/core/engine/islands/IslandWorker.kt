@@ -11,7 +11,7 @@ public fun interface ClaimRule {
 
 /**
  * One of the workers on an [IslandField]: finds potential collisions, grows islands, processes and checks them. Its
- * results are in its own stores. The methods are the phases of a window; [IslandCrew] has their order.
+ * results are in its own stores. The methods are the phases of a window; [IslandWorkers] has their order.
  *
  * ```
  *   propose, group ─▶ process ─▶ check ─▶ commit ─▶ hintSuspects

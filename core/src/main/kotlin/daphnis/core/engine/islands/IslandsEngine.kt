@@ -15,7 +15,7 @@ import daphnis.core.step.PreparedStep
 
 /**
  * The fast engine: islands of spheres that meet no other sphere within a window of time, each processed alone by one
- * worker without locks. See [IslandField] for why its bits are those of the serial engine, and [IslandCrew] for the
+ * worker without locks. See [IslandField] for why its bits are those of the serial engine, and [IslandWorkers] for the
  * phases of a step.
  *
  * In dense gases and long steps islands would grow into one another; then windows get shorter, which changes no bit.
@@ -44,7 +44,7 @@ public class IslandsEngine @JvmOverloads constructor(
     private val field = IslandField(threads, prepared)
 
     /** For statistics of windows and islands. */
-    public val crew: IslandCrew = IslandCrew(field, threads)
+    public val workers: IslandWorkers = IslandWorkers(field, threads)
 
     private val alone = SerialEngine(prepared = prepared)
     private val quicker = QuickerWay()
@@ -84,10 +84,10 @@ public class IslandsEngine @JvmOverloads constructor(
             LATE
         }
         if (redone == LATE) return false
-        crew.writeTo(step.record)
+        workers.writeTo(step.record)
         field.store(loop)
         step.counters.redoneSteps += redone
-        crew.addTo(step.counters)
+        workers.addTo(step.counters)
         return true
     }
 
@@ -110,10 +110,10 @@ public class IslandsEngine @JvmOverloads constructor(
     /** @return false when a sphere went beyond the bound, or when it is late */
     private fun attempt(): Boolean {
         field.prepare(loop)
-        crew.prepare()
-        loop.run(field.size, SPHERES_A_PIECE) { worker, from, to -> crew[worker].searchStart(from, to) }
-        while (!crew.isLastWindow) {
-            val seeds = crew.openWindow()
+        workers.prepare()
+        loop.run(field.size, SPHERES_A_PIECE) { worker, from, to -> workers[worker].searchStart(from, to) }
+        while (!workers.isLastWindow) {
+            val seeds = workers.openWindow()
             if (seeds == 0) continue
             // Too few to be worth waking another thread.
             val alone = threads == 1 || seeds < LEAST_IN_PARALLEL
@@ -123,30 +123,30 @@ public class IslandsEngine @JvmOverloads constructor(
     }
 
     private fun window(alone: Boolean): Boolean {
-        each(alone) { crew.propose(it) }
-        each(alone) { crew[it].group() }
-        crew.collectRoots()
+        each(alone) { workers.propose(it) }
+        each(alone) { workers[it].group() }
+        workers.collectRoots()
         do {
             if (!process(alone)) return false
-            each(alone) { crew[it].check() }
+            each(alone) { workers[it].check() }
             if (quicker.isLate) return false
-        } while (crew.mergeConflicts())
-        each(alone) { crew[it].commit() }
-        if (!crew.isLastWindow) each(alone) { crew[it].hintSuspects() }
-        crew.closeWindow()
+        } while (workers.mergeConflicts())
+        each(alone) { workers[it].commit() }
+        if (!workers.isLastWindow) each(alone) { workers[it].hintSuspects() }
+        workers.closeWindow()
         return true
     }
 
     private fun process(alone: Boolean): Boolean {
-        val count = crew.rootCount
+        val count = workers.rootCount
         val grain = if (alone) count else (count / (threads * PIECES_A_THREAD)).coerceIn(1, MOST_A_PIECE)
-        loop.run(count, maxOf(grain, 1)) { worker, from, to -> processSome(crew[worker], from, to) }
+        loop.run(count, maxOf(grain, 1)) { worker, from, to -> processSome(workers[worker], from, to) }
         return !field.isOutrun
     }
 
     private fun processSome(worker: IslandWorker, from: Int, to: Int) {
         try {
-            for (k in from until to) if (!worker.process(crew.root(k))) return
+            for (k in from until to) if (!worker.process(workers.root(k))) return
         } catch (e: Throwable) {
             // The step has failed; the work of the other workers is not needed.
             field.stop()

@@ -14,7 +14,7 @@ import daphnis.core.step.PreparedStep
  * The data which one thread of the pool has to itself, and how it processes a collision. No sphere that may see a
  * colliding sphere is searching at that moment. For a search that comes later, the lock of the queue lies between.
  */
-internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, val found: Findings = Findings()) :
+internal class PoolWorker(prepared: PreparedStep, private val last: LastCollisions, val found: Findings = Findings()) :
     Impact(prepared, prepared.rows, found) {
     val taken = Taken()
     val record = CollisionRecord()
@@ -40,10 +40,10 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
 
     /** Keeps the path that [slot] is about to leave; it is not read before the sphere has been in a collision. */
     private fun leaveTrail(slot: Int) {
-        rows.state.copyInto(trails.rows, slot * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
-        trails.early[slot] = taken.isEarly
-        trails.partner[slot] = if (slot == taken.first) taken.second else taken.first
-        if (taken.time == 0.0) trails.atZero[slot] = if (trails.atZero[slot] == NEVER_COLLIDED) ONCE else OFTEN
+        rows.state.copyInto(last.rows, slot * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
+        last.early[slot] = taken.isEarly
+        last.partner[slot] = if (slot == taken.first) taken.second else taken.first
+        if (taken.time == 0.0) last.atZero[slot] = if (last.atZero[slot] == NEVER_COLLIDED) ONCE else OFTEN
     }
 
     override fun search(place: Int, except: Int): Boolean {
@@ -80,20 +80,20 @@ internal class PoolWorker(prepared: PreparedStep, private val trails: Trails, va
     private fun wouldHaveHit(slot: Int, other: Int, image: Int, time: Double): Boolean {
         val q = other * STRIDE
         val left = rows.state[q + TIME]
-        if (left == 0.0 && trails.atZero[other] == NEVER_COLLIDED) return false
+        if (left == 0.0 && last.atZero[other] == NEVER_COLLIDED) return false
         // Its collision at this very time was taken in its turn: all that come before it in the order of events had
         // been done.
-        if (left == time && !trails.early[other]) return false
+        if (left == time && !last.early[other]) return false
         // Or it was with one of the two that collide now, and hence before this one.
-        if (left == time && precedes(trails.partner[other])) return false
+        if (left == time && precedes(last.partner[other])) return false
         // The paths before the last one left are not known; if there could have been a hit, there counts as one.
         val isKnown = if (left == 0.0) {
-            trails.atZero[other] == ONCE
+            last.atZero[other] == ONCE
         } else {
-            trails.rows[q + TIME] < time || time == 0.0
+            last.rows[q + TIME] < time || time == 0.0
         }
         if (!isKnown) return left > time || touches(slot, other, image, time)
-        return contactTime(rows.state, slot * STRIDE, trails.rows, q, image, prepared.grid.images) <= left
+        return contactTime(rows.state, slot * STRIDE, last.rows, q, image, prepared.grid.images) <= left
     }
 
     private fun precedes(partner: Int): Boolean = partner == taken.first || (partner >= 0 && partner == taken.second)

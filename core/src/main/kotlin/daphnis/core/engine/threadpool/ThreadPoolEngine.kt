@@ -65,8 +65,8 @@ public class ThreadPoolEngine @JvmOverloads constructor(
     private val prepared = PreparedStep(gridSort)
     private val busy = BusyCells(prepared.rows, prepared.grid)
     private val queue = SafeQueue(busy, prepared.limits)
-    private val trails = Trails()
-    private val workers = Array(threads) { PoolWorker(prepared, trails) }
+    private val last = LastCollisions()
+    private val workers = Array(threads) { PoolWorker(prepared, last) }
     private val replay = SerialEngine(prepared = prepared)
 
     private val failedWith = AtomicReference(End.DONE)
@@ -127,7 +127,7 @@ public class ThreadPoolEngine @JvmOverloads constructor(
         val rows = prepared.rows
         busy.prepare(step.population)
         queue.reset(step.duration, rows.id, rows.size)
-        trails.reset(rows.size)
+        last.reset(rows.size)
         for (worker in workers) worker.beginStep(step)
         dynamic.run(rows.size, SPHERES_A_PIECE) { worker, from, to -> workers[worker].searchStart(from, to) }
         for (worker in workers) queue.addAll(worker.found.events)

@@ -37,7 +37,7 @@ class IslandsEngineTest {
             simulation.use { it.advance() }
             assertEquals(stateDigest(expected), stateDigest(p))
             assertTrue(simulation.collisions!!.counters.collisions > 2)
-            assertTrue(engine.crew.redone > 0) { "no island was dropped: the case does not test what it should" }
+            assertTrue(engine.workers.redone > 0) { "no island was dropped: the case does not test what it should" }
         }
     }
 
@@ -53,14 +53,14 @@ class IslandsEngineTest {
         val windows = lengths.map { share ->
             val p = start.copy()
             val engine = IslandsEngine(FixedPool(3), fewest = 0)
-            if (share != null) engine.crew.window = WindowLength(share, share, leastSeeds = 0)
+            if (share != null) engine.workers.window = WindowLength(share, share, leastSeeds = 0)
             simulationOf(p, boundary, 0.5, engine = engine).use {
                 for (digest in digests) {
                     it.advance()
                     assertEquals(digest, stateDigest(p)) { "windows of $share of all spheres" }
                 }
             }
-            engine.crew.windows
+            engine.workers.windows
         }
         // A step that is begun again counts its windows again.
         assertTrue(windows.first() >= 2 * Hints.SLICES && windows.last() in 2..10) { "windows were $windows" }

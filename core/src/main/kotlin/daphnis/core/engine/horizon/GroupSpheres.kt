@@ -43,7 +43,7 @@ internal class SlotPlaces {
  * A later window sorts spheres into cells anew, so that slots change. What does not change within a step is the
  * **index** of a sphere in the columns to which the step is written, which is its slot in the first window.
  */
-internal class EpochBodies(private val places: SlotPlaces) {
+internal class GroupSpheres(private val places: SlotPlaces) {
     val rows = StepRows()
 
     /** Potential collisions of the step, by place. */

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-class EpochBodiesTest {
+class GroupSpheresTest {
     private val boundary = LeesEdwards(Box.centred(8.0, 8.0, 8.0), 0.3)
     private val gas = randomSpheres(60, boundary, 5, 1.0) { 0.3 + 0.2 * it.nextDouble() }
     private val images = Images().apply { prepare(boundary, 1.7) }
@@ -24,16 +24,16 @@ class EpochBodiesTest {
         val indexAt = IntArray(n).also { for (k in slotAt.indices) it[slotAt[k]] = k }
         for (isLater in listOf(false, true)) {
             val places = SlotPlaces().apply { reserve(n) }
-            val bodies = EpochBodies(places)
-            bodies.begin(gas, order, 1.0, 1.0, false)
-            if (isLater) bodies.goOn(0.5, 1.0, indexAt, slotAt)
+            val spheres = GroupSpheres(places)
+            spheres.begin(gas, order, 1.0, 1.0, false)
+            if (isLater) spheres.goOn(0.5, 1.0, indexAt, slotAt)
             val rows = StepRows()
             rows.begin(1.0, false, 0)
             for (slot in 0 until n) rows.include(gas, order[if (isLater) indexAt[slot] else slot])
             // Every third sphere has a row, which has moved on with another velocity.
             for (slot in 0 until n step 3) {
-                val p = bodies.placeOf(slot) * StepRows.STRIDE
-                for (state in listOf(bodies.rows.state to p, rows.state to slot * StepRows.STRIDE)) {
+                val p = spheres.placeOf(slot) * StepRows.STRIDE
+                for (state in listOf(spheres.rows.state to p, rows.state to slot * StepRows.STRIDE)) {
                     state.first[state.second + StepRows.VX] = -0.7
                     state.first[state.second + StepRows.TIME] = 0.01 * slot
                 }
@@ -43,14 +43,14 @@ class EpochBodiesTest {
                 for (j in 0 until n) {
                     for (code in listOf(0, Images.code(1, 0, 0), Images.code(0, -1, 1))) {
                         val expected = contactTime(rows, i, j, code, images)
-                        val time = bodies.contactTime(i, j, code, images)
+                        val time = spheres.contactTime(i, j, code, images)
                         assertEquals(expected.toRawBits(), time.toRawBits()) { "$i, $j, $code" }
                         if (time < 1e3) touching++
                     }
                 }
             }
             assertTrue(touching > 40) { "$touching" }
-            assertEquals((n + 2) / 3, bodies.rows.size)
+            assertEquals((n + 2) / 3, spheres.rows.size)
         }
     }
 }

@@ -31,7 +31,7 @@ import java.util.function.IntConsumer
  * @param size number of workers
  */
 @EngineApi
-public class IslandCrew(private val field: IslandField, public val size: Int) {
+public class IslandWorkers(private val field: IslandField, public val size: Int) {
     private val board = field.board
     private val workers = List(size) { IslandWorker(field, it, ::membersOf) }
     private val counted = CollisionCounters()
@@ -255,7 +255,7 @@ public class IslandCrew(private val field: IslandField, public val size: Int) {
     }
 
     private fun requireStage(required: Stage, rule: String) {
-        check(stage == required) { "the crew is $stage: $rule" }
+        check(stage == required) { "the workers are at $stage: $rule" }
     }
 
     private enum class Stage { UNPREPARED, BETWEEN_WINDOWS, PROPOSING, GROWING, COMMITTING }

@@ -6,7 +6,7 @@ import daphnis.core.collision.StepRows.Companion.STRIDE
  * What each sphere was before its last collision. A row is written by the worker that processes the sphere, and is read
  * under the same rule as the state.
  */
-internal class Trails {
+internal class LastCollisions {
     /** Rows like those of the step; meaningful for spheres that have collided. */
     var rows = DoubleArray(0)
         private set
