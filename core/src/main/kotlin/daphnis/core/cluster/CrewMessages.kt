@@ -10,10 +10,10 @@ internal enum class Command {
     STEP,
     GATHER,
 
-    /** First moments and potential energies of the node's spheres. */
+    /** First moments, potential energies and sums over spins of the node's spheres. */
     FIRST_SUMS,
 
-    /** Second moments around the means that follow. */
+    /** Second moments around the means that follow, and sums by material, whose number follows these. */
     CENTRAL_SUMS,
 }
 

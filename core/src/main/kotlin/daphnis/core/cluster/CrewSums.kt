@@ -5,9 +5,11 @@ import daphnis.core.force.EnergySums
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.CentralMoments
 import daphnis.core.population.FirstMoments
+import daphnis.core.population.MaterialSums
 import daphnis.core.population.Means
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationFold
+import daphnis.core.population.SpinSums
 import daphnis.core.scenario.ScenarioSetup
 import java.nio.ByteBuffer
 
@@ -18,11 +20,16 @@ import java.nio.ByteBuffer
  */
 internal class CrewSums(setup: ScenarioSetup) : RemoteParts {
     override val energies = EnergySums(setup.forces, setup.boundary)
+    override val spins = SpinSums(setup.momentFactor)
+    override val materials =
+        MaterialSums(setup.population.materials, setup.boundary.meanFlow, setup.scenario.firstBody)
 
     // Of one node.
     private val firstOfNode = FirstMoments(setup.boundary.meanFlow?.normalAxis ?: 0, setup.scenario.firstBody)
     private val centralOfNode = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody)
     private val energiesOfNode = EnergySums(setup.forces, setup.boundary)
+    private val spinsOfNode = SpinSums(setup.momentFactor)
+    private val materialsOfNode = MaterialSums(setup.population.materials)
     private var crew: Crew? = null
 
     /** Does [act], in which the rounds are with [crew]. */
@@ -38,43 +45,65 @@ internal class CrewSums(setup: ScenarioSetup) : RemoteParts {
     override fun first(sums: FirstMoments) {
         sums.clear()
         energies.clear()
+        spins.parts.clear()
         crew!!.ask(Command.FIRST_SUMS, {}) { answer ->
             firstOfNode.read(answer)
             sums.merge(firstOfNode)
             energiesOfNode.read(answer)
             energies.merge(energiesOfNode)
+            spinsOfNode.parts.read(answer)
+            spins.parts.merge(spinsOfNode.parts)
         }
     }
 
     override fun central(means: Means, sums: CentralMoments) {
         sums.clear(means)
-        crew!!.ask(Command.CENTRAL_SUMS, { it.put(Means.BYTES, means::write) }) { answer ->
+        materials.parts.clear()
+        val count = materials.materials.size
+        crew!!.ask(Command.CENTRAL_SUMS, { it.put(Means.BYTES, means::write).int(count) }) { answer ->
             centralOfNode.read(means, answer)
             sums.merge(centralOfNode)
+            materialsOfNode.parts.read(answer)
+            materials.parts.merge(materialsOfNode.parts)
         }
     }
 }
 
 /** The sums over the spheres of one node, on the threads of its [loop]. */
-internal class NodeSums(setup: ScenarioSetup, private val population: Population, private val loop: RangeLoop) {
+internal class NodeSums(
+    private val setup: ScenarioSetup,
+    private val population: Population,
+    private val loop: RangeLoop,
+) {
     private val fold = PopulationFold(setup.boundary.meanFlow, setup.scenario.firstBody)
     private val first = FirstMoments(setup.boundary.meanFlow?.normalAxis ?: 0, setup.scenario.firstBody)
     private val central = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody)
     private val energies = EnergySums(setup.forces, setup.boundary)
+    private val spins = SpinSums(setup.momentFactor)
+    private var materials = byMaterial(0)
     private val means = Means()
+
+    /** Nodes know materials by number. */
+    private fun byMaterial(count: Int) =
+        MaterialSums(List(count) { "" }, setup.boundary.meanFlow, setup.scenario.firstBody)
 
     /** The answer to [Command.FIRST_SUMS] for the state at [time]. */
     fun first(time: Double): ByteBuffer {
         fold.over(population, loop) { fold.first(first) }
         energies.take(population, time, loop)
+        spins.take(population, loop)
         return MessageWriter().put(FirstMoments.MOST_BYTES, first::write).put(energies.mostBytes, energies::write)
-            .message()
+            .put(spins.parts.mostBytes, spins.parts::write).message()
     }
 
-    /** The answer to [Command.CENTRAL_SUMS] with the means in [question]. */
+    /** The answer to [Command.CENTRAL_SUMS] with the means and the number of materials in [question]. */
     fun central(question: ByteBuffer): ByteBuffer {
         means.read(question)
+        val count = question.getInt()
+        if (count != materials.materials.size) materials = byMaterial(count)
         fold.over(population, loop) { fold.central(means, central) }
-        return MessageWriter().put(CentralMoments.MOST_BYTES, central::write).message()
+        materials.take(population, means.velocity, loop)
+        return MessageWriter().put(CentralMoments.MOST_BYTES, central::write)
+            .put(materials.parts.mostBytes, materials.parts::write).message()
     }
 }

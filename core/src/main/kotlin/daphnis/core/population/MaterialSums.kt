@@ -1,5 +1,8 @@
 package daphnis.core.population
 
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+
 /**
  * Partial temperatures of a population whose spheres have materials, from exact sums ([ExactSum]), so that they are the
  * same to the last bit for every order of the arrays. Made once and filled by [take].
@@ -13,38 +16,57 @@ public class MaterialSums @JvmOverloads constructor(
     private val flow: MeanFlow? = null,
     private val firstBody: Int = Int.MAX_VALUE,
 ) {
-    private val energies = Array(materials.size) { ExactSum() }
-    private val counts = LongArray(materials.size)
+    internal val parts = PartialSums(2 * materials.size) { from, to, into, _ -> add(from, to, into) }
+    private val mean = DoubleArray(AXES)
+    private var population: Population? = null
 
     /** Number of spheres of the material of [number]. */
-    public fun count(number: Int): Long = counts[number]
+    public fun count(number: Int): Long = parts.value(materials.size + number).toLong()
 
     /**
      * T = ⟨m c²⟩/3 of the spheres of the material of [number], an energy: c is the velocity without the boundary's flow
      * and without the mean of all materials, weighted by mass (Garzó & Dufty 1999, Phys. Rev. E 60, 5706). No correction
      * for degrees of freedom. NaN without spheres.
      */
-    public fun temperature(number: Int): Double =
-        if (counts[number] > 0) energies[number].value() / counts[number] / AXES else Double.NaN
+    public fun temperature(number: Int): Double {
+        val count = parts.value(materials.size + number)
+        return if (count > 0) parts.value(number) / count / AXES else Double.NaN
+    }
 
     /**
-     * Takes the sums of the present state of [population].
+     * Takes the sums of the present state of [population] on the threads of [loop].
      *
      * @param sums of the same state
      */
-    public fun take(population: Population, sums: PopulationSums) {
-        for (sum in energies) sum.clear()
-        counts.fill(0)
-        if (!population.hasMaterials) return
-        val p = population
-        val c = DoubleArray(AXES)
-        for (k in 0 until p.size) {
+    @JvmOverloads
+    public fun take(population: Population, sums: PopulationSums, loop: RangeLoop = InlineLoop): Unit =
+        take(population, sums.mean, loop)
+
+    /** @param mean velocity without the boundary's flow, weighted by mass */
+    internal fun take(population: Population, mean: DoubleArray, loop: RangeLoop) {
+        mean.copyInto(this.mean)
+        this.population = population
+        try {
+            parts.take(if (population.hasMaterials) population.size else 0, loop)
+        } finally {
+            this.population = null
+        }
+    }
+
+    private fun add(from: Int, to: Int, into: Array<ExactSum>) {
+        val p = population!!
+        val flowAxis = flow?.flowAxis ?: -1
+        for (k in from until to) {
             if (p.id[k] >= firstBody) continue
-            for (axis in 0 until AXES) c[axis] = p.velocity(axis)[k] - sums.mean[axis]
-            if (flow != null) c[flow.flowAxis] -= flow.rate * p.position(flow.normalAxis)[k]
+            var square = 0.0
+            for (axis in 0 until AXES) {
+                var c = p.velocity(axis)[k] - mean[axis]
+                if (axis == flowAxis) c -= flow!!.rate * p.position(flow.normalAxis)[k]
+                square += c * c
+            }
             val number = p.material[k].toInt()
-            counts[number]++
-            energies[number].add(p.mass[k] * (c[0] * c[0] + c[1] * c[1] + c[2] * c[2]))
+            into[number].add(p.mass[k] * square)
+            into[materials.size + number].add(1.0)
         }
     }
 

@@ -1,5 +1,7 @@
 package daphnis.core.population
 
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
 import daphnis.core.surface.SurfaceContact
 
 /**
@@ -9,55 +11,87 @@ import daphnis.core.surface.SurfaceContact
  * @param momentFactor moment of inertia of spheres over mass · radius²
  */
 public class SpinSums @JvmOverloads constructor(private val momentFactor: Double = SurfaceContact.SOLID) {
-    private val energy = ExactSum()
-    private val masses = ExactSum()
-    private val spins = Array(AXES) { ExactSum() }
-    private val momenta = Array(AXES) { ExactSum() }
-    private val size = ExactSum()
+    internal val parts = PartialSums(SUMS) { from, to, into, block -> add(from, to, into, block) }
+    private var population: Population? = null
 
     /** Σ I ω²/2. */
-    public val energyOfRotation: Double get() = energy.value() / 2
+    public val energyOfRotation: Double get() = parts.value(ENERGY) / 2
 
     /**
      * ⟨I ω²⟩/3 over the mean mass, (length/time)²: comparable with the granular temperature ⟨c²⟩/3. The mean spin is not
      * taken off. 0 without spheres.
      */
-    public val temperature: Double get() = masses.value().let { if (it > 0) energy.value() / it / AXES else 0.0 }
+    public val temperature: Double
+        get() = parts.value(MASS).let { if (it > 0) parts.value(ENERGY) / it / AXES else 0.0 }
 
     /** Mean of ω along [axis] over all spheres. */
-    public fun mean(axis: Int): Double = size.value().let { if (it > 0) spins[axis].value() / it else 0.0 }
+    public fun mean(axis: Int): Double = parts.value(COUNT).let { if (it > 0) parts.value(SPINS + axis) / it else 0.0 }
 
     /**
      * Σ (m **r** × **v** + I **ω**) along [axis], about the origin. It means something only where space neither repeats
      * nor turns.
      */
-    public fun angularMomentum(axis: Int): Double = momenta[axis].value()
+    public fun angularMomentum(axis: Int): Double = parts.value(MOMENTA + axis)
 
-    /** Takes the sums of the present state of [population]. */
-    public fun take(population: Population) {
-        for (sum in spins.asList() + momenta + energy + masses + size) sum.clear()
-        if (!population.hasSpin) return
-        val p = population
-        for (k in 0 until p.size) {
-            val m = p.mass[k]
-            val inertia = momentFactor * m * p.radius[k] * p.radius[k]
-            energy.add(inertia * (p.wx[k] * p.wx[k] + p.wy[k] * p.wy[k] + p.wz[k] * p.wz[k]))
-            masses.add(m)
-            size.add(1.0)
-            for (axis in 0 until AXES) {
-                val a = (axis + 1) % AXES
-                val b = (axis + 2) % AXES
-                val spin = p.column(SPIN + axis)[k]
-                spins[axis].add(spin)
-                momenta[axis].add(inertia * spin)
-                momenta[axis].add(m * (p.position(a)[k] * p.velocity(b)[k]))
-                momenta[axis].add(-m * (p.position(b)[k] * p.velocity(a)[k]))
-            }
+    /** Takes the sums of the present state of [population] on the threads of [loop]. */
+    @JvmOverloads
+    public fun take(population: Population, loop: RangeLoop = InlineLoop) {
+        this.population = population
+        try {
+            parts.take(if (population.hasSpin) population.size else 0, loop)
+        } finally {
+            this.population = null
         }
     }
 
+    private fun add(from: Int, to: Int, into: Array<ExactSum>, block: SphereSum) {
+        val p = population!!
+        val mass = p.mass
+        val radius = p.radius
+        block.addBlocks(from, to, into[MASS]) { start, end, terms -> mass.copyInto(terms, 0, start, end) }
+        block.addBlocks(from, to, into[COUNT]) { start, end, terms -> terms.fill(1.0, 0, end - start) }
+        block.addBlocks(from, to, into[ENERGY]) { start, end, terms ->
+            for (k in start until end) {
+                val square = p.wx[k] * p.wx[k] + p.wy[k] * p.wy[k] + p.wz[k] * p.wz[k]
+                terms[k - start] = momentFactor * mass[k] * radius[k] * radius[k] * square
+            }
+        }
+        for (axis in 0 until AXES) {
+            val spin = p.column(SPIN + axis)
+            block.addBlocks(from, to, into[SPINS + axis]) { start, end, terms -> spin.copyInto(terms, 0, start, end) }
+            val momentum = into[MOMENTA + axis]
+            block.addBlocks(from, to, momentum) { start, end, terms ->
+                for (k in start until end) terms[k - start] = momentFactor * mass[k] * radius[k] * radius[k] * spin[k]
+            }
+            val a = (axis + 1) % AXES
+            val b = (axis + 2) % AXES
+            addMoments(from, to, momentum, block, mass, p.position(a), p.velocity(b))
+            addMoments(from, to, momentum, block, mass, p.position(b), p.velocity(a), sign = -1.0)
+        }
+    }
+
+    /** Adds Σ ± m x v. */
+    private fun addMoments(
+        from: Int,
+        to: Int,
+        into: ExactSum,
+        block: SphereSum,
+        mass: DoubleArray,
+        x: DoubleArray,
+        v: DoubleArray,
+        sign: Double = 1.0,
+    ) = block.addBlocks(from, to, into) { start, end, terms ->
+        for (k in start until end) terms[k - start] = sign * mass[k] * (x[k] * v[k])
+    }
+
     private companion object {
-        const val AXES = 3
-        val SPIN = SphereQuantity.SPIN.place
+        private const val AXES = 3
+        private const val ENERGY = 0
+        private const val MASS = 1
+        private const val COUNT = 2
+        private const val SPINS = 3
+        private const val MOMENTA = SPINS + AXES
+        private const val SUMS = MOMENTA + AXES
+        private val SPIN = SphereQuantity.SPIN.place
     }
 }

@@ -18,9 +18,6 @@ internal class StepSums(
     private val spins: SpinSums? = null,
     private val byMaterial: MaterialSums? = null,
 ) {
-    private var spinsTakenAt = -1L
-    private var materialsTakenAt = -1L
-
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()
 
@@ -30,27 +27,26 @@ internal class StepSums(
     private var takenAt = -1L
     private var energies: EnergySums? = null
     private var hasEnergies = false
+    private var haveTakenSpins = false
+    private var haveTakenMaterials = false
 
     /** Sums of the state that [simulation] has after its step. */
     fun of(simulation: Simulation): PopulationSums = if (takenAt == simulation.step) sums else take(simulation)
 
-    /**
-     * Sums over spins of the same state; null for spheres without any. Where nodes hold the spheres, they are fetched.
-     */
+    /** Sums over spins of the same state; null for spheres without any. */
     fun spins(simulation: Simulation): SpinSums? {
-        if (spins == null || spinsTakenAt == simulation.step) return spins
-        spinsTakenAt = -1
-        spins.take(simulation.population)
-        spinsTakenAt = simulation.step
+        if (spins != null) of(simulation)
+        if (spins != null && !haveTakenSpins) spins.take(simulation.population, loopOf(simulation))
+        haveTakenSpins = true
         return spins
     }
 
-    /** Sums by material of the same state, likewise; null where spheres have none. */
+    /** Sums by material of the same state; null where spheres have none. */
     fun materials(simulation: Simulation): MaterialSums? {
-        if (byMaterial == null || materialsTakenAt == simulation.step) return byMaterial
-        materialsTakenAt = -1
-        byMaterial.take(simulation.population, of(simulation))
-        materialsTakenAt = simulation.step
+        if (byMaterial == null) return null
+        val sums = of(simulation)
+        if (!haveTakenMaterials) byMaterial.take(simulation.population, sums, loopOf(simulation))
+        haveTakenMaterials = true
         return byMaterial
     }
 
@@ -58,15 +54,19 @@ internal class StepSums(
     fun take(simulation: Simulation): PopulationSums {
         val energies = energiesIn(simulation)
         takenAt = -1
-        spinsTakenAt = -1
-        materialsTakenAt = -1
-        hasEnergies = false
         val isElsewhere = simulation.sumElsewhere { parts ->
             sums.take(parts)
             energies.clear()
             energies.merge(parts.energies)
+            spins?.parts?.clear()
+            spins?.parts?.merge(parts.spins.parts)
+            byMaterial?.parts?.clear()
+            byMaterial?.parts?.merge(parts.materials.parts)
         }
-        if (isElsewhere) hasEnergies = true else sums.take(simulation.population, loopOf(simulation))
+        hasEnergies = isElsewhere
+        haveTakenSpins = isElsewhere
+        haveTakenMaterials = isElsewhere
+        if (!isElsewhere) sums.take(simulation.population, loopOf(simulation))
         takenAt = simulation.step
         return sums
     }

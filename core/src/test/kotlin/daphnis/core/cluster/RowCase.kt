@@ -67,6 +67,30 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
         { rows -> assertEquals(listOf("0.0"), rows.column("granular_temperature").distinct()) },
     ),
+    ROUGH(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls"},
+        "particles": {"count": 300, "materials": [
+        {"name": "iron", "share": 0.3, "density": 9, "sizes": {"type": "equal", "radius": 0.3}},
+        {"name": "ice", "share": 0.7, "density": 1, "sizes": {"type": "equal", "radius": 0.4}}]},
+        "roughness": {"type": "constant", "coefficient": 0.5, "momentFactor": 0.3},
+        "spins": {"type": "gaussian", "temperature": 2, "mean": [1, 0, -3]},
+        "velocities": {"type": "gaussian", "sigma": 1.0}, $GAS""",
+        { rows ->
+            for (name in listOf("rotational_temperature", "mean_spin_z", "angular_momentum_x", "temperature_iron")) {
+                val all = rows.column(name).map { it.toDouble() }
+                assertTrue(all.all { it.isFinite() && it != 0.0 } && all.distinct().size > 3) { "$name $all" }
+            }
+        },
+    ),
+    ROUGH_RING(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet"},
+        "particles": {"opticalDepth": 0.2, "materials": [
+        {"name": "ice", "share": 1, "density": 900, "sizes": {"type": "equal", "radius": 1.4826}}]},
+        "bodies": [{"radius": 5, "density": 200, "position": [0, 0, 0], "material": "rock"}],
+        "roughness": {"type": "coulomb", "friction": 0.4, "sticking": 0.1},
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertTrue(rows.column("temperature_ice").distinct().size > 3) },
+    ),
     ;
 
     /** The scenario in JSON. */
