@@ -49,6 +49,10 @@ def test_tables_and_pictures_are_looked_up_by_name(report: daphnis.Report) -> No
     [
         ({"from_": 1e12}, "from_: is .*; the last state is at time 14345.571"),
         ({"elevation": 0}, "elevation: is 0; it must be in"),
+        ({"elevations": [30, 95]}, r"elevations: is 95.0; it must be in \(0, 90\] degrees"),
+        ({"footprint": -1}, "footprint: is -1; it must be a length"),
+        ({"footprint": (500, 1)}, "footprint: is a 500.0 x 1.0: it must fit into the patch"),
+        ({"footprint": 5, "scan_path": 400}, "scan_path: is 400.0; it must be in"),
         ({"frames": 0}, "frames: is 0; it must be at least 1"),
         ({"slabs": -1}, "slabs: is -1"),
         ({"scenario": "ring-patch"}, "scenario: is for files"),
@@ -68,6 +72,20 @@ def test_a_file_of_states_is_analysed_with_a_scenario(ring: daphnis.Run, tmp_pat
     found = daphnis.analyze(file, scenario=ring.scenario, out=tmp_path)
     state = ring.last()
     assert found["optical_depth"] == pytest.approx(np.pi * (state.radius**2).sum() / 1600, rel=1e-12)
+
+
+def test_light_through_the_patch_is_computed_on_request(ring: daphnis.Run, tmp_path: Path) -> None:
+    seen = tmp_path / "seen.csv"
+    seen.write_text("elevation,azimuth,optical_depth,error\n28,0,0.6,0.1\n")
+    report = ring.analyze(
+        elevations=[20, 90], azimuths=3, footprint=(5, 4), scan_path=90, photons=100, observed=seen, out=tmp_path
+    )
+    assert len(report.tables["occultation-grid"]) == 6
+    assert report.tables["occultation-scan-moments"]["mean"][0] == pytest.approx(0.5, abs=0.3)
+    assert "residual" in report.tables["occultation-observed"]
+    seen.write_text("elevation,azimuth,optical_depth,error\n0,0,0.6,0.1\n")
+    with pytest.raises(daphnis.FormatError, match="seen.csv:2: elevation is '0'"):
+        ring.analyze(observed=seen)
 
 
 def test_a_run_without_a_report_says_so(ring: daphnis.Run) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
+from . import _arrays
 from ._errors import InputError, noted, translated
 from ._jvm import java, java_path
 from ._paths import shown_path
@@ -125,6 +127,12 @@ def analyze(
     elevation: float = 28.0,
     azimuth: float = 0.0,
     frames: int = 40,
+    elevations: Sequence[float] = (),
+    azimuths: int = 12,
+    footprint: float | tuple[float, float] | None = None,
+    scan_path: float = 0.0,
+    photons: float | None = None,
+    observed: str | os.PathLike[str] | None = None,
     out: str | os.PathLike[str] | None = None,
     accept_loss: bool = False,
 ) -> Report:
@@ -140,6 +148,13 @@ def analyze(
         elevation: of the rays of the occultation above the x-y plane, in degrees, in (0, 90].
         azimuth: direction in which they climb, from x toward y, in degrees.
         frames: states that are averaged at most.
+        elevations: of a grid of lines of sight along which the transmission is computed, in degrees; none for no grid.
+        azimuths: of this grid, so many, evenly over half a turn.
+        footprint: of an instrument whose light curves are simulated: the diameter of a disc, or length along the path
+            and width across it, in the scenario's unit of length; none without it.
+        scan_path: direction of this path in the plane, from x toward y, in degrees.
+        photons: mean number of photons per footprint where nothing is in the way; no noise without it.
+        observed: path of a CSV of what was observed: elevation, azimuth, optical_depth or transmission, error.
         out: where to write; into the run directory without it, beside a file as NAME-analysis.
         accept_loss: whether files that differ from what the run wrote are accepted.
 
@@ -167,11 +182,38 @@ def analyze(
         if out is not None:
             directory = Path(out)
         begin = None if from_ is None else java("java.lang.Double")(from_)
-        options = java("daphnis.analysis.report.AnalysisOptions")(begin, slabs, groups, elevation, frames, azimuth)
+        light = _light(elevations, azimuths, footprint, scan_path, photons, observed)
+        kind = java("daphnis.analysis.report.AnalysisOptions")
+        options = kind(begin, slabs, groups, elevation, frames, azimuth, light)
         java("daphnis.analysis.report.Analysis")(source, options).write(java_path(directory))
     notices = [str(notice) for notice in source.getNotices()]
     noted(notices)
     return Report(Path(os.path.abspath(directory)), notices)
+
+
+def _light(
+    elevations: Sequence[float],
+    azimuths: int,
+    footprint: float | tuple[float, float] | None,
+    scan_path: float,
+    photons: float | None,
+    observed: str | os.PathLike[str] | None,
+) -> Any:
+    """The OccultationOptions of Java."""
+    kind = java("daphnis.analysis.occultation.Footprint")
+    if footprint is None:
+        seen = None
+    else:
+        sizes = footprint if isinstance(footprint, tuple) else (footprint,)
+        if len(sizes) not in (1, 2) or not all(0 < size < float("inf") for size in sizes):
+            raise InputError(f"footprint: is {footprint}; it must be a length > 0, or two such")
+        seen = kind.disc(float(sizes[0])) if len(sizes) == 1 else kind.rectangle(*map(float, sizes))
+    table = None
+    if observed is not None:
+        table = java("daphnis.analysis.occultation.ObservedDepths").read(java_path(Path(observed)))
+    number = None if photons is None else java("java.lang.Double")(photons)
+    heights = _arrays.doubles(np.array(elevations, float))
+    return java("daphnis.analysis.report.OccultationOptions")(heights, azimuths, seen, scan_path, number, table)
 
 
 def _check(slabs: int, groups: int, elevation: float, azimuth: float, frames: int) -> None:

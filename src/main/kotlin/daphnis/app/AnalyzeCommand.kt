@@ -3,6 +3,7 @@ package daphnis.app
 import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -62,6 +63,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         "--azimuth",
         help = "direction in which these rays climb, from x toward y, degrees (default 0)",
     ).double().default(0.0)
+    private val occultation by OccultationFlags()
     private val frames by option("--frames", help = "the most states that are averaged (default 40)").int().default(40)
     private val out by option(
         "--out",
@@ -79,6 +81,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
 
     override fun run() {
         checkOptions()
+        val light = occultation.options()
         val path = pathOf(what, "dir-or-file")
         val given = scenario?.let { scenarioNamed(it, settings) }
         val input = if (Files.isRegularFile(path)) {
@@ -91,7 +94,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         val directory =
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
-        val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth))
+        val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth, light))
         val progress = if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress()
         LastWords { "analyze was interrupted; nothing was written to $directory" }.use {
             writingLater(directory) { analysis.write(directory, progress) }

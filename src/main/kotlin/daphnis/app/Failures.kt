@@ -62,7 +62,7 @@ internal fun noticeInFlags(notice: String): String {
 }
 
 /** Arguments whose flag has another name. */
-private val FLAGS = mapOf("settings" to "--set", "timeStep" to "--time-step")
+private val FLAGS = mapOf("settings" to "--set", "timeStep" to "--time-step", "scanPath" to "--scan-path")
 
 /** [warn]. @return [code] */
 internal fun complain(message: String, code: Int): Int {

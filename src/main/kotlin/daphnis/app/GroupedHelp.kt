@@ -44,6 +44,29 @@ internal class GroupedHelp(context: Context, private val headings: Map<String, L
                 WATCHING,
                 SEVERAL_MACHINES to listOf("--nodes", "--threads") + (MACHINES.second - "--nodes"),
             ),
+            "analyze" to mapOf(
+                "States and files" to listOf(
+                    "--scenario",
+                    "--set",
+                    "--time-step",
+                    "--from",
+                    "--frames",
+                    "--out",
+                    "--accept-loss",
+                    "--quiet",
+                ),
+                "Streamlines" to listOf("--slabs", "--groups"),
+                "Occultation" to listOf(
+                    "--elevation",
+                    "--azimuth",
+                    "--elevations",
+                    "--azimuths",
+                    "--footprint",
+                    "--scan-path",
+                    "--photons",
+                    "--observed",
+                ),
+            ),
         )
 
         /** For the command called [name]. */

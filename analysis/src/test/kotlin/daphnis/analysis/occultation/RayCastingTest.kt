@@ -5,7 +5,6 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.uniform
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
@@ -97,37 +96,6 @@ class RayCastingTest {
                 }
             }
         }
-    }
-
-    /** Whether the ray through (x, y, 0) comes nearer to a sphere or image than its radius. */
-    private fun isBlocked(
-        state: State,
-        images: Images,
-        x: Double,
-        y: Double,
-        elevation: Double,
-        azimuth: Double,
-    ): Boolean {
-        val p = state.population
-        val ray =
-            doubleArrayOf(
-                Math.cos(elevation) * Math.cos(azimuth),
-                Math.cos(elevation) * Math.sin(azimuth),
-                sin(elevation),
-            )
-        val open = state.boundary.contactFaces(0) != ContactFaces.PERIODIC
-        for (k in 0 until p.size) {
-            for (ix in if (open) 0..0 else -6..6) {
-                for (iy in -10..10) {
-                    val code = Images.code(ix, iy, 0)
-                    val d =
-                        doubleArrayOf(p.x[k] + images.shift(code, 0) - x, p.y[k] + images.shift(code, 1) - y, p.z[k])
-                    val along = (0..2).sumOf { d[it] * ray[it] }
-                    if ((0..2).sumOf { d[it] * d[it] } - along * along < p.radius[k] * p.radius[k]) return true
-                }
-            }
-        }
-        return false
     }
 
     @Test

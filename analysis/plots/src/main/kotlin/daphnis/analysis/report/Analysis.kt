@@ -82,7 +82,10 @@ public class Analysis @JvmOverloads constructor(
     }
 
     /** All rows of the page's tables of numbers as it shows them, with their errors. */
-    internal fun rows(): List<NumberRow> = sections(Sections.WITH_OWN_NUMBERS).allNumbers()
+    internal fun rows(): List<NumberRow> {
+        val list = Sections.WITH_OWN_NUMBERS
+        return sections(if (options.occultation.isAsked) list + ::OccultationSection else list).allNumbers()
+    }
 
     private fun sections(list: List<(Study) -> Section>) = Sections(study(Path.of("")), list).also {
         for (k in it.states) it.add(k)

@@ -9,6 +9,7 @@ package daphnis.analysis.report
  * @property elevation of the rays above the x-y plane in degrees, in (0, 90]
  * @property frames states that are averaged at most, evenly spread
  * @property azimuth direction in which the rays climb, from x toward y, in degrees
+ * @property occultation what else is computed of the light through the patch
  */
 public class AnalysisOptions @JvmOverloads constructor(
     public val from: Double? = null,
@@ -17,6 +18,7 @@ public class AnalysisOptions @JvmOverloads constructor(
     public val elevation: Double = 28.0,
     public val frames: Int = 40,
     public val azimuth: Double = 0.0,
+    public val occultation: OccultationOptions = OccultationOptions(),
 )
 
 /** Told how far a long analysis has come. */

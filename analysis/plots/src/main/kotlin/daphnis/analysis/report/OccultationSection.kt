@@ -10,6 +10,12 @@ import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
 
+/** A part of [OccultationSection]. */
+internal interface LightPart : Part {
+    /** Its numbers as the page shows them. */
+    fun rows(): List<NumberRow>
+}
+
 /** What a star behind the patch would show. */
 internal class OccultationSection(private val study: Study) : Section {
     private val options = study.options
@@ -23,6 +29,17 @@ internal class OccultationSection(private val study: Study) : Section {
     override val over = "What a star behind the patch would show. ${study.overAverages}"
     override val leftOut = if (study.isSlab) study.tooFew() else "the box is filled above and below"
 
+    /** What is asked for beside. */
+    private val parts: List<LightPart> = if (leftOut != null) {
+        emptyList()
+    } else {
+        listOfNotNull(
+            if (options.occultation.elevations.isEmpty()) null else TransmissionGridPart(study),
+            options.occultation.footprint?.let { ScanPart(study, it) },
+            options.occultation.observed?.let { ObservedPart(study, it) },
+        )
+    }
+
     /** As many places as in the first state, which in a box that changes may have more or fewer rays. */
     private fun places(scan: DoubleArray): DoubleArray {
         val n = if (light.size == 0) scan.size else light.width - 1
@@ -30,18 +47,30 @@ internal class OccultationSection(private val study: Study) : Section {
     }
 
     override fun add(state: State) {
-        if (leftOut == null) light.add(state)
+        if (leftOut != null) return
+        light.add(state)
+        for (part in parts) part.add(state)
     }
 
-    override fun write(page: ReportPage) {
+    override fun ownNumbers(): List<NumberRow> =
+        if (leftOut != null) emptyList() else study.judgement.shown(rows()) + parts.flatMap { it.rows() }
+
+    private val rays: String
+        get() = "${ReportText.short(options.elevation)}° elevation and ${ReportText.short(options.azimuth)}° azimuth"
+
+    private fun rows(): List<NumberRow> {
         val transmission = light.average(0)
-        val rays = "${ReportText.short(options.elevation)}° elevation and ${ReportText.short(options.azimuth)}° azimuth"
         val rows = NumberRows()
         rows.average(null, "rays that come through at $rays", transmission, "")
         depth(rows, transmission)
         rows.exact(null, "geometric optical depth", study.bulk.opticalDepth, "")
-        page.numbers(study.judgement.shown(rows.list()))
-        scan(page, rays)
+        return rows.list()
+    }
+
+    override fun write(page: ReportPage) {
+        page.numbers(study.judgement.shown(rows()))
+        scan(page)
+        for (part in parts) part.write(page)
     }
 
     private fun depth(rows: NumberRows, transmission: BlockAverage) {
@@ -53,7 +82,7 @@ internal class OccultationSection(private val study: Study) : Section {
         }
     }
 
-    private fun scan(page: ReportPage, rays: String) {
+    private fun scan(page: ReportPage) {
         val n = light.width - 1
         if (n < FEWEST_PLACES) {
             page.paragraph("No scan along x: the patch is so long for its width that too few rays pass side by side.")

@@ -13,8 +13,10 @@ import kotlin.math.sqrt
 /**
  * Holds the ± of a report against how much its numbers scatter from seed to seed: what many short runs of one scenario
  * come to, each with the ± that its own report gives.
+ *
+ * @param options of these reports
  */
-internal class ErrorBars {
+internal class ErrorBars(private val options: AnalysisOptions = AnalysisOptions()) {
     private val numbers = LinkedHashMap<String, ArrayList<NumberRow>>()
 
     private val histories = LinkedHashMap<String, ArrayList<History>>()
@@ -42,7 +44,7 @@ internal class ErrorBars {
             val averaged = History(h.name, h.times.sliceArray(late), h.values.sliceArray(late))
             histories.getOrPut(h.name) { ArrayList() } += averaged
         }
-        val rows = Analysis(input).rows()
+        val rows = Analysis(input, options).rows()
         runs++
         if (rows.any { it.unknown == Unknown.UNSTEADY }) unsteady++
         for (row in rows) if (row.isAverage) numbers.getOrPut(row.key ?: row.name) { ArrayList() } += row

@@ -1,0 +1,95 @@
+package daphnis.analysis.occultation
+
+import daphnis.core.format.FormatException
+import daphnis.core.format.PackedFile
+import daphnis.core.format.reasonOf
+import daphnis.core.table.UnitsOfDimensions
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * What was observed of a ring along several [lines] of sight: normal optical depths, or transmissions.
+ *
+ * @property values by line, each with its standard error in [errors]
+ * @property areDepths whether they are normal optical depths −sin B · ln T
+ */
+public class ObservedDepths private constructor(
+    public val lines: List<LineOfSight>,
+    public val values: DoubleArray,
+    public val errors: DoubleArray,
+    public val areDepths: Boolean,
+) {
+    public companion object {
+        /** Rows of a table, at most. */
+        public const val MOST: Int = 1000
+
+        /**
+         * Reads a CSV file with the columns `elevation` and `azimuth` in degrees, either `optical_depth` or
+         * `transmission`, and `error`, in any order; units in brackets behind a name and other columns are passed over,
+         * and so are empty lines and those that begin with `#`. The azimuth is that of [LineOfSight].
+         *
+         * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no
+         * number or out of range, or there is no row or too many
+         */
+        @JvmStatic
+        public fun read(path: Path): ObservedDepths {
+            val text = try {
+                PackedFile.text(path, LONGEST)
+            } catch (e: IOException) {
+                throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
+            }
+            val rows = text.lines().withIndex().filter { (_, line) -> line.isNotBlank() && !line.startsWith("#") }
+            val head = rows.firstOrNull() ?: throw FormatException("$path: is empty; it must have a header and rows")
+            return Reader(path, head.value.split(',').map { UnitsOfDimensions.nameIn(it.trim()) }).read(rows.drop(1))
+        }
+
+        private const val LONGEST = 1 shl 20
+        private const val LONGEST_CELL = 40
+        private const val ELEVATION = "elevation"
+        private const val AZIMUTH = "azimuth"
+        private const val DEPTH = "optical_depth"
+        private const val TRANSMISSION = "transmission"
+        private const val ERROR = "error"
+    }
+
+    private class Reader(private val path: Path, private val names: List<String>) {
+        private val areDepths = DEPTH in names
+        private val value = if (areDepths) DEPTH else TRANSMISSION
+        private val places = listOf(ELEVATION, AZIMUTH, value, ERROR).associateWith { names.indexOf(it) }
+
+        fun read(rows: List<IndexedValue<String>>): ObservedDepths {
+            if (areDepths && TRANSMISSION in names) {
+                throw FormatException("$path: there are $DEPTH and $TRANSMISSION; one of the two is compared")
+            }
+            places.entries.find { it.value < 0 }?.let {
+                val or = if (it.key == TRANSMISSION) ", and there is no '$DEPTH' either" else ""
+                throw FormatException("$path: column '${it.key}' is missing$or")
+            }
+            if (rows.isEmpty()) throw FormatException("$path: has no rows")
+            if (rows.size > MOST) throw FormatException("$path: ${rows.size} rows; at most $MOST are compared")
+            val values = DoubleArray(rows.size)
+            val errors = DoubleArray(rows.size)
+            val lines = rows.mapIndexed { k, (index, line) ->
+                val cells = line.split(',')
+                if (cells.size != names.size) {
+                    throw FormatException("$path:${index + 1}: ${cells.size} values, the header has ${names.size}")
+                }
+                fun number(name: String, right: String, holds: (Double) -> Boolean): Double {
+                    val cell = cells[places.getValue(name)].trim()
+                    val number = cell.toDoubleOrNull()
+                    if (number != null && holds(number)) return number
+                    throw FormatException(
+                        "$path:${index + 1}: $name is '${cell.take(LONGEST_CELL)}'; it must be $right",
+                    )
+                }
+                values[k] = number(value, "a finite number") { it.isFinite() }
+                errors[k] = number(ERROR, "finite and > 0") { it > 0 && it.isFinite() }
+                LineOfSight.degrees(
+                    number(ELEVATION, "in (0, 90] degrees") { it > 0 && it <= 90 },
+                    number(AZIMUTH, "in -360..360 degrees") { it >= -360 && it <= 360 },
+                )
+            }
+            return ObservedDepths(lines, values, errors, areDepths)
+        }
+    }
+}
