@@ -6,6 +6,7 @@ import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.MaterialSums
+import daphnis.core.population.ModeSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 
@@ -17,9 +18,11 @@ internal class StepSums(
     private val sums: PopulationSums,
     private val spins: SpinSums? = null,
     private val byMaterial: MaterialSums? = null,
+    private val modes: ModeSums? = null,
 ) {
     private var spinsTakenAt = -1L
     private var materialsTakenAt = -1L
+    private var modesTakenAt = -1L
 
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()
@@ -54,12 +57,27 @@ internal class StepSums(
         return byMaterial
     }
 
+    /**
+     * Fourier modes of the same state, likewise.
+     *
+     * @throws IllegalStateException in a run that was not to have any
+     */
+    fun modes(simulation: Simulation): ModeSums {
+        val modes = checkNotNull(modes) { "no modes were asked for" }
+        if (modesTakenAt == simulation.step) return modes
+        modesTakenAt = -1
+        modes.take(simulation.population, loopOf(simulation))
+        modesTakenAt = simulation.step
+        return modes
+    }
+
     /** Takes the sums again, and energies when they are asked for. */
     fun take(simulation: Simulation): PopulationSums {
         val energies = energiesIn(simulation)
         takenAt = -1
         spinsTakenAt = -1
         materialsTakenAt = -1
+        modesTakenAt = -1
         hasEnergies = false
         val isElsewhere = simulation.sumElsewhere { parts ->
             sums.take(parts)
