@@ -103,6 +103,11 @@ class Run:
         return self._table("transport.csv", "output.transportEvery")
 
     @property
+    def modes(self) -> pd.DataFrame:
+        """``modes.csv``: Fourier modes along x, a row for each mode every ``output.modesEvery`` steps."""
+        return self._table("modes.csv", "output.modesEvery")
+
+    @property
     def impacts(self) -> pd.DataFrame:
         """``impacts.csv``: the distribution of impact speeds since the start."""
         return self._table("impacts.csv", "output.transportEvery")

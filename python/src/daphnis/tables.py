@@ -17,6 +17,7 @@ from ._paths import shown_path
 _DECLARED = {
     "series.csv": "daphnis.core.run.SeriesColumns",
     "transport.csv": "daphnis.core.run.TransportColumns",
+    "modes.csv": "daphnis.core.run.ModeColumns",
     "impacts.csv": "daphnis.core.run.ImpactColumns",
     "collisions.csv": "daphnis.core.run.CollisionColumns",
 }

@@ -79,7 +79,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     private fun outputs() {
         for (output in PeriodicOutputs.all) {
-            val cost = output.cost(output.times(scenario.output), course, size) ?: continue
+            val cost = output.cost(scenario.output, course, size) ?: continue
             val count = cost.count
             val disk = cost.bytes
             if (count == null || disk == null) rows.add("outputs", cost.what) else row(cost.what, count, disk)

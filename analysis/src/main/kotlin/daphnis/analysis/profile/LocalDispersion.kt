@@ -26,8 +26,10 @@ import kotlin.math.sqrt
  * NaN for fewer than [FEWEST_PAIRS] pairs in all states together.
  *
  * @param reach largest distance of a pair, a length
+ * @property isAlongX whether distances are those along x alone, for patches so thin along y that flows vary along x only
  */
-public class LocalDispersion(public val reach: Double) : PooledMeasure {
+public class LocalDispersion @JvmOverloads constructor(public val reach: Double, public val isAlongX: Boolean = false) :
+    PooledMeasure {
     init {
         require(reach > 0 && reach.isFinite()) { "pairs up to $reach; it must be > 0" }
     }
@@ -38,20 +40,42 @@ public class LocalDispersion(public val reach: Double) : PooledMeasure {
         val sums = DoubleArray(BINS * WIDTH)
         if (p.size == 0) return sums
         val w = Array(3) { axis -> DoubleArray(p.size) { state.againstFlow(it, axis) } }
-        // All spheres above and below are near, unless space goes on there.
-        forEachPair(state, reach, inPlane = !state.boundary.hasImages(2)) { i, j, square ->
+        fun add(i: Int, j: Int, square: Double) {
             val bin = (square / (reach * reach) * BINS).toInt()
-            if (bin < BINS) {
-                val weight = p.mass[i] * p.mass[j]
-                sums[bin * WIDTH]++
-                sums[bin * WIDTH + WEIGHT] += weight
-                for (axis in 0..2) {
-                    val d = w[axis][i] - w[axis][j]
-                    sums[bin * WIDTH + SQUARE + axis] += weight * d * d / 2
-                }
+            if (bin >= BINS) return
+            val weight = p.mass[i] * p.mass[j]
+            sums[bin * WIDTH]++
+            sums[bin * WIDTH + WEIGHT] += weight
+            for (axis in 0..2) {
+                val d = w[axis][i] - w[axis][j]
+                sums[bin * WIDTH + SQUARE + axis] += weight * d * d / 2
             }
         }
+        if (isAlongX) {
+            forEachAlongX(state, ::add)
+        } else {
+            // All spheres above and below are near, unless space goes on there.
+            forEachPair(state, reach, inPlane = !state.boundary.hasImages(2), ::add)
+        }
         return sums
+    }
+
+    /** Calls [add] with the pairs of particles whose x differ by less than [reach], through the faces too. */
+    private inline fun forEachAlongX(state: State, add: (Int, Int, Double) -> Unit) {
+        val x = state.population.x
+        val order = x.indices.filter { state.isParticle(it) }.sortedBy { x[it] }.toIntArray()
+        val length = if (state.boundary.hasImages(0)) state.boundary.box.length(0) else Double.POSITIVE_INFINITY
+        for (a in order.indices) {
+            for (step in 1 until order.size) {
+                val isBeyond = a + step >= order.size
+                if (isBeyond && length.isInfinite()) break
+                val i = order[a]
+                val j = order[(a + step) % order.size]
+                val distance = if (isBeyond) x[j] - x[i] + length else x[j] - x[i]
+                if (distance >= reach) break
+                add(i, j, distance * distance)
+            }
+        }
     }
 
     override fun finish(sums: DoubleArray, states: Int): DoubleArray {
@@ -93,6 +117,21 @@ public class LocalDispersion(public val reach: Double) : PooledMeasure {
     }
 
     public companion object {
+        /**
+         * One with the [reach] of [state]; where the patch has no room for it along y, as thin ones of waves, along x
+         * alone. Null for fewer than two particles.
+         */
+        @JvmStatic
+        public fun fitting(state: State): LocalDispersion? {
+            val wanted = wanted(state)
+            val box = state.boundary.box
+            val isAlongX = box.length(0) >= THIN * box.length(1) &&
+                (state.boundary.meanFlow?.normalAxis ?: 0) == 0 &&
+                MOST_OF_EDGE * box.length(1) < minOf(wanted, MOST_OF_EDGE * box.length(0))
+            val found = if (isAlongX) minOf(wanted, MOST_OF_EDGE * box.length(0)) else reach(state)
+            return if (found > 0) LocalDispersion(found, isAlongX) else null
+        }
+
         @JvmField
         public val COLUMNS: List<String> = listOf("pairs", "c_xx", "c_yy", "c_zz", "c2")
 
@@ -108,19 +147,26 @@ public class LocalDispersion(public val reach: Double) : PooledMeasure {
         private const val NEIGHBOURS = 12.0
         private const val MOST_OF_EDGE = 0.25
 
+        /** Edge along x over that along y from which a patch may be too thin for pairs in the plane. */
+        private const val THIN = 4
+
         /**
          * A distance for [state]: three mean diameters, or as far as a particle has twelve neighbours, but not above a
          * quarter of the shorter edge of the patch. NaN for fewer than two particles.
          */
         @JvmStatic
         public fun reach(state: State): Double {
+            val box = state.boundary.box
+            return minOf(wanted(state), MOST_OF_EDGE * minOf(box.length(0), box.length(1)))
+        }
+
+        private fun wanted(state: State): Double {
             val p = state.population
             val particles = (0 until p.size).filter { state.isParticle(it) }
             if (particles.size < 2) return Double.NaN
             val diameters = DIAMETERS * 2 * particles.sumOf { p.radius[it] } / particles.size
             val far = sqrt(NEIGHBOURS * state.area / (PI * particles.size))
-            val box = state.boundary.box
-            return minOf(maxOf(diameters, far), MOST_OF_EDGE * minOf(box.length(0), box.length(1)))
+            return maxOf(diameters, far)
         }
     }
 }

@@ -10,6 +10,7 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.VelocityMoments
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
@@ -63,6 +64,30 @@ class LocalDispersionTest {
             assertEquals(1.0, LocalDispersion(reach).of(state)[c2] / 0.75, 0.06) { "reach $reach" }
         }
     }
+
+    @Test
+    fun `in a patch that is thin along the orbit, pairs are near along x`() {
+        val thin = HillSheet(Box.centred(100.0, 1.0, 4.0), 0.7)
+        val state = uniform(4000, thin, 9) { 0.5 * it.nextGaussian() }
+        val p = state.population
+        for (k in 0 until p.size) p.vx[k] += AMPLITUDE * cos(4 * PI * p.x[k] / 100)
+        val measure = LocalDispersion.fitting(state)!!
+        assertTrue(measure.isAlongX)
+        assertEquals(1.0, measure.of(state)[c2] / 0.75, 0.06)
+        // Through the faces as well: each pair once, and none of a sphere with its own image.
+        val two = uniform(2, thin) { 0.0 }
+        two.population.x[0] = -49.9
+        two.population.x[1] = 49.9
+        assertEquals(1.0, LocalDispersion(1.0, isAlongX = true).sums(two)[0])
+        assertEquals(0.0, LocalDispersion(0.1, isAlongX = true).sums(two)[0])
+        for (wide in listOf(thin(30.0, 20.0), thin(400.0, 100.0))) {
+            val found = LocalDispersion.fitting(uniform(4000, wide))!!
+            assertTrue(!found.isAlongX && found.reach == LocalDispersion.reach(uniform(4000, wide)))
+        }
+        assertNull(LocalDispersion.fitting(uniform(1, thin)))
+    }
+
+    private fun thin(x: Double, y: Double) = HillSheet(Box.centred(x, y, 4.0), 0.7)
 
     @Tag("thorough")
     @Test

@@ -57,6 +57,10 @@ public sealed class PeriodicOutput(
     /** What it writes at [times] in a run of [course] with [spheres] spheres; null for nothing. */
     public abstract fun cost(times: OutputTimes, course: Course, spheres: Int): OutputCost?
 
+    /** The same for the keys of [spec], whose intervals are in units of time. */
+    public open fun cost(spec: OutputSpec, course: Course, spheres: Int): OutputCost? =
+        cost(times(spec), course, spheres)
+
     /**
      * The output, due at [times]; null when it then has nothing to do. Called before the first step of each start and
      * resume.

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Interval
 import daphnis.core.hill.HillFrame
+import daphnis.core.population.ModeSums
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.InputException
@@ -93,6 +94,9 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
         if (meta != null) {
             simulation.goOnFrom(meta.time, meta.step)
             simulation.collisions?.let { meta.countInto(it.counters) }
+        }
+        if (!ModesOutput.times(output).isNever) {
+            ModeSums.problem(simulation.boundary)?.let { throw IllegalArgumentException("output.modesEvery $it") }
         }
         requireFew(output, maxOf(abs(simulation.runStart), abs(program.until)))
         val sums = PopulationSums(simulation.boundary.meanFlow, orbits, program.firstBody)

@@ -6,6 +6,7 @@ import daphnis.core.cluster.FleetEngines
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.MaterialSums
+import daphnis.core.population.ModeSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
@@ -35,7 +36,12 @@ internal class RunPlan(
 ) : AutoCloseable {
     /** Further outputs, by name; they say it when they fail. */
     val own: Map<String, Output> = named(own, simulation)
-    val sums = StepSums(sums, spinSums(simulation), materialSums(simulation, scenario))
+    val sums = StepSums(
+        sums,
+        spinSums(simulation),
+        materialSums(simulation, scenario),
+        if (ModesOutput.times(output).isNever) null else ModeSums(output.modes, simulation.boundary, sums.firstBody),
+    )
 
     override fun close() {
         simulation.close()

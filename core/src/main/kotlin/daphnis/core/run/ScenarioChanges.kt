@@ -32,6 +32,7 @@ internal class ScenarioChanges private constructor(
         private val CHECKPOINTS =
             setOf(OutputSpec::checkpointEvery, OutputSpec::checkpointInterval).map { "output.${it.name}" }
         private const val LONGEST = 60
+        private val MODES = "output.${OutputSpec::modes.name}"
         private val json = Json
 
         /**
@@ -67,6 +68,7 @@ internal class ScenarioChanges private constructor(
 
     private fun isFree(path: String): Boolean {
         if (path.substringBefore('.') in FREE || path in CHECKPOINTS) return true
+        if (path == MODES) return ModesOutput.times(then).isNever
         val output = PeriodicOutputs.all.find { path == "output.${it.key}" || path == "output.${it.intervalKey}" }
             ?: return false
         if (isStepFree && output.intervalKey == path.removePrefix("output.")) return false

@@ -6,6 +6,7 @@ import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.MaterialSums
+import daphnis.core.population.ModeSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 
@@ -17,6 +18,7 @@ internal class StepSums(
     private val sums: PopulationSums,
     private val spins: SpinSums? = null,
     private val byMaterial: MaterialSums? = null,
+    private val modes: ModeSums? = null,
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()
@@ -29,6 +31,7 @@ internal class StepSums(
     private var hasEnergies = false
     private var haveTakenSpins = false
     private var haveTakenMaterials = false
+    private var modesTakenAt = -1L
 
     /** Sums of the state that [simulation] has after its step. */
     fun of(simulation: Simulation): PopulationSums = if (takenAt == simulation.step) sums else take(simulation)
@@ -50,10 +53,25 @@ internal class StepSums(
         return byMaterial
     }
 
+    /**
+     * Fourier modes of the same state. Where nodes hold the spheres, they are fetched.
+     *
+     * @throws IllegalStateException in a run that was not to have any
+     */
+    fun modes(simulation: Simulation): ModeSums {
+        val modes = checkNotNull(modes) { "no modes were asked for" }
+        if (modesTakenAt == simulation.step) return modes
+        modesTakenAt = -1
+        modes.take(simulation.population, loopOf(simulation))
+        modesTakenAt = simulation.step
+        return modes
+    }
+
     /** Takes the sums again, and energies when they are asked for. */
     fun take(simulation: Simulation): PopulationSums {
         val energies = energiesIn(simulation)
         takenAt = -1
+        modesTakenAt = -1
         val isElsewhere = simulation.sumElsewhere { parts ->
             sums.take(parts)
             energies.clear()

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.population.ModeSums
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
@@ -15,6 +16,8 @@ import kotlinx.serialization.json.jsonPrimitive
  * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and the momentum that
  *   collisions carried
  *
+ * @property modesEvery rows of `modes.csv`: Fourier modes of surface density and velocities
+ * @property modes how many of these, beside mode 0
  * @property intervalUnit of all intervals; null for the scenario's unit of time
  */
 @Serializable
@@ -29,11 +32,18 @@ public class OutputSpec @JvmOverloads constructor(
     public val checkpointInterval: Double? = null,
     public val transportInterval: Double? = null,
     public val intervalUnit: IntervalUnit? = null,
+    public val modesEvery: Int = 0,
+    public val modes: Int = MODES,
+    public val modesInterval: Double? = null,
 ) {
     /** Every number of steps, by its key. */
     internal fun steps(): Map<String, Int> {
         val tree = EVERY_KEY.encodeToJsonElement(serializer(), this).jsonObject
-        return buildMap { for ((key, value) in tree) value.jsonPrimitive.intOrNull?.let { put(key, it) } }
+        return buildMap {
+            for ((key, value) in tree) {
+                if (key.endsWith(EVERY)) value.jsonPrimitive.intOrNull?.let { put(key, it) }
+            }
+        }
     }
 
     /** Every interval that is given, in [intervalUnit], by its key. */
@@ -42,11 +52,15 @@ public class OutputSpec @JvmOverloads constructor(
         snapshotInterval?.let { put(SNAPSHOT_INTERVAL, it) }
         checkpointInterval?.let { put(CHECKPOINT_INTERVAL, it) }
         transportInterval?.let { put(TRANSPORT_INTERVAL, it) }
+        modesInterval?.let { put(MODES_INTERVAL, it) }
     }
 
     /** What is wrong with the values: keys with a sentence. */
     internal fun problems(): List<Pair<String, String>> = buildList {
         for ((key, steps) in steps()) if (steps < 0) add(key to "is $steps; must be at least 0 (0 for never)")
+        if (modes !in 1..ModeSums.MOST_MODES) {
+            add(MODES_KEY to "is $modes; must be at least 1 and at most ${ModeSums.MOST_MODES}")
+        }
         val defaults = OutputSpec().steps()
         for ((key, interval) in intervals()) {
             if (!(interval > 0) || interval.isInfinite()) add(key to "is $interval; must be > 0")
@@ -59,7 +73,8 @@ public class OutputSpec @JvmOverloads constructor(
     /**
      * The intervals at which a step has to end where its length is free. A checkpoint is no state that anybody wants.
      */
-    internal fun stops(): List<Double> = listOfNotNull(seriesInterval, snapshotInterval, transportInterval)
+    internal fun stops(): List<Double> =
+        listOfNotNull(seriesInterval, snapshotInterval, transportInterval, modesInterval)
 
     /**
      * The same with intervals in units of time, of which an orbit has [orbit], and 0 steps for an output with an
@@ -79,12 +94,16 @@ public class OutputSpec @JvmOverloads constructor(
             time(checkpointInterval),
             time(transportInterval),
             if (unit == null) intervalUnit else null,
+            if (modesInterval == null) modesEvery else 0,
+            modes,
+            time(modesInterval),
         )
     }
 
     public companion object {
         internal const val SERIES = 1
         internal const val CHECKPOINTS = 100
+        internal const val MODES = 8
         internal const val EVERY = "Every"
         internal const val INTERVAL = "Interval"
         internal const val ONE_OF_TWO = "one of the two is enough"
@@ -92,6 +111,8 @@ public class OutputSpec @JvmOverloads constructor(
         private const val SNAPSHOT_INTERVAL = "snapshot$INTERVAL"
         private const val CHECKPOINT_INTERVAL = "checkpoint$INTERVAL"
         private const val TRANSPORT_INTERVAL = "transport$INTERVAL"
+        private const val MODES_INTERVAL = "modes$INTERVAL"
+        private const val MODES_KEY = "modes"
 
         /** Names the keys one by one. */
         @JvmStatic

@@ -13,6 +13,9 @@ public class OutputSpecBuilder internal constructor() {
     private var checkpointInterval: Double? = null
     private var transportInterval: Double? = null
     private var unit: IntervalUnit? = null
+    private var modesEvery = usual.modesEvery
+    private var modes = usual.modes
+    private var modesInterval: Double? = null
 
     /** Steps between rows of `series.csv`. */
     public fun seriesEvery(steps: Int): OutputSpecBuilder = apply { series = steps }
@@ -41,6 +44,15 @@ public class OutputSpecBuilder internal constructor() {
     /** Time between rows of `transport.csv`. */
     public fun transportInterval(time: Double): OutputSpecBuilder = apply { transportInterval = time }
 
+    /** Steps between states in `modes.csv`; 0 for none. */
+    public fun modesEvery(steps: Int): OutputSpecBuilder = apply { modesEvery = steps }
+
+    /** Time between states in `modes.csv`. */
+    public fun modesInterval(time: Double): OutputSpecBuilder = apply { modesInterval = time }
+
+    /** How many modes `modes.csv` has, beside mode 0. */
+    public fun modes(count: Int): OutputSpecBuilder = apply { modes = count }
+
     /** The unit of times; that of the scenario if this is not called. */
     public fun intervalUnit(unit: IntervalUnit): OutputSpecBuilder = apply { this.unit = unit }
 
@@ -56,5 +68,8 @@ public class OutputSpecBuilder internal constructor() {
         checkpointInterval,
         transportInterval,
         unit,
+        modesEvery,
+        modes,
+        modesInterval,
     )
 }

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Interval
+import daphnis.core.population.ModeSums
 import kotlin.math.abs
 
 /** Checks how often a scenario's outputs are written. */
@@ -17,6 +18,11 @@ internal class OutputTimesCheck(
             "is orbit; it needs a frame of type hill"
         }
         for ((key, problem) in output.problems()) check.fail("output.$key", problem)
+        val isWithModes = output.modesEvery > 0 || output.modesInterval != null
+        ModeSums.problem(around.boundary)?.let { problem ->
+            val key = if (output.modesInterval == null) "modesEvery" else "modesInterval"
+            if (isWithModes) check.fail("output.$key", problem)
+        }
         val settled = output.settled(orbit)
         for ((key, interval) in settled.intervals()) {
             val most = maxOf(abs(around.end), abs(scenario.startTime)) / interval

@@ -36,6 +36,8 @@ public object Dimension {
     public const val MOMENTUM: String = "mass length/time"
     public const val ENERGY: String = "mass length^2/time^2"
 
+    public const val WAVENUMBER: String = "1/length"
+
     /** Momentum carried over a length, Σ Δp δ, and angular momentum. */
     public const val ACTION: String = "mass length^2/time"
 }

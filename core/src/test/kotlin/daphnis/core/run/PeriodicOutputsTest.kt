@@ -46,7 +46,7 @@ class PeriodicOutputsTest {
     fun `the list is in the order of the keys, and every key but that of checkpoints has its output`() {
         assertEquals(listOf("series", "snapshots", "collisions", "transport"), all.map { it.name }.take(4))
         val keys = OutputSpec.serializer().descriptor.elementNames.toList()
-        val own = setOf("checkpointEvery", "checkpointInterval", "intervalUnit")
+        val own = setOf("checkpointEvery", "checkpointInterval", "intervalUnit", "modes")
         assertEquals(keys.toSet() - own, all.flatMap { listOfNotNull(it.key, it.intervalKey) }.toSet())
         assertEquals(keys.filter { key -> all.any { it.key == key } }, all.map { it.key })
         assertEquals(all.size, all.map { it.name }.toSet().size)
@@ -154,7 +154,7 @@ class PeriodicOutputsTest {
     }
 
     @Test
-    fun `a resume may write rows and states more or less often, and log and transport neither begin nor end`() {
+    fun `a resume may write rows and states more or less often, and log, transport and modes neither begin nor end`() {
         for (output in all) {
             val path = home.resolve(output.name)
             for ((then, now) in listOf(0 to 2, 2 to 0, 1 to 2)) {
@@ -162,7 +162,7 @@ class PeriodicOutputsTest {
                 val edited = ScenarioJson.read(path.resolve("scenario.json"), listOf(setting(output, now)))
                 Files.writeString(path.resolve("scenario.json"), ScenarioJson.write(edited))
                 val isOneOrOther = then > 0 != now > 0
-                if (output.name in setOf("collisions", "transport") && isOneOrOther) {
+                if (output.name in setOf("collisions", "transport", "modes") && isOneOrOther) {
                     val e = assertThrows(InputException::class.java) { Run.resume(path).close() }
                     assertTrue("output.${output.key}" in e.message.orEmpty()) { e.message }
                 } else {

@@ -1,6 +1,7 @@
 package daphnis.core.table
 
 import daphnis.core.Repository
+import daphnis.core.run.ModeColumns
 import daphnis.core.run.PeriodicOutputs
 import daphnis.core.run.Run
 import daphnis.core.run.SeriesColumns
@@ -58,5 +59,6 @@ class TableColumnsTest {
             "time particles mass c_xx c_yy c_zz c_xy scale_height collisions dissipated virial_xy",
             TransportColumns.needed.joinToString(" "),
         )
+        assertEquals(ModeColumns.columns.map { it.name } - "step", ModeColumns.needed)
     }
 }

@@ -114,7 +114,7 @@ internal object Chart {
         PlotField(xLabel, yLabel, lines.flatMap { it.x.asList() }, lines.flatMap { it.y.asList() }, isFixed = isFixed)
 
     /**
-     * Coloured cells around zero, to scale; [values] at `i · ny + j` for the cell i along the vertical axis, j along
+     * Coloured cells around zero, to scale unless the axes measure different things; [values] at `i · ny + j` for the cell i along the vertical axis, j along
      * the horizontal one.
      */
     fun map(
@@ -124,10 +124,11 @@ internal object Chart {
         xLabel: String,
         yLabel: String,
         name: String,
+        isToScale: Boolean = true,
     ): Figure {
         // Zero in the middle of the scale: as much colour above as below.
         val most = values.filter { it.isFinite() }.maxOfOrNull { abs(it) }?.takeIf { it > 0 } ?: 1.0
-        val field = PlotField(xLabel, yLabel, horizontal.asList(), vertical.asList(), isFixed = true)
+        val field = PlotField(xLabel, yLabel, horizontal.asList(), vertical.asList(), isFixed = isToScale)
         return MapChart(field, horizontal, vertical, values, name, most)
     }
 

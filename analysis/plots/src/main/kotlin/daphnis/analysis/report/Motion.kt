@@ -20,7 +20,7 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
     private val near = if (input.omega == null || !input.hasVelocities) {
         null
     } else {
-        LocalDispersion.reach(last).takeIf { it > 0 }?.let { Averages(LocalDispersion(it)) }
+        LocalDispersion.fitting(last)?.let { Averages(it) }
     }
 
     /** Of a gas: a ring is far from a Maxwellian in other ways. */

@@ -11,6 +11,7 @@ import daphnis.analysis.statistics.BlockAverage
  * @property key what it is called in `tables/numbers.csv` and among the [References]: lower case, and the same in every
  *   version, whatever the [name]; null for a number that stands on the page only
  * @property longer how many times the time averaged an error takes as a rule; NaN where there is one, or nothing tells
+ * @property isOfChange whether it tells how the run changes, so that its error holds where the run is not steady
  */
 internal class NumberRow(
     val name: String,
@@ -22,9 +23,10 @@ internal class NumberRow(
     val unknown: Unknown? = null,
     val key: String? = null,
     val longer: Double = Double.NaN,
+    val isOfChange: Boolean = false,
 ) {
     /** Whether it is an average, not a number that follows from the particles themselves. */
-    val isAverage: Boolean get() = !error.isNaN() || unknown != null
+    val isAverage: Boolean get() = !isOfChange && (!error.isNaN() || unknown != null)
 
     /**
      * This average over a time in which the run was not steady: an error would say that more is known than is. That
@@ -69,6 +71,11 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
     /** A [value] without error, which follows from the particles themselves. */
     fun exact(key: String?, name: String, value: Double, unit: String, note: String = "") {
         rows += NumberRow(name, value, Double.NaN, unit, references[key], note, key = key)
+    }
+
+    /** A [value] that tells how the run changes, and its standard [error]. */
+    fun change(key: String?, name: String, value: Double, error: Double, unit: String, note: String = "") {
+        rows += NumberRow(name, value, error, unit, references[key], note, key = key, isOfChange = true)
     }
 
     fun list(): List<NumberRow> = rows

@@ -11,6 +11,7 @@ import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.TransportColumns.moment
 import kotlin.math.abs
+import kotlin.math.floor
 import kotlin.math.sqrt
 
 /**
@@ -42,6 +43,23 @@ internal class History(
         return if (abs(found.change) <= NEGLIGIBLE * abs(averaged.average())) found.steady() else found
     }
 
+    /**
+     * Means over whole periods of length [period], without the last one if it is cut short. The same as before where one
+     * has fewer than two values, or too few of them are left from the time [from] on to judge.
+     */
+    fun overPeriods(period: Double, from: Double): History {
+        val groups = times.indices.groupBy { floor((times[it] - times[0]) / period).toLong() }.toSortedMap()
+        val whole = groups.values.toList().dropLast(1)
+        if (whole.any { it.size < 2 }) return this
+        val means = History(
+            name,
+            DoubleArray(whole.size) { k -> whole[k].sumOf { times[it] } / whole[k].size },
+            DoubleArray(whole.size) { k -> whole[k].sumOf { values[it] } / whole[k].size },
+            keys,
+        )
+        return if (means.times.size - means.first(from) < Steadiness.FEWEST) this else means
+    }
+
     /** The time from which it is steady by MSER-5; null where it never is. */
     fun steadyFrom(): Double? = Steadiness.steadyFrom(values).let { if (it < 0) null else times[it] }
 
@@ -58,10 +76,14 @@ internal class History(
 internal object RunHistory {
     /**
      * The main quantities of [input]; none for a foreign file, or a run that wrote neither. The series counts where
-     * transport.csv has too few rows from the time [from] on.
+     * transport.csv has too few rows from the time [from] on. A wave comes back to what it was after its period, so in
+     * rings that wrote modes they are means over whole periods of the strongest wave.
      */
     fun of(input: AnalysisInput, from: Double): List<History> =
-        ofMotion(input, from) + listOfNotNull(rotation(input, from))
+        (ofMotion(input, from) + listOfNotNull(rotation(input, from))).let { all ->
+            val period = Waves.of(input, from)?.wavePeriod
+            if (period == null) all else all.map { it.overPeriods(period, from) }
+        }
 
     /** Rotational temperature of a run whose spheres spin, where there are rows enough to judge it. */
     private fun rotation(input: AnalysisInput, from: Double): History? {

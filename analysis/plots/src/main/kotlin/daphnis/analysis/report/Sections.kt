@@ -57,7 +57,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
 
     companion object {
         /** Those that have numbers: all that it takes where nothing is written. */
-        val WITH_NUMBERS: List<(Study) -> Section> = listOf(::MaterialSection, ::DiffusionSection)
+        val WITH_NUMBERS: List<(Study) -> Section> = listOf(::WaveSection, ::MaterialSection, ::DiffusionSection)
 
         /** Those that have numbers in tables of their own, too. */
         val WITH_OWN_NUMBERS: List<(Study) -> Section> = WITH_NUMBERS + ::StructureSection
@@ -65,6 +65,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
         private val LIST: List<(Study) -> Section> = listOf(
             ::PictureSection,
             ::EvolutionSection,
+            ::WaveSection,
             ::StreamlineSection,
             ::ProfilesSection,
             ::EllipsoidSection,

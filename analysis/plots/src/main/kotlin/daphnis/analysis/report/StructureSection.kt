@@ -2,21 +2,28 @@ package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
 
-/** Correlations of particle positions: pairs, waves, the surface density and its wakes. */
-internal class StructureSection(study: Study) : Section {
+/**
+ * Correlations of particle positions: pairs, waves, the surface density and its wakes. Of a patch that is thin along
+ * the orbit they are those along x: pairs would reach over half its width only, and wakes have no room to lean.
+ */
+internal class StructureSection(private val study: Study) : Section {
     private val surface = SurfacePart(study)
-    private val parts = listOf(PairPart(study), StructureFactorPart(study), surface)
+    private val parts = if (study.isThin) {
+        listOf(LinePart(study), StructureFactorPart(study))
+    } else {
+        listOf(PairPart(study), StructureFactorPart(study), surface)
+    }
 
     override val heading = "Structure"
     override val over = "Correlations of particle positions. ${study.overAverages}"
     override val leftOut =
-        if (study.isCompact) study.tooFew() else "the patch is more than twenty times as long as wide"
+        if (study.isCompact || study.isThin) study.tooFew() else "the patch is more than twenty times as long as wide"
 
     override fun add(state: State) {
         if (leftOut == null) for (part in parts) part.add(state)
     }
 
-    override fun ownNumbers() = surface.rows()
+    override fun ownNumbers() = if (study.isThin) emptyList() else surface.rows()
 
     override fun write(page: ReportPage) {
         for (part in parts) part.write(page)

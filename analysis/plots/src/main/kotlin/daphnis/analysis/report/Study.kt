@@ -36,6 +36,9 @@ internal class Study(
     val judgement: Judgement = Judgement(from, averaged.size) {
         RunHistory.of(input, from).ifEmpty { listOfNotNull(motion.history(from)) }
     }
+
+    /** The waves of a ring that wrote modes often enough; null for others. */
+    val waves: Waves? = Waves.of(input, from)
     val plots: Path = directory.resolve("plots")
     val pictures: PictureFiles = PictureFiles(plots)
     val tables: Path = directory.resolve("tables")
@@ -52,9 +55,14 @@ internal class Study(
     /** Whether light through the patch means something: not through a box that is one of many all around. */
     val isSlab: Boolean = !last.boundary.repeats(2)
 
-    /** Whether pairs and maps are worth looking at: not for patches a thousand times as long as wide. */
+    /** Whether pairs and maps are worth looking at: not for patches far longer than wide. */
     val isCompact: Boolean =
         boxes.mean.let { maxOf(it.length(0), it.length(1)) <= LONGEST * minOf(it.length(0), it.length(1)) }
+
+    /** Whether what happens varies along x alone: patches that are much longer across their mean flow than along it. */
+    val isThin: Boolean = !isCompact &&
+        boxes.mean.length(0) > boxes.mean.length(1) &&
+        (last.boundary.meanFlow?.normalAxis ?: 0) == 0
 
     /** Which states an average is over: `5 states of 12, time 3.75 to 10 s (1.2 to 3.1 orbits)`. */
     val averagedStates: String = run {

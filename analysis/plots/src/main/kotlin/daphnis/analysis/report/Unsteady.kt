@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.table.UnitNames
 import daphnis.core.scenario.ForceSpec
 
 /** What to say of a ring that drifts and has no steady part: a longer run does not help every one. */
@@ -10,7 +11,18 @@ internal object Unsteady {
     fun advice(study: Study): String {
         val moon = study.input.scenario?.forces.orEmpty().any { it is ForceSpec.Satellite }
         val ratio = study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean
-        return advice(moon, ratio)
+        return if (moon) advice(true, ratio) else growth(study) ?: advice(false, ratio)
+    }
+
+    /** Of a ring in which a wave grows in the time averaged; null for others. */
+    private fun growth(study: Study): String? {
+        val waves = study.waves ?: return null
+        val grown = waves.grownAt?.takeIf { it > study.from } ?: return null
+        val growth = waves.growth(waves.first)?.takeIf { it.isGrowing } ?: return null
+        val rate = ReportText.withError(growth.rate * study.scale.time, growth.rateError * study.scale.time)
+        val length = UnitNames.amount(ReportText.short(waves.wavelength(waves.first)), study.units.length)
+        return "waves grow, the first of them $length long by a factor e^($rate) per orbit, until time " +
+            "${study.time(grown)}: averages mean something from later on (--from)"
     }
 
     /** Of a ring that a moon passes or not, by the [ratio] of total to thermal dispersion; NaN where it has none. */

@@ -47,7 +47,13 @@ internal class ErrorBars(private val options: AnalysisOptions = AnalysisOptions(
         val rows = Analysis(input, options).rows()
         runs++
         if (rows.any { it.unknown == Unknown.UNSTEADY }) unsteady++
-        for (row in rows) if (row.isAverage) numbers.getOrPut(row.key ?: row.name) { ArrayList() } += row
+        for (row in rows) {
+            if (row.isAverage ||
+                row.isOfChange
+            ) {
+                numbers.getOrPut(row.key ?: row.name) { ArrayList() } += row
+            }
+        }
     }
 
     /**

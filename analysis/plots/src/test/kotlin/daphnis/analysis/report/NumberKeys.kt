@@ -52,10 +52,19 @@ internal object NumberKeys {
     val ROUGH = SPIN + "mean_spin_z"
     val SELF_GRAVITY = listOf("viscosity_gravitational", "toomre_q", "critical_wavelength")
     val DIFFUSION = listOf("self_diffusion", "self_diffusion_x", "self_diffusion_y", "self_diffusion_z")
+    val WAVES = listOf(
+        "wave_wavelength",
+        "wave_speed",
+        "wave_frequency",
+        "wave_direction",
+        "wave_first_wavelength",
+        "wave_growth_rate",
+        "wave_growth_frequency",
+    )
     private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
-    private val all = (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + DIFFUSION + INFINITE + GUIDING_CENTRES).toSet()
+    private val all = (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {

@@ -1,0 +1,225 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.table.Column
+import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
+import daphnis.analysis.wave.WaveGrowth
+import daphnis.core.population.ModeQuantity
+import kotlin.math.cos
+import kotlin.math.sin
+
+/**
+ * The waves of a ring from modes.csv: how strong each mode is, how fast it grows, its frequency and direction, which is
+ * the strongest over time, and a picture of the surface density over time.
+ */
+internal class WaveSection(private val study: Study) : Section {
+    private val waves = study.waves
+    private val units = study.units
+    private val scale = study.scale
+
+    override val heading = "Waves"
+    override val over = "Fourier modes along x, from modes.csv: over the whole run, and averages from time " +
+        "${study.time(study.from)} on."
+    override val applies = study.isRing && study.input.modes != null
+    override val leftOut = when {
+        waves == null -> "modes.csv needs four states in every epicyclic period, and one period at least"
+        else -> study.tooFew()
+    }
+
+    override fun numbers(): List<NumberRow> {
+        val waves = waves ?: return emptyList()
+        if (leftOut != null) return emptyList()
+        val rows = NumberRows()
+        val strongest = waves.strongest
+        val wavelength = waves.wavelength(strongest)
+        rows.exact("wave_wavelength", "wavelength of the strongest mode", wavelength, units.length)
+        val speed = waves.rms(ModeQuantity.VELOCITY_X, strongest) * (1 / scale.speed)
+        rows.average("wave_speed", "rms v_x of this mode", speed, scale.speedName)
+        rows.average("wave_frequency", "frequency of this mode", waves.frequency(strongest) * (1 / omega), "Ω")
+        val note = "1 outward, 0 standing, −1 inward"
+        rows.average("wave_direction", "direction of this mode", waves.direction(strongest), "", note)
+        val first = waves.wavelength(waves.first)
+        rows.exact("wave_first_wavelength", "wavelength of the mode that is strongest first", first, units.length)
+        waves.growth(waves.first)?.let {
+            val why = if (it.isGrowing) {
+                "ln of its amplitude, ${time(
+                    it.first,
+                )} to ${time(it.last + 1)}"
+            } else {
+                NOT_GROWING
+            }
+            val (rate, error) = it.rate * scale.time to it.rateError * scale.time
+            rows.change("wave_growth_rate", "growth rate of that mode", rate, error, scale.rateName, why)
+            val (frequency, its) = it.frequency / omega to it.frequencyError / omega
+            rows.change("wave_growth_frequency", "frequency of that mode in this time", frequency, its, "Ω")
+        }
+        return rows.list()
+    }
+
+    private val omega = study.input.omega ?: Double.NaN
+
+    private fun time(period: Int) =
+        ReportText.short((waves!!.table.times.first() + period * waves.period) / scale.time) + " orbits"
+
+    override fun write(page: ReportPage) {
+        val waves = waves ?: return
+        speeds(page, waves)
+        wavelengths(page, waves)
+        density(page, waves)
+        byMode(waves)
+        blocks(waves)
+    }
+
+    private fun speeds(page: ReportPage, waves: Waves) {
+        val time = times(waves)
+        val shown = waves.modes.take(MOST_CURVES)
+        val speeds = waves.modes.map { m -> DoubleArray(waves.periods) { waves.amplitude(m).speed(it) / scale.speed } }
+        val curves = shown.map { Curve("λ = ${ReportText.short(waves.wavelength(it))}", time, speeds[it - 1]) }
+        val figure = Chart.lines(
+            curves,
+            UnitNames.axis("time", scale.timeName),
+            UnitNames.axis("rms v_x of a mode", scale.speedName),
+            logY = true,
+            vertical = study.from / scale.time,
+        )
+        val caption = "Root mean square of v_x in each mode by epicyclic period; the dashed line is where averages begin."
+        study.draw(page, figure, "wave-speeds", "strength of each mode over time", caption)
+        val columns = waves.modes.map { Column("speed_$it", scale.speedName, speeds[it - 1]) }
+        val strongest = DoubleArray(waves.periods) { waves.wavelength(waves.strongest(it)) }
+        val all = listOf(Column("time", scale.timeName, time), Column("strongest_wavelength", units.length, strongest))
+        Table("wave-history", all + columns).write(study.tables)
+    }
+
+    private fun times(waves: Waves) = DoubleArray(waves.periods) { waves.amplitude(1).time(it) / scale.time }
+
+    private fun wavelengths(page: ReportPage, waves: Waves) {
+        val wavelength = DoubleArray(waves.periods) { waves.wavelength(waves.strongest(it)) }
+        val figure = Chart.lines(
+            listOf(Curve("strongest mode", times(waves), wavelength)),
+            UnitNames.axis("time", scale.timeName),
+            study.lengthAxis("wavelength"),
+            joined = false,
+        )
+        study.draw(
+            page,
+            figure,
+            "wavelength",
+            "wavelength of the strongest mode over time",
+            "Wavelength of the strongest mode by epicyclic period.",
+        )
+    }
+
+    /** Σ(x, t) over the last periods, as the sum of all modes. */
+    private fun density(page: ReportPage, waves: Waves) {
+        val table = waves.table
+        val end = table.times.last()
+        val begin = maxOf(table.times.first(), end - SHOWN_PERIODS * waves.period)
+        val rows = table.times.indices.filter { table.times[it] >= begin }
+        val stride = (rows.size + MOST_TIMES - 1) / MOST_TIMES
+        val shown = rows.filterIndexed { k, _ -> k % stride == 0 }
+        val box = study.last.boundary.box
+        val x = DoubleArray(PLACES) { box.lowerX + (it + 0.5) * box.length(0) / PLACES }
+        val values = DoubleArray(PLACES * shown.size)
+        for (m in waves.modes) {
+            val re = table.real(ModeQuantity.DENSITY, m)
+            val im = table.imaginary(ModeQuantity.DENSITY, m)
+            for (i in x.indices) {
+                val c = cos(table.wavenumber(m) * x[i])
+                val s = sin(table.wavenumber(m) * x[i])
+                for ((j, row) in shown.withIndex()) values[i * shown.size + j] += re[row] * c - im[row] * s
+            }
+        }
+        val time = DoubleArray(shown.size) { table.times[shown[it]] / scale.time }
+        val figure = Chart.map(
+            x,
+            time,
+            values,
+            UnitNames.axis("time", scale.timeName),
+            study.lengthAxis("radial position x"),
+            "δΣ/⟨Σ⟩",
+            isToScale = false,
+        )
+        val caption =
+            "Surface density over its mean, less 1, over the last part of the run, as the sum of all modes. " +
+                "Crests that go outward rise to the right."
+        study.draw(page, figure, "wave-density", "surface density over place and time", caption, MAP_HEIGHT)
+        Table(
+            "wave-density",
+            listOf(
+                Column("time", scale.timeName, DoubleArray(values.size) { time[it % time.size] }),
+                Column("x", units.length, DoubleArray(values.size) { x[it / time.size] }),
+                Column("density_contrast", "", values),
+            ),
+        ).write(study.tables)
+    }
+
+    private fun byMode(waves: Waves) {
+        val modes = waves.modes.toList()
+        fun column(name: String, unit: String, value: (Int) -> Double) =
+            Column(name, unit, DoubleArray(modes.size) { value(modes[it]) })
+
+        fun growth(name: String, unit: String, value: (WaveGrowth) -> Double) =
+            column(name, unit) { m -> waves.growth(m)?.let(value) ?: Double.NaN }
+        val error = study.judgement::error
+        val speeds = modes.map { waves.rms(ModeQuantity.VELOCITY_X, it) * (1 / scale.speed) }
+        val densities = modes.map { waves.rms(ModeQuantity.DENSITY, it) }
+        val frequencies = modes.map { waves.frequency(it) * (1 / omega) }
+        val directions = modes.map { waves.direction(it) }
+        Table(
+            "waves",
+            listOf(
+                column("mode", "") { it.toDouble() },
+                column("wavelength", units.length) { waves.wavelength(it) },
+                column("speed", scale.speedName) { speeds[it - 1].mean },
+                column("speed_error", scale.speedName) { error(speeds[it - 1]) },
+                column("density", "") { densities[it - 1].mean },
+                column("density_error", "") { error(densities[it - 1]) },
+                column("frequency", "Ω") { frequencies[it - 1].mean },
+                column("frequency_error", "Ω") { error(frequencies[it - 1]) },
+                column("direction", "") { directions[it - 1].mean },
+                column("direction_error", "") { error(directions[it - 1]) },
+                growth("growth_rate", scale.rateName) { it.rate * scale.time },
+                growth("growth_rate_error", scale.rateName) { it.rateError * scale.time },
+                growth("growth_frequency", "Ω") { it.frequency / omega },
+                growth("growth_frequency_error", "Ω") { it.frequencyError / omega },
+                growth("is_growing", "") { if (it.isGrowing) 1.0 else 0.0 },
+                growth("growth_from", scale.timeName) { timeOf(waves, it.first) },
+                growth("growth_to", scale.timeName) { timeOf(waves, it.last + 1) },
+            ),
+        ).write(study.tables)
+    }
+
+    private fun timeOf(waves: Waves, period: Int) = (waves.table.times.first() + period * waves.period) / scale.time
+
+    /** Root mean squares over blocks of orbits, of all that the modes have. */
+    private fun blocks(waves: Waves) {
+        val start = waves.table.times.first()
+        val orbits = (waves.table.times.last() - start) / scale.time
+        val count = Math.ceil(orbits / BLOCK - ROUNDING).toInt().coerceAtLeast(1)
+        fun begin(k: Int) = start + k * BLOCK * scale.time
+        fun rms(quantity: ModeQuantity, m: Int, unit: Double) =
+            DoubleArray(count) { waves.rms(quantity, m, begin(it), begin(it + 1)) / unit }
+        val places = listOf(
+            Column("from", scale.timeName, DoubleArray(count) { begin(it) / scale.time }),
+            Column("to", scale.timeName, DoubleArray(count) { begin(it + 1) / scale.time }),
+        )
+        val speeds = waves.modes.map {
+            Column("vx_$it", scale.speedName, rms(ModeQuantity.VELOCITY_X, it, scale.speed))
+        }
+        val densities = waves.modes.map { Column("density_$it", "", rms(ModeQuantity.DENSITY, it, 1.0)) }
+        Table("wave-blocks", places + speeds + densities).write(study.tables)
+    }
+
+    private companion object {
+        const val MOST_CURVES = 6
+        const val SHOWN_PERIODS = 8
+        const val MOST_TIMES = 160
+        const val PLACES = 40
+        const val MAP_HEIGHT = 360
+        const val BLOCK = 5
+        const val ROUNDING = 1e-6
+        const val NOT_GROWING = "over the whole run: no time of growth is seen"
+    }
+}

@@ -1,0 +1,178 @@
+package daphnis.analysis.wave
+
+import daphnis.analysis.statistics.BlockAverage
+import kotlin.math.atan2
+import kotlin.math.exp
+import kotlin.math.ln
+
+/**
+ * How fast a mode grows, and with what frequency, from its amplitudes by period ([WaveAmplitudes]).
+ *
+ * The time of growth ends when the amplitude has come to [TOP] of the largest, the median of five periods taken, and
+ * begins when it was last at [FLOOR] times its least before that. Over that time ln A is fitted by
+ * s t + c − ½ ln(1 + q e^{2(st + c)}), q ≥ 0: exponential growth that comes to an end as in Landau's equation. So the
+ * rate s is that of small amplitudes, although the fit needs no time without saturation. Its noise is that of
+ * [LevelNoise]. Where there is no growth over [FEWEST] periods by a factor of e or more, and by three errors, a straight
+ * line is fitted over all periods.
+ *
+ * @property rate s, per unit of time
+ * @property rateError one standard error; NaN for too few periods
+ * @property frequency in radians per unit of time, over the same periods; the phase of both waves together is fitted by a
+ *   line, with noise alike
+ *
+ * @property frequencyError one standard error
+ * @property isGrowing whether growth was found
+ * @property first period with which the time fitted begins, [last] with which it ends
+ */
+public class WaveGrowth private constructor(
+    public val rate: Double,
+    public val rateError: Double,
+    public val frequency: Double,
+    public val frequencyError: Double,
+    public val isGrowing: Boolean,
+    public val first: Int,
+    public val last: Int,
+) {
+    public companion object {
+        /** Periods below which nothing is fitted. */
+        public const val FEWEST: Int = 8
+        private const val TOP = 0.7
+        private const val FLOOR = 1.5
+        private const val SIGNIFICANT = 3.0
+        private const val HALF_WIDTH = 2
+        private const val STEPS = 30
+
+        /** Part of the saturation that a fit begins with. */
+        private const val FIRST_GUESS = 0.3
+        private const val ENOUGH = 1e-9
+        private const val LARGEST = 50.0
+
+        /** Of [waves]; null for fewer than [FEWEST] periods, or amplitudes that are 0. */
+        @JvmStatic
+        public fun of(waves: WaveAmplitudes): WaveGrowth? {
+            val n = waves.size
+            if (n < FEWEST) return null
+            val logarithms = DoubleArray(n) { ln(waves.speed(it)) }
+            if (logarithms.any { !it.isFinite() }) return null
+            val (first, last) = window(logarithms)
+            if (last - first + 1 >= FEWEST) {
+                val (rate, error) = landau(logarithms.copyOfRange(first, last + 1)) ?: return null
+                val isMuch = logarithms[last] - logarithms[first] >= 1
+                if (isMuch && rate > SIGNIFICANT * error) return made(waves, logarithms, rate, error, true, first, last)
+            }
+            val (rate, error) = line(logarithms, logarithms) ?: return null
+            return made(waves, logarithms, rate, error, false, 0, n - 1)
+        }
+
+        private fun made(
+            waves: WaveAmplitudes,
+            logarithms: DoubleArray,
+            rate: Double,
+            error: Double,
+            isGrowing: Boolean,
+            first: Int,
+            last: Int,
+        ): WaveGrowth {
+            val phases = waves.phases().copyOfRange(first, last + 1)
+            val turning = line(phases, logarithms.copyOfRange(first, last + 1)) ?: (Double.NaN to Double.NaN)
+            val period = waves.period
+            return WaveGrowth(
+                rate / period,
+                error / period,
+                waves.kappa - turning.first / period,
+                turning.second / period,
+                isGrowing,
+                first,
+                last,
+            )
+        }
+
+        /** First and last period of the time of growth. */
+        private fun window(logarithms: DoubleArray): Pair<Int, Int> {
+            val smooth = DoubleArray(logarithms.size) {
+                val from = maxOf(0, it - HALF_WIDTH)
+                val to = minOf(logarithms.size, it + HALF_WIDTH + 1)
+                logarithms.copyOfRange(from, to).also { part -> part.sort() }[(to - from) / 2]
+            }
+            val last = smooth.indexOfFirst { it > smooth.max() + ln(TOP) }
+            val floor = (0..last).minOf { smooth[it] } + ln(FLOOR)
+            return (0..last).last { it == 0 || smooth[it] <= floor } to last
+        }
+
+        /** Slope of a line through [y], per number, and its standard error; the noise may fall with [logarithms]. */
+        private fun line(y: DoubleArray, logarithms: DoubleArray): Pair<Double, Double>? {
+            val middle = (y.size - 1) / 2.0
+            val columns = listOf(DoubleArray(y.size) { 1.0 }, DoubleArray(y.size) { it - middle })
+            return LevelNoise.likeliest(logarithms) { noise ->
+                noise.step(y, columns)?.let { (it.parameters[1] to it.errors[1]) to it }
+            }
+        }
+
+        /** Rate per number of growth that comes to an end, and its standard error. */
+        private fun landau(y: DoubleArray): Pair<Double, Double>? {
+            val half = y.copyOf(maxOf(FEWEST / 2, y.size / 2))
+            val slope = (half.last() - half.first()) / (half.size - 1)
+            val guess = Landau(y[0], slope, FIRST_GUESS * exp(-2 * y.max()), y)
+            var fitted = guess
+            val white = LevelNoise(0.0, DoubleArray(y.size) { 1.0 })
+            repeat(STEPS) { fitted = fitted.next(white)?.first ?: return null }
+            return LevelNoise.likeliest(DoubleArray(y.size) { fitted.value(it) }) { noise ->
+                fit(guess, noise)?.let { (model, last) -> (model.rate to last.errors[1]) to last }
+            }
+        }
+
+        private fun fit(guess: Landau, noise: LevelNoise): Pair<Landau, LeastSquares>? {
+            var model = guess
+            repeat(STEPS) {
+                val (next, step) = model.next(noise) ?: return null
+                model = next
+                if (Math.abs(step.parameters[1]) < ENOUGH) return next to step
+            }
+            return null
+        }
+    }
+
+    /** ln A = L − ½ ln(1 + q e^{2L}) with L = c + s t, t counting the numbers [y]. */
+    private class Landau(val constant: Double, val rate: Double, val end: Double, val y: DoubleArray) {
+        fun value(t: Int): Double = line(t).let { it - ln(1 + end * exp(2 * it)) / 2 }
+
+        private fun line(t: Int) = minOf(constant + rate * t, LARGEST)
+
+        /** One step of Gauss and Newton; q that would become negative is 0 and left out. */
+        fun next(noise: LevelNoise): Pair<Landau, LeastSquares>? {
+            val part = DoubleArray(y.size) { 1 / (1 + end * exp(2 * line(it))) }
+            val columns = arrayListOf(part, DoubleArray(y.size) { part[it] * it })
+            if (end > 0) columns += DoubleArray(y.size) { -exp(2 * line(it)) * part[it] / 2 }
+            val step = noise.step(DoubleArray(y.size) { y[it] - value(it) }, columns) ?: return null
+            val p = step.parameters
+            val more = if (end > 0) maxOf(0.0, end + p[2]) else 0.0
+            return Landau(constant + p[0], rate + p[1], more, y) to step
+        }
+    }
+}
+
+/** Frequency and direction of a mode over a time in which it neither grows nor falls. */
+public object WaveAverages {
+    /**
+     * Mean frequency over the periods of [waves] from the time [from] on, in radians per unit of time: the angle by
+     * which the amplitudes turn from period to period, weighted by their squares. Frequencies are told apart within
+     * κ/2 of κ.
+     */
+    @JvmStatic
+    public fun frequency(waves: WaveAmplitudes, from: Double): BlockAverage {
+        val turns = (0 until waves.size - 1).filter { waves.start + it * waves.period >= from }.map { waves.turn(it) }
+        val columns = Array(2) { part -> DoubleArray(turns.size) { turns[it][part] } }
+        return BlockAverage.of(columns) { waves.kappa - atan2(it[1], it[0]) / waves.period }
+    }
+
+    /** (A² outward − A² inward)/(A² outward + A² inward): 1 for waves that go outward, 0 for standing ones. */
+    @JvmStatic
+    public fun direction(waves: WaveAmplitudes, from: Double): BlockAverage {
+        val periods = (0 until waves.size).filter { waves.start + it * waves.period >= from }
+        val columns = arrayOf(
+            DoubleArray(periods.size) { waves.outward(periods[it]) },
+            DoubleArray(periods.size) { waves.inward(periods[it]) },
+        )
+        return BlockAverage.of(columns) { (it[0] - it[1]) / (it[0] + it[1]) }
+    }
+}
