@@ -1,6 +1,7 @@
 package daphnis.analysis.input
 
 import daphnis.analysis.insitu.State
+import daphnis.analysis.moonlet.BodyTable
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.analysis.transport.ImpactTable
@@ -35,6 +36,7 @@ import kotlin.io.path.isRegularFile
  * @property transport of a run that wrote it, else null
  * @property series the time series of a run that wrote it, else null
  * @property impacts the distribution of impact speeds of a run that wrote it, else null
+ * @property bodies rows of each body of a run that wrote them, in the order of ids; empty otherwise
  * @property notices what a user should know of the files, a line each
  * @property hasTimes whether [times] are times; false for a file that has none, whose steps they are
  * @property scenario of a run, or the one given beside a file; null when there is none
@@ -56,6 +58,7 @@ public class AnalysisInput internal constructor(
     public val hasTimes: Boolean,
     private val followed: IntArray?,
     private val isEachMoving: Boolean,
+    public val bodies: List<BodyTable>,
 ) {
     /** Names of the units of all numbers. */
     public val units: UnitNames = UnitNames(scenario?.units, if (hasTimes) null else "steps")
@@ -203,10 +206,11 @@ public class AnalysisInput internal constructor(
             val series = if (Files.exists(run.series)) SeriesTable.read(run.series) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
+            val bodies = if (Files.exists(run.bodies)) BodyTable.read(run.bodies) else emptyList()
             val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
             return AnalysisInput(
                 name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, { boundary }, frequencies,
-                transport, series, impacts, run, notices, true, null, true,
+                transport, series, impacts, run, notices, true, null, true, bodies,
             )
         }
 
@@ -218,7 +222,7 @@ public class AnalysisInput internal constructor(
         private fun checked(run: RunDirectory, scenario: Scenario?, acceptLoss: Boolean): List<String> {
             val record = RunRecord.of(run)
             val changes = scenario?.let { record.changes(it) }.orEmpty()
-            val problems = changes + record.problems(run.summary, run.series, run.transport, run.impacts)
+            val problems = changes + record.problems(run.summary, run.series, run.transport, run.impacts, run.bodies)
             if (problems.isNotEmpty() && !acceptLoss) {
                 throw InputException("", null, problems.first(), WayOut.ANALYSE_WITH_LOSS)
             }
@@ -247,7 +251,7 @@ public class AnalysisInput internal constructor(
                 DoubleArray(states.size) { states[it].time }, { states[it] },
                 { k -> boxes?.boundaries?.get(k) ?: around!!.boundary },
                 around?.frequencies, null, null, null, null,
-                file.notices + boxes?.notices.orEmpty(), file.hasTimes, file.common, file.hasVelocities,
+                file.notices + boxes?.notices.orEmpty(), file.hasTimes, file.common, file.hasVelocities, emptyList(),
             )
         }
 
@@ -270,7 +274,7 @@ public class AnalysisInput internal constructor(
             require(times.isNotEmpty()) { "there is no state" }
             return AnalysisInput(
                 name, null, Int.MAX_VALUE, null, times, read::apply, { boundary }, frequencies, null, null, null,
-                null, emptyList(), true, null, true,
+                null, emptyList(), true, null, true, emptyList(),
             )
         }
     }

@@ -20,8 +20,8 @@ import kotlin.math.sqrt
  */
 public class PopulationSums @JvmOverloads constructor(
     flow: MeanFlow?,
-    private val frequencies: OrbitalFrequencies? = null,
-    private val firstBody: Int = Int.MAX_VALUE,
+    internal val frequencies: OrbitalFrequencies? = null,
+    internal val firstBody: Int = Int.MAX_VALUE,
 ) {
     private val flowAxis = flow?.flowAxis ?: -1
     private val normalAxis = flow?.normalAxis ?: 0

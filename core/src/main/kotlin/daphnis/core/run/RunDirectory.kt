@@ -32,6 +32,9 @@ public class RunDirectory internal constructor(public val path: Path, internal v
 
     /** Distribution of impact speeds, beside [transport]. */
     public val impacts: Path get() = path.resolve(ImpactColumns.file)
+
+    /** Places and orbits of the scenario's bodies; only when the scenario asks for them. */
+    public val bodies: Path get() = path.resolve(BodyColumns.file)
     public val snapshots: Path get() = path.resolve(SNAPSHOTS)
     public val plots: Path get() = path.resolve("plots")
     public val tables: Path get() = path.resolve("tables")

@@ -15,6 +15,7 @@ import kotlinx.serialization.json.jsonPrimitive
  * @property transportEvery rows of `transport.csv`: second moments of velocities, scale height, and the momentum that
  *   collisions carried
  *
+ * @property bodiesEvery rows of `bodies.csv`: places and orbits of the scenario's bodies, and what pushed them
  * @property intervalUnit of all intervals; null for the scenario's unit of time
  */
 @Serializable
@@ -29,6 +30,8 @@ public class OutputSpec @JvmOverloads constructor(
     public val checkpointInterval: Double? = null,
     public val transportInterval: Double? = null,
     public val intervalUnit: IntervalUnit? = null,
+    public val bodiesEvery: Int = 0,
+    public val bodiesInterval: Double? = null,
 ) {
     /** Every number of steps, by its key. */
     internal fun steps(): Map<String, Int> {
@@ -42,6 +45,7 @@ public class OutputSpec @JvmOverloads constructor(
         snapshotInterval?.let { put(SNAPSHOT_INTERVAL, it) }
         checkpointInterval?.let { put(CHECKPOINT_INTERVAL, it) }
         transportInterval?.let { put(TRANSPORT_INTERVAL, it) }
+        bodiesInterval?.let { put(BODIES_INTERVAL, it) }
     }
 
     /** What is wrong with the values: keys with a sentence. */
@@ -59,7 +63,8 @@ public class OutputSpec @JvmOverloads constructor(
     /**
      * The intervals at which a step has to end where its length is free. A checkpoint is no state that anybody wants.
      */
-    internal fun stops(): List<Double> = listOfNotNull(seriesInterval, snapshotInterval, transportInterval)
+    internal fun stops(): List<Double> =
+        listOfNotNull(seriesInterval, snapshotInterval, transportInterval, bodiesInterval)
 
     /**
      * The same with intervals in units of time, of which an orbit has [orbit], and 0 steps for an output with an
@@ -79,6 +84,8 @@ public class OutputSpec @JvmOverloads constructor(
             time(checkpointInterval),
             time(transportInterval),
             if (unit == null) intervalUnit else null,
+            if (bodiesInterval == null) bodiesEvery else 0,
+            time(bodiesInterval),
         )
     }
 
@@ -92,6 +99,7 @@ public class OutputSpec @JvmOverloads constructor(
         private const val SNAPSHOT_INTERVAL = "snapshot$INTERVAL"
         private const val CHECKPOINT_INTERVAL = "checkpoint$INTERVAL"
         private const val TRANSPORT_INTERVAL = "transport$INTERVAL"
+        private const val BODIES_INTERVAL = "bodies$INTERVAL"
 
         /** Names the keys one by one. */
         @JvmStatic

@@ -12,6 +12,8 @@ public class OutputSpecBuilder internal constructor() {
     private var snapshotInterval: Double? = null
     private var checkpointInterval: Double? = null
     private var transportInterval: Double? = null
+    private var bodies = usual.bodiesEvery
+    private var bodiesInterval: Double? = null
     private var unit: IntervalUnit? = null
 
     /** Steps between rows of `series.csv`. */
@@ -41,6 +43,12 @@ public class OutputSpecBuilder internal constructor() {
     /** Time between rows of `transport.csv`. */
     public fun transportInterval(time: Double): OutputSpecBuilder = apply { transportInterval = time }
 
+    /** Steps between rows of `bodies.csv`; 0 for none. */
+    public fun bodiesEvery(steps: Int): OutputSpecBuilder = apply { bodies = steps }
+
+    /** Time between rows of `bodies.csv`. */
+    public fun bodiesInterval(time: Double): OutputSpecBuilder = apply { bodiesInterval = time }
+
     /** The unit of times; that of the scenario if this is not called. */
     public fun intervalUnit(unit: IntervalUnit): OutputSpecBuilder = apply { this.unit = unit }
 
@@ -56,5 +64,7 @@ public class OutputSpecBuilder internal constructor() {
         checkpointInterval,
         transportInterval,
         unit,
+        bodies,
+        bodiesInterval,
     )
 }
