@@ -113,6 +113,11 @@ class Run:
         return self._table("impacts.csv", "output.transportEvery")
 
     @property
+    def bodies(self) -> pd.DataFrame:
+        """``bodies.csv``: for each body and time its orbit and what pushed it, see docs/guide.md."""
+        return self._table("bodies.csv", "output.bodiesEvery")
+
+    @property
     def collisions(self) -> pd.DataFrame:
         """``collisions.csv``: a row for each collision of two spheres; of rough ones with tangential impulses."""
         return self._table("collisions.csv", "output.collisionLog")

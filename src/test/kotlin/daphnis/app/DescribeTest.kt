@@ -109,6 +109,16 @@ class DescribeTest {
         assertNear(8.71e-12 * 3.7931206e16 * 1e0 / 6.6743e-11, after(row, "satellite of"))
         assertTrue("radius 14 km" in row && "167 km inside" in row && "e a = 500 m" in row) { row }
         assertNear(3 * Math.PI * 167, after(row, "wakes"))
+        assertFalse("returns" in row || "i a =" in row) { row }
+    }
+
+    @Test
+    fun `a moon that returns says when, and how far it leaves the plane`() {
+        val row = row(describe("satellite-wake", "forces[0].returns=true", "forces[0].inclination=3"), "forces")
+        assertTrue("i a = 3 km" in row) { row }
+        // 133,746 km over 3/2 · 167 km; as many epicycles around a point mass.
+        assertNear(133_746 / (1.5 * 167), after(row, "returns every"))
+        assertNear(133_746 / (1.5 * 167), after(row, "orbits,"))
     }
 
     @Test

@@ -97,7 +97,7 @@ class GoldenDigestTest {
         )
         val ODD = listOf(
             "open-clump", "periodic-thin", "walls-gravity", "walls-lattice", "sheared-dense", "lees-edwards-sizes",
-            "ring-gravity", "moonlet-small", "ringlet-moon", "big-among-small",
+            "ring-gravity", "moonlet-small", "ringlet-moon", "moons", "big-among-small",
         )
 
         /** Lines of `name,steps,digest`, steps empty for the end. */

@@ -5,6 +5,7 @@ import daphnis.core.force.SelfGravity
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.ScenarioSetup
 import kotlin.math.sqrt
@@ -59,8 +60,18 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
             "${say.length(Math.abs(moon.x))} ${if (moon.x < 0) "inside" else "outside"} the middle of the box",
             "e a = ${say.length(moon.e)}",
             "wakes ${say.length(2 * Math.PI * orbits!!.shearFactor / orbits.radialFactor * Math.abs(moon.x))} long",
+            if (moon.inclination > 0) "i a = ${say.length(moon.inclination)}" else null,
+            returns(moon, orbits),
             mass?.let { m -> g?.let { "Hill radius ${say.length(hillRadius(it * m, omega!!))}" } },
         ).joinToString(", ")
+    }
+
+    /** After how long a moon passes again, and how many of its wakes go round the planet until then. */
+    private fun returns(moon: ForceSpec.Satellite, orbits: OrbitalFrequencies): String? {
+        val distance = FrameSetup.distance(scenario, orbits)
+        if (!moon.returns || distance == null || moon.x == 0.0) return null
+        val period = distance / (orbits.shearFactor * Math.abs(moon.x))
+        return "returns every ${number(period)} orbits, ${number(period * orbits.radialFactor)} epicycles"
     }
 
     private fun scales(g: Double, orbits: OrbitalFrequencies) {

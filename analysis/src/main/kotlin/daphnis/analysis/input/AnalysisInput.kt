@@ -1,6 +1,7 @@
 package daphnis.analysis.input
 
 import daphnis.analysis.insitu.State
+import daphnis.analysis.moonlet.BodyTable
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.analysis.transport.ImpactTable
@@ -37,6 +38,7 @@ import kotlin.io.path.isRegularFile
  * @property series the time series of a run that wrote it, else null
  * @property impacts the distribution of impact speeds of a run that wrote it, else null
  * @property modes the Fourier modes of a run that wrote them, else null
+ * @property bodies rows of each body of a run that wrote them, in the order of ids; empty otherwise
  * @property notices what a user should know of the files, a line each
  * @property hasTimes whether [times] are times; false for a file that has none, whose steps they are
  * @property scenario of a run, or the one given beside a file; null when there is none
@@ -59,6 +61,7 @@ public class AnalysisInput internal constructor(
     private val followed: IntArray?,
     private val isEachMoving: Boolean,
     public val modes: ModesTable?,
+    public val bodies: List<BodyTable>,
 ) {
     /** Names of the units of all numbers. */
     public val units: UnitNames = UnitNames(scenario?.units, if (hasTimes) null else "steps")
@@ -208,9 +211,10 @@ public class AnalysisInput internal constructor(
             val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
             val modes = if (Files.exists(run.modes)) ModesTable.read(run.modes) else null
             val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
+            val bodies = if (Files.exists(run.bodies)) BodyTable.read(run.bodies) else emptyList()
             return AnalysisInput(
                 name, scenario, firstBody, summary, times, { run.readSnapshot(steps[it]) }, { boundary }, frequencies,
-                transport, series, impacts, run, notices, true, null, true, modes,
+                transport, series, impacts, run, notices, true, null, true, modes, bodies,
             )
         }
 
@@ -222,7 +226,8 @@ public class AnalysisInput internal constructor(
         private fun checked(run: RunDirectory, scenario: Scenario?, acceptLoss: Boolean): List<String> {
             val record = RunRecord.of(run)
             val changes = scenario?.let { record.changes(it) }.orEmpty()
-            val problems = changes + record.problems(run.summary, run.series, run.transport, run.impacts, run.modes)
+            val tables = arrayOf(run.summary, run.series, run.transport, run.impacts, run.modes, run.bodies)
+            val problems = changes + record.problems(*tables)
             if (problems.isNotEmpty() && !acceptLoss) {
                 throw InputException("", null, problems.first(), WayOut.ANALYSE_WITH_LOSS)
             }
@@ -252,7 +257,7 @@ public class AnalysisInput internal constructor(
                 { k -> boxes?.boundaries?.get(k) ?: around!!.boundary },
                 around?.frequencies, null, null, null, null,
                 file.notices + boxes?.notices.orEmpty(), file.hasTimes, file.common, file.hasVelocities,
-                null,
+                null, emptyList(),
             )
         }
 
@@ -275,7 +280,7 @@ public class AnalysisInput internal constructor(
             require(times.isNotEmpty()) { "there is no state" }
             return AnalysisInput(
                 name, null, Int.MAX_VALUE, null, times, read::apply, { boundary }, frequencies, null, null, null,
-                null, emptyList(), true, null, true, null,
+                null, emptyList(), true, null, true, null, emptyList(),
             )
         }
     }

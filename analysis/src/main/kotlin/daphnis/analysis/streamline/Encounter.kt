@@ -107,18 +107,21 @@ public class Encounter @JvmOverloads constructor(
 
     /**
      * Distances from the moon, between [from] and [to], of the resonances (m+1):m, near the ring edge spaced by (2/3)
-     * a/m².
+     * a/m²: where κ is m times the difference of the angular speeds if the ring is outside the moon, and m + 1 times if
+     * it is inside. Angular speeds fall as a^(−s/Ω), with κ/Ω of the frame.
      */
     public fun resonances(from: Double, to: Double): List<Resonance> {
         val result = ArrayList<Resonance>()
+        val kappa = frequencies.radialFactor
+        val power = 1 / frequencies.shearFactor
         val nearest = minOf(abs(from), abs(to))
         if (nearest == 0.0) return result
         val side = if (distance > 0) 1 else -1
-        var m = maxOf(1, (2 * semiMajorAxis / (3 * maxOf(abs(from), abs(to)))).toInt() - 1)
+        var m = maxOf(1, (kappa * power * semiMajorAxis / maxOf(abs(from), abs(to))).toInt() - 1)
         while (true) {
-            // Kepler: a ratio of (m+1)/m in frequency is ((m+1)/m)^(2/3) in distance.
-            val ratio = Math.pow((m + 1.0) / m, 2.0 / 3.0)
-            val offset = if (side > 0) semiMajorAxis * (ratio - 1) else semiMajorAxis * (1 / ratio - 1)
+            // Angular speed of the moon over that of the ring; (m+1)/m or m/(m+1) for Kepler.
+            val speeds = if (side > 0) 1 + kappa / m else 1 - kappa / (m + 1)
+            val offset = semiMajorAxis * (Math.pow(speeds, power) - 1)
             if (abs(offset) < nearest || result.size >= MOST_RESONANCES) return result
             if (offset in minOf(from, to)..maxOf(from, to)) result += Resonance(m, offset)
             m++

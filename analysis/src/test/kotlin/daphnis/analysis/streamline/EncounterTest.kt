@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
+import kotlin.math.abs
 import kotlin.math.cosh
 import kotlin.math.exp
 import kotlin.math.sqrt
@@ -114,5 +115,30 @@ class EncounterTest {
             assertEquals(shear / kappa * 100 / 0.5, encounter.crossing(0.5), 1e-12)
         }
         assertFalse(Encounter(10.0, 1e-9, 1e5, frequencies = OrbitalFrequencies(3.0, 0.9)).isKeplerian)
+    }
+
+    /** Saturn with J2 alone, Pan, and the rings beside the Encke gap: the roots of m (Ω_s − Ω) = ±κ by bisection. */
+    @Test
+    fun `resonances are those with κ around an oblate planet`() {
+        val moon = 133_584.0
+        fun at(a: Double) = OrbitalFrequencies.around(3.7931206e7, a, 60_330.0, 0.01629071)
+        for (side in listOf(1, -1)) {
+            val middle = moon + side * 162.0
+            val encounter = Encounter(side * 162.0, 8.71e-12, moon, frequencies = at(middle))
+            val found = encounter.resonances(side * 150.0, side * 175.0)
+            assertTrue(found.isNotEmpty())
+            for (resonance in found) {
+                val m = if (side > 0) resonance.m else resonance.m + 1
+                // Positive nearer than the resonance.
+                fun excess(offset: Double) =
+                    at(moon + side * offset).let { it.kappa - m * side * (at(moon).omega - it.omega) }
+                var near = 100.0
+                var far = 300.0
+                repeat(60) { ((near + far) / 2).let { if (excess(it) > 0) near = it else far = it } }
+                assertEquals(side * near, resonance.offset, 2e-5 * near) { "$side $m" }
+                val kepler = moon * (Math.pow((resonance.m + 1.0) / resonance.m, side * 2.0 / 3) - 1)
+                assertTrue(abs(kepler - side * near) > 5e-3 * near)
+            }
+        }
     }
 }

@@ -59,6 +59,10 @@ public class Epicycle @JvmOverloads constructor(
         verticalPhase + frequencies.nu * time,
     )
 
+    /** The same orbit on a circle of this [circumference], which y is along: Y is at most half of it from 0. */
+    public fun onCircle(circumference: Double): Epicycle =
+        Epicycle(guidingX, guidingY - circumference * Math.rint(guidingY / circumference), e, phase, i, verticalPhase)
+
     /** Around a point mass, in a frame of angular speed [omega]; or with another [verticalFactor]. */
     @JvmOverloads
     public fun after(time: Double, omega: Double, verticalFactor: Double = 1.0): Epicycle =

@@ -12,18 +12,21 @@ import kotlin.math.sqrt
  * The pull of a moon on a given orbit, in Hill's frame: −GM (r − r_s)/(|r − r_s|² + ε²)^{3/2}. The moon itself feels no
  * force and need not be near the patch: a moon beside a ring drifts past it with the shear. The acceleration of the
  * planet by the moon is neglected, as in Hill's limit. There is one moon, without images, so a patch that is periodic
- * along the orbit is followed past it once.
+ * along the orbit is followed past it once, or, with a [circumference], once in a synodic period, circumference/(s X).
  *
  * @param gravitationalParameter G times the mass, in length³/time²
  * @param orbit the moon's epicycle at time 0
  * @param frequencies of orbits in the frame
  * @param softening ε, length
+ * @property circumference of the orbit, length: the moon comes back on the other side when its guiding centre is half
+ *   of it away, with the phases that κ and ν have given it by then. Infinite for a moon that passes once
  */
 public class Satellite @JvmOverloads constructor(
     public val gravitationalParameter: Double,
     private val orbit: Epicycle,
     private val frequencies: OrbitalFrequencies,
     public val softening: Double = 0.0,
+    public val circumference: Double = Double.POSITIVE_INFINITY,
 ) : Kick,
     PerSphereEnergy {
     private var loop: RangeLoop = InlineLoop
@@ -38,6 +41,7 @@ public class Satellite @JvmOverloads constructor(
             "GM of the satellite is $gravitationalParameter; it must be at least 0"
         }
         require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be at least 0" }
+        require(circumference > 0) { "circumference is $circumference; it must be > 0" }
     }
 
     override fun useLoop(loop: RangeLoop) {
@@ -45,7 +49,10 @@ public class Satellite @JvmOverloads constructor(
     }
 
     /** Position and velocity x y z v_x v_y v_z at [time]. Allocates. */
-    public fun state(time: Double): DoubleArray = orbit.after(time, frequencies).state(frequencies)
+    public fun state(time: Double): DoubleArray {
+        val now = orbit.after(time, frequencies)
+        return (if (circumference.isFinite()) now.onCircle(circumference) else now).state(frequencies)
+    }
 
     override fun kick(population: Population, time: Double, duration: Double) {
         val at = state(time)

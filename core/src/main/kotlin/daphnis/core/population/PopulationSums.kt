@@ -20,7 +20,7 @@ import kotlin.math.sqrt
  */
 public class PopulationSums @JvmOverloads constructor(
     flow: MeanFlow?,
-    private val frequencies: OrbitalFrequencies? = null,
+    internal val frequencies: OrbitalFrequencies? = null,
     internal val firstBody: Int = Int.MAX_VALUE,
 ) {
     private val flowAxis = flow?.flowAxis ?: -1

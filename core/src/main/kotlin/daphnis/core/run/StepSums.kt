@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Simulation
 import daphnis.core.force.EnergySums
 import daphnis.core.force.Force
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.MaterialSums
@@ -25,6 +26,12 @@ internal class StepSums(
 
     /** Whether there are sums over spins. */
     val haveSpins: Boolean get() = spins != null
+
+    /** Spheres with this id or a higher one are bodies. */
+    val firstBody: Int get() = sums.firstBody
+
+    /** Of orbits in Hill's frame; null without it. */
+    val frequencies: OrbitalFrequencies? get() = sums.frequencies
 
     private var takenAt = -1L
     private var energies: EnergySums? = null

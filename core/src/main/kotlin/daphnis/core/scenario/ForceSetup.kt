@@ -5,7 +5,6 @@ import daphnis.core.force.BodyGravity
 import daphnis.core.force.Force
 import daphnis.core.force.SelfGravity
 import daphnis.core.force.UniformAcceleration
-import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.Satellite
 import daphnis.core.hill.SatelliteSurface
@@ -89,8 +88,21 @@ internal class ForceSetup(
         check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
         check.that("$key.e", spec.e, spec.e >= 0) { "must be at least 0" }
         check.that("$key.radius", spec.radius, spec.radius >= 0) { "must be at least 0 (0 for a point)" }
-        val satellite = Satellite(strength, Epicycle(spec.x, spec.y, spec.e, spec.phase), orbits, spec.softening)
+        check.that("$key.inclination", spec.inclination, spec.inclination >= 0) { "must be at least 0" }
+        val satellite = Satellite(strength, spec.orbit, orbits, spec.softening, circumference(spec, orbits, key))
         if (spec.radius > 0) boundary = SatelliteSurface(boundary, satellite, spec.radius)
         return satellite
+    }
+
+    /** Of the orbit along which the moon [spec] comes back; infinite when it does not. */
+    private fun circumference(spec: ForceSpec.Satellite, orbits: OrbitalFrequencies, key: String): Double {
+        if (!spec.returns) return Double.POSITIVE_INFINITY
+        val distance = FrameSetup.distance(scenario, orbits)
+            ?: check.fail("units.lengthInMetres", "is missing; $key returns along an orbit whose length it needs")
+        val circumference = 2 * Math.PI * distance
+        check.must("$key.returns", scenario.box.lengths[1] < circumference) {
+            "needs a patch that is shorter than the orbit, $circumference"
+        }
+        return circumference
     }
 }

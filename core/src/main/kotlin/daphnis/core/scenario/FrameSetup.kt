@@ -57,6 +57,22 @@ public object FrameSetup {
         )
     }
 
+    /**
+     * Distance of the middle of the frame from the centre of the planet, in units of length. Where the frame is given
+     * by its angular speed, Kepler's.
+     *
+     * @param frequencies as [frequencies] gives them
+     * @return null when it is not known: without a frame, and without a unit of length
+     */
+    @JvmStatic
+    public fun distance(scenario: ScenarioParts, frequencies: OrbitalFrequencies): Double? {
+        val frame = scenario.frame as? FrameSpec.Hill ?: return null
+        val metres = scenario.units.lengthInMetres ?: return null
+        frame.distanceInKm?.let { return it * METRES_PER_KM / metres }
+        val planet = scenario.units.gravitationalParameter(frame) ?: return null
+        return StrictMath.cbrt(planet / (frequencies.omega * frequencies.omega))
+    }
+
     private fun given(frame: FrameSpec.Hill, speed: Double, check: ValueCheck): OrbitalFrequencies {
         check.positive("frame.angularSpeed", speed)
         check.must("frame.oblateness", frame.oblateness == null) { NEEDS_DISTANCE }

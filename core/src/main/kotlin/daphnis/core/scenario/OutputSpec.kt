@@ -18,6 +18,7 @@ import kotlinx.serialization.json.jsonPrimitive
  *
  * @property modesEvery rows of `modes.csv`: Fourier modes of surface density and velocities
  * @property modes how many of these, beside mode 0
+ * @property bodiesEvery rows of `bodies.csv`: places and orbits of the scenario's bodies, and what pushed them
  * @property intervalUnit of all intervals; null for the scenario's unit of time
  */
 @Serializable
@@ -35,6 +36,8 @@ public class OutputSpec @JvmOverloads constructor(
     public val modesEvery: Int = 0,
     public val modes: Int = MODES,
     public val modesInterval: Double? = null,
+    public val bodiesEvery: Int = 0,
+    public val bodiesInterval: Double? = null,
 ) {
     /** Every number of steps, by its key. */
     internal fun steps(): Map<String, Int> {
@@ -53,6 +56,7 @@ public class OutputSpec @JvmOverloads constructor(
         checkpointInterval?.let { put(CHECKPOINT_INTERVAL, it) }
         transportInterval?.let { put(TRANSPORT_INTERVAL, it) }
         modesInterval?.let { put(MODES_INTERVAL, it) }
+        bodiesInterval?.let { put(BODIES_INTERVAL, it) }
     }
 
     /** What is wrong with the values: keys with a sentence. */
@@ -74,7 +78,7 @@ public class OutputSpec @JvmOverloads constructor(
      * The intervals at which a step has to end where its length is free. A checkpoint is no state that anybody wants.
      */
     internal fun stops(): List<Double> =
-        listOfNotNull(seriesInterval, snapshotInterval, transportInterval, modesInterval)
+        listOfNotNull(seriesInterval, snapshotInterval, transportInterval, modesInterval, bodiesInterval)
 
     /**
      * The same with intervals in units of time, of which an orbit has [orbit], and 0 steps for an output with an
@@ -97,6 +101,8 @@ public class OutputSpec @JvmOverloads constructor(
             if (modesInterval == null) modesEvery else 0,
             modes,
             time(modesInterval),
+            if (bodiesInterval == null) bodiesEvery else 0,
+            time(bodiesInterval),
         )
     }
 
@@ -113,6 +119,7 @@ public class OutputSpec @JvmOverloads constructor(
         private const val TRANSPORT_INTERVAL = "transport$INTERVAL"
         private const val MODES_INTERVAL = "modes$INTERVAL"
         private const val MODES_KEY = "modes"
+        private const val BODIES_INTERVAL = "bodies$INTERVAL"
 
         /** Names the keys one by one. */
         @JvmStatic

@@ -12,6 +12,8 @@ public class OutputSpecBuilder internal constructor() {
     private var snapshotInterval: Double? = null
     private var checkpointInterval: Double? = null
     private var transportInterval: Double? = null
+    private var bodies = usual.bodiesEvery
+    private var bodiesInterval: Double? = null
     private var unit: IntervalUnit? = null
     private var modesEvery = usual.modesEvery
     private var modes = usual.modes
@@ -52,6 +54,11 @@ public class OutputSpecBuilder internal constructor() {
 
     /** How many modes `modes.csv` has, beside mode 0. */
     public fun modes(count: Int): OutputSpecBuilder = apply { modes = count }
+    /** Steps between rows of `bodies.csv`; 0 for none. */
+    public fun bodiesEvery(steps: Int): OutputSpecBuilder = apply { bodies = steps }
+
+    /** Time between rows of `bodies.csv`. */
+    public fun bodiesInterval(time: Double): OutputSpecBuilder = apply { bodiesInterval = time }
 
     /** The unit of times; that of the scenario if this is not called. */
     public fun intervalUnit(unit: IntervalUnit): OutputSpecBuilder = apply { this.unit = unit }
@@ -71,5 +78,7 @@ public class OutputSpecBuilder internal constructor() {
         modesEvery,
         modes,
         modesInterval,
+        bodies,
+        bodiesInterval,
     )
 }

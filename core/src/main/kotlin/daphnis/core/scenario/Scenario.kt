@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.Engines
 import daphnis.core.engine.EngineFactory
+import daphnis.core.hill.Epicycle
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
 import kotlinx.serialization.EncodeDefault
@@ -181,7 +182,11 @@ public sealed interface ForceSpec {
      * @property softening length ε in 1/(r² + ε²)
      * @property radius particles that touch it are removed; 0 for a point
      * @property constant G in the scenario's units, with [mass]; from [Scenario.units] when left out
+     * @property inclination amplitude of its vertical swing in units of length: inclination times semi-major axis
+     * @property node phase of that swing at time 0 in radians, from the ascending node
+     * @property returns whether it comes back after each synodic period
      */
+    @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("satellite")
     public class Satellite @JvmOverloads constructor(
@@ -194,7 +199,14 @@ public sealed interface ForceSpec {
         public val softening: Double = 0.0,
         public val radius: Double = 0.0,
         public val constant: Double? = null,
-    ) : ForceSpec
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val inclination: Double = 0.0,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val node: Double = 0.0,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val returns: Boolean = false,
+    ) : ForceSpec {
+        /** Its epicycle at time 0; without [inclination] the vertical phase is 0. */
+        public val orbit: Epicycle
+            get() = Epicycle(x, y, e, phase, inclination, if (inclination == 0.0) 0.0 else node - Math.PI / 2)
+    }
 
     /**
      * Gravity between the particles, by a tree.

@@ -111,11 +111,13 @@ internal class StartCheck(
      */
     private fun checkSatellites(timeStep: TimeStep) {
         val rate = abs(boundary.meanFlow?.rate ?: return)
+        val orbits = FrameSetup.frequencies(scenario, check.source) ?: return
+        MoonCheck(scenario, population, orbits, check).check()
         for ((k, force) in scenario.forces.withIndex()) {
             if (force !is ForceSpec.Satellite || force.radius == 0.0) continue
             val farthest =
                 maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
-            val way = rate * farthest * timeStep.next(population)
+            val way = (rate * farthest + orbits.nu * force.inclination) * timeStep.next(population)
             check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
                 "is small compared with the $way that particles drift past it in a step; " +
                     "take a smaller dt, or 0 for a point"

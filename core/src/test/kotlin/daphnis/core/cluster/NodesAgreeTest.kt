@@ -38,13 +38,18 @@ class NodesAgreeTest {
         val rows = Files.readString(home.resolve("serial/series.csv"))
         assertEquals(rows, Files.readString(home.resolve("nodes/series.csv")))
         assertTrue(rows.lines().size > 5)
+        val bodies = home.resolve("serial/bodies.csv")
+        if (Files.exists(bodies)) {
+            assertEquals(Files.readString(bodies), Files.readString(home.resolve("nodes/bodies.csv")))
+        }
     }
 
     @Test
     fun `moonlets and their gravity, which every node feels`() {
         val one = """{"radius": 40, "density": 200, "position": [0, 0, 0]}"""
         val other = """{"radius": 20, "density": 300, "position": [100, 150, 0]}"""
-        assertSame("moonlet", 3, "untilOrbits=0.1", "particles.opticalDepth=0.03", "bodies=[$one, $other]")
+        assertSame("moonlet", 3, "untilOrbits=0.1", "particles.opticalDepth=0.03", "bodies=[$one, $other]", ROWS)
+        assertTrue(Files.readAllLines(home.resolve("nodes/bodies.csv")).size > 10)
     }
 
     @Test
@@ -147,6 +152,7 @@ class NodesAgreeTest {
 
     private companion object {
         val PATIENCE: Duration = Duration.ofMillis(200)
+        const val ROWS = "output.bodiesEvery=5"
         const val SHEARED = """{
             "name": "sheared", "until": 1.0,
             "box": {"lengths": [14, 14, 14]},

@@ -24,7 +24,8 @@ class TableColumnsTest {
     @Test
     fun `the files of a run have the declared columns and as many numbers in every row`() {
         // Rough spheres have all columns that there are.
-        val scenario = tableScenario("roughness={\"type\": \"smooth\"}")
+        val body = "bodies=[{\"radius\": 0.6, \"position\": [0, 0, 0]}]"
+        val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body)
         Run.start(scenario, "test", home.resolve("run")).use { it.execute() }
         for (table in tables) {
             val lines = Files.readAllLines(home.resolve("run").resolve(table.file)).map { it.split(',') }

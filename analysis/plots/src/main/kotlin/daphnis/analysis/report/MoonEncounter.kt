@@ -5,25 +5,32 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.Scenario
 
 /** The passage of a scenario's moon by its patch: the [Encounter] it makes, and its rows in the report. */
 internal object MoonEncounter {
+    /** The moons of [scenario], in its order. */
+    fun moons(scenario: Scenario?): List<ForceSpec.Satellite> =
+        scenario?.forces?.filterIsInstance<ForceSpec.Satellite>().orEmpty()
+
     /**
-     * For the middle of [box], among these [orbits]; null without a moon, and where the unit of length
+     * Of a [moon] with the middle of [box], among these [orbits]; null without a moon, and where the unit of length
      * is not known or the moon is in the middle.
      */
-    fun of(scenario: Scenario?, orbits: OrbitalFrequencies, box: Box): Encounter? {
-        val moon = scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull() ?: return null
+    fun of(
+        scenario: Scenario?,
+        orbits: OrbitalFrequencies,
+        box: Box,
+        moon: ForceSpec.Satellite? = moons(scenario).firstOrNull(),
+    ): Encounter? {
+        if (scenario == null || moon == null) return null
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
-        val metres = scenario.units.lengthInMetres ?: return null
         val planet = scenario.units.gravitationalParameter(frame) ?: return null
         val constant = moon.constant ?: scenario.units.gravitationalConstant ?: return null
         val ratio = moon.massRatio ?: moon.mass?.let { it * constant / planet } ?: return null
-        // Kepler, where the frame is given by its angular speed.
-        val frameAxis = frame.distanceInKm?.let { it * METRES_PER_KM / metres }
-            ?: Math.cbrt(planet / (orbits.omega * orbits.omega))
+        val frameAxis = FrameSetup.distance(scenario, orbits) ?: return null
         val distance = (box.lowerX + box.upperX) / 2 - moon.x
         return if (distance == 0.0) null else Encounter(distance, ratio, frameAxis + moon.x, moon.e, orbits)
     }
@@ -67,6 +74,4 @@ internal object MoonEncounter {
     private fun MutableList<NumberRow>.number(name: String, value: Double, unit: String, note: String = "") {
         this += NumberRow(name, value, Double.NaN, unit, note = note)
     }
-
-    private const val METRES_PER_KM = 1000
 }

@@ -6,20 +6,28 @@ import daphnis.analysis.streamline.Streamlines
 import daphnis.core.hill.Epicycle
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.FrameSetup
 import kotlin.math.sign
 
 /** What the [moon] of a scenario does to streamlines; nothing but its place where its encounter is not known. */
 internal class MoonPart private constructor(
     private val study: Study,
-    moon: ForceSpec.Satellite,
-    orbits: OrbitalFrequencies,
+    private val moon: ForceSpec.Satellite,
+    private val orbits: OrbitalFrequencies,
 ) {
     private val units = study.units
     private val last = study.last
+    private val others = MoonEncounter.moons(study.input.scenario).drop(1)
     private val encounter = MoonEncounter.of(study.input.scenario, orbits, last.boundary.box)
 
     /** Where the moon is along the orbit, at the time of the last state. */
-    val y: Double = Epicycle(moon.x, moon.y, moon.e, moon.phase).after(last.time, orbits).state(orbits)[1]
+    val y: Double = now(moon).state(orbits)[1]
+
+    private fun now(moon: ForceSpec.Satellite): Epicycle {
+        val now = moon.orbit.after(last.time, orbits)
+        val distance = study.input.scenario?.let { FrameSetup.distance(it, orbits) }
+        return if (moon.returns && distance != null) now.onCircle(2 * Math.PI * distance) else now
+    }
 
     /** What an axis along the orbit says. */
     val azimuth: String = "azimuth from the moon [${units.length}]"
@@ -48,12 +56,21 @@ internal class MoonPart private constructor(
                 "a circle, 2.2396 μ a³/Δa², for the middle of the patch."
         study.draw(page, figure, "forced-eccentricity", "forced eccentricity along the ring", caption)
         page.numbers(MoonEncounter.rows(e, last.boundary.box, units))
+        if (moon.inclination > 0) {
+            val swing = "${ReportText.short(moon.inclination)} ${units.length}"
+            page.paragraph("The satellite leaves the plane by up to $swing; amplitudes are those of one in the plane.")
+        }
+        others.forEachIndexed { k, moon ->
+            page.paragraph("Satellite ${k + 2}, whose passages are in the same picture:")
+            val encounter = MoonEncounter.of(study.input.scenario, orbits, last.boundary.box, moon)
+            encounter?.let { page.numbers(MoonEncounter.rows(it, last.boundary.box, units)) }
+        }
     }
 
     companion object {
         /** Of the first satellite of the scenario; null without one, or without Hill's frame. */
         fun of(study: Study): MoonPart? {
-            val moon = study.input.scenario?.forces?.filterIsInstance<ForceSpec.Satellite>()?.firstOrNull()
+            val moon = MoonEncounter.moons(study.input.scenario).firstOrNull()
             return if (moon == null) null else study.input.frequencies?.let { MoonPart(study, moon, it) }
         }
     }

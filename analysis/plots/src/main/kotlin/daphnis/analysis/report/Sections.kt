@@ -57,7 +57,8 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
 
     companion object {
         /** Those that have numbers: all that it takes where nothing is written. */
-        val WITH_NUMBERS: List<(Study) -> Section> = listOf(::WaveSection, ::MaterialSection, ::DiffusionSection)
+        val WITH_NUMBERS: List<(Study) -> Section> =
+            listOf(::WaveSection, ::MaterialSection, ::MoonletSection, ::DiffusionSection)
 
         /** Those that have numbers in tables of their own, too. */
         val WITH_OWN_NUMBERS: List<(Study) -> Section> = WITH_NUMBERS + ::StructureSection
@@ -72,6 +73,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
             ::SizeClassSection,
             ::SpinSection,
             ::MaterialSection,
+            ::MoonletSection,
             ::DiffusionSection,
             ::FlowSection,
             ::StructureSection,

@@ -9,7 +9,7 @@ internal object Unsteady {
     private const val WAVES = 1.5
 
     fun advice(study: Study): String {
-        val moon = study.input.scenario?.forces.orEmpty().any { it is ForceSpec.Satellite }
+        val moon = study.input.scenario?.forces.orEmpty().any { it is ForceSpec.Satellite && !it.returns }
         val ratio = study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean
         return if (moon) advice(true, ratio) else growth(study) ?: advice(false, ratio)
     }

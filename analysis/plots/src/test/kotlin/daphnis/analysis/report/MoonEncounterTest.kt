@@ -69,6 +69,14 @@ class MoonEncounterTest {
     }
 
     @Test
+    fun `each of several moons has its encounter`() {
+        val moon = "{\"type\":\"satellite\",\"massRatio\":8.71e-12,\"y\":-7500,\"x\":"
+        val two = wake("forces=[$moon-167},$moon 300,\"returns\":true,\"inclination\":5}]")
+        val found = MoonEncounter.moons(two).map { MoonEncounter.of(two, orbits, box, it)!!.distance }
+        assertEquals(listOf(167.0, -300.0), found)
+    }
+
+    @Test
     fun `no moon, no encounter`() {
         assertNull(MoonEncounter.of(wake("forces=[]"), orbits, box))
         assertNull(MoonEncounter.of(null, orbits, box))

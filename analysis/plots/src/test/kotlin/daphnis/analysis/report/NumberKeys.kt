@@ -64,7 +64,20 @@ internal object NumberKeys {
     private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
-    private val all = (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES).toSet()
+    val MOONLET = listOf(
+        "moonlet_hill_radius",
+        "propeller_separation",
+        "propeller_depth",
+        "moonlet_force_impacts",
+        "moonlet_force_gravity",
+        "moonlet_eccentricity",
+        "moonlet_drift",
+        "moonlet_diffusion",
+        "moonlet_walk",
+    )
+
+    private val all =
+        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {

@@ -1,0 +1,111 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.moonlet.BodyTable
+import daphnis.analysis.moonlet.RandomWalk
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.statistics.BlockAverage
+import daphnis.analysis.table.UnitNames
+import daphnis.core.run.BodyColumns
+import daphnis.core.table.Column
+import kotlin.math.PI
+
+/** Where moonlets went, and what pushed them: from `bodies.csv`. */
+internal class WalkPart(private val study: Study) : Part {
+    private val units = study.units
+    private val all = study.input.bodies
+    private val late = all.map { it.from(study.from) }
+    private val orbit = study.input.omega?.let { 2 * PI / it } ?: 1.0
+    private val walk: RandomWalk? by lazy {
+        val time = late.map { it[BodyColumns.TIME] }
+        val isLong = time.any { it.size > 2 && it.last() - it[0] >= 2 * MEMORY * orbit * (1 + ROUNDING) }
+        if (isLong) RandomWalk.of(time, late.map { it[BodyColumns.GUIDING_X] }, MEMORY * orbit) else null
+    }
+
+    fun numbers(): List<NumberRow> {
+        val rows = NumberRows()
+        late.firstOrNull()?.let { first ->
+            val unit = units.of("mass length/time^2")
+            force(rows, first, "moonlet_force_impacts", "impacts", BodyColumns.IMPACT_PUSH, unit)
+            force(rows, first, "moonlet_force_gravity", "gravity", BodyColumns.GRAVITY_PUSH, unit)
+            val e = first[BodyColumns.ECCENTRICITY]
+            rows.average("moonlet_eccentricity", "a·e of the first moonlet, mean", BlockAverage.of(e), units.length)
+        }
+        val found = walk ?: return rows.list()
+        val blocks = "${ReportText.count(found.times, "time")} of ${ReportText.short(MEMORY)} orbits"
+        val distance = units.length
+        val century = HUNDRED * orbit
+        return rows.list() + listOf(
+            row("moonlet_drift", "drift of the moonlets' a", found.drift, found.driftError, orbit, "$distance/orbit"),
+            row(
+                "moonlet_diffusion", "diffusion of their a, ½ ⟨Δa²⟩/t", found.diffusion, found.diffusionError, orbit,
+                "${units.area}/orbit", blocks,
+            ),
+            row(
+                "moonlet_walk", "random walk of their a in 100 orbits, √(2Dt)", found.amplitude(century),
+                found.amplitudeError(century), 1.0, distance, "Rein & Papaloizou 2010, A&A 524, A22: 10–100 m",
+            ),
+        )
+    }
+
+    private fun force(
+        rows: NumberRows,
+        body: BodyTable,
+        key: String,
+        by: String,
+        column: Column,
+        unit: String,
+    ) {
+        val series = body.force(column).filter { it.isFinite() }.toDoubleArray()
+        if (series.isEmpty()) return
+        val note = "times the distance from the planet: torque"
+        rows.average(key, "mean force along the orbit by $by", BlockAverage.of(series), unit, note)
+    }
+
+    private fun row(
+        key: String,
+        name: String,
+        value: Double,
+        error: Double,
+        scale: Double,
+        unit: String,
+        note: String = "",
+    ): NumberRow {
+        val unknown = Unknown.TOO_FEW.takeIf { error.isNaN() }
+        return NumberRow(name, value * scale, error * scale, unit, null, note, unknown, key)
+    }
+
+    override fun write(page: ReportPage) {
+        if (all.isEmpty()) {
+            page.paragraph("Where moonlets went is not known: bodies.csv was not written (output.bodiesEvery).")
+            return
+        }
+        chart(page, "moonlet-walk", "change of the semi-major axis", "guiding centres of moonlets over time") { body ->
+            body[BodyColumns.GUIDING_X].let { x -> DoubleArray(x.size) { x[it] - x[0] } }
+        }
+        chart(page, "moonlet-eccentricity", "a·e", "eccentricity of moonlets over time") {
+            it[BodyColumns.ECCENTRICITY]
+        }
+    }
+
+    private fun chart(page: ReportPage, name: String, what: String, alt: String, values: (BodyTable) -> DoubleArray) {
+        val curves = all.take(MOST_CURVES).map { body ->
+            val time = body[BodyColumns.TIME]
+            Curve("body ${body.id}", DoubleArray(time.size) { time[it] / orbit }, values(body))
+        }
+        val label = UnitNames.axis(what, units.length)
+        val figure = Chart.lines(curves, "time [orbits]", label, vertical = study.from / orbit)
+        val left = if (all.size > MOST_CURVES) " The first $MOST_CURVES of ${all.size}." else ""
+        val caption = "${what.replaceFirstChar { it.uppercase() }} of moonlets over the whole run; dashed: where " +
+            "averages begin.$left"
+        study.draw(page, figure, name, alt, caption)
+    }
+
+    private companion object {
+        /** Orbits over which pushes are forgotten: an epicycle is damped, and what passed is gone. */
+        const val MEMORY = 2.0
+        const val HUNDRED = 100
+        const val MOST_CURVES = 6
+        const val ROUNDING = 1e-9
+    }
+}

@@ -1,0 +1,96 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.core.format.FormatException
+import daphnis.core.run.Run
+import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.InputException
+import daphnis.core.scenario.Scenario
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+class MoonletSectionTest {
+    @TempDir
+    lateinit var home: Path
+
+    /** Some 450 particles around a moonlet of 8 m, whose Hill radius is 10 m. */
+    private fun scenario(vararg settings: String): Scenario = BuiltIn.scenario("moonlet-walk", SMALL + settings)
+
+    private fun analysed(name: String, vararg settings: String): Path = home.resolve(name).also { path ->
+        Run.start(scenario(*settings), name, path).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 15_000.0)).write(path)
+    }
+
+    private fun numbers(path: Path): Map<String, List<String>> =
+        Files.readAllLines(path.resolve("tables/numbers.csv")).drop(1).map { it.split(',') }.associateBy { it[0] }
+
+    @Test
+    fun `a report shows the ring around a moonlet, where it went and what pushed it`() {
+        val path = analysed("walk", "untilOrbits=5")
+        val html = Files.readString(path.resolve("report.html"))
+        assertTrue(">Moonlets</h2>" in html && "bodies.csv from time 15000 s" in html)
+        for (plot in listOf("moonlet", "moonlet-wake", "moonlet-walk", "moonlet-eccentricity")) {
+            assertTrue(Files.size(path.resolve("plots/$plot.svg")) > 1000) { plot }
+        }
+        val numbers = numbers(path)
+        val always = NumberKeys.MOONLET - listOf("propeller_separation", "propeller_depth")
+        assertEquals(emptyList<String>(), always.filter { it !in numbers })
+        // 400 kg/m³ of 8 m at 130,000 km.
+        assertEquals(10.3, numbers.getValue("moonlet_hill_radius")[1].toDouble(), 0.1)
+        val drift = numbers.getValue("moonlet_drift")
+        assertEquals("m/orbit", drift[3])
+        assertEquals("", drift[2]) { "two changes of two orbits are too few for an error" }
+        assertEquals("kg m/s^2", numbers.getValue("moonlet_force_impacts")[3].replace("N", "kg m/s^2"))
+        val map = Files.readAllLines(path.resolve("tables/moonlet-map.csv"))
+        assertEquals("dx [m],dy [m],excess", map[0])
+        assertEquals(0.0, map.drop(1).map { it.substringAfterLast(',').toDouble() }.average(), 1e-9)
+    }
+
+    @Test
+    fun `without bodies,csv the report says so, without bodies it is silent, and damage is one line`() {
+        val path = analysed("map", "untilOrbits=3", "output.bodiesEvery=0")
+        assertTrue("bodies.csv was not written (output.bodiesEvery)" in Files.readString(path.resolve("report.html")))
+        assertFalse("moonlet_drift" in numbers(path))
+        val none = analysed("none", "untilOrbits=3", "bodies=[]", "forces=[]")
+        assertFalse(">Moonlets</h2>" in Files.readString(none.resolve("report.html")))
+        val damaged = home.resolve("damaged")
+        Run.start(scenario("untilOrbits=0.5"), "damaged", damaged).use { it.execute() }
+        val file = damaged.resolve("bodies.csv")
+        val text = Files.readString(file)
+        Files.writeString(file, text.replaceFirst("\n20,", "\n2O,"))
+        assertThrows(InputException::class.java) { AnalysisInput.ofRun(damaged) }
+        val e = assertThrows(FormatException::class.java) { AnalysisInput.ofRun(damaged, acceptLoss = true) }
+        assertTrue("bodies.csv:3: step is '2O'" in e.message.orEmpty()) { e.message }
+    }
+
+    /** What pushes a moonlet is 0 on average, for a patch looks the same from its other side. */
+    @Tag("thorough")
+    @Test
+    fun `errors of a moonlet's walk are as large as its numbers scatter from seed to seed`() {
+        val scenario = scenario("untilOrbits=60", "output.snapshotEvery=1200", "output.seriesEvery=50")
+        val bars = ErrorBars()
+        for (seed in 1L..SEEDS) bars.add(scenario, seed, home.resolve("$seed"))
+        val lines = bars.lines().associateBy { it.name }
+        val walks = NumberKeys.MOONLET.filter { it.startsWith("moonlet_") && it != "moonlet_hill_radius" }
+        for (name in walks) {
+            val line = lines.getValue(name)
+            assertTrue(line.spread in 0.6..1.5 && line.covered in 0.45..0.85) { "$name\n${bars.table()}" }
+        }
+        assertTrue(walks.map { lines.getValue(it).covered }.average() in 0.58..0.77) { bars.table() }
+    }
+
+    private companion object {
+        const val SEEDS = 24
+        val SMALL = listOf(
+            "box.lengths=[150,200,24]", "bodies=[{\"radius\":8,\"density\":400,\"position\":[0,0,0]}]",
+            "output.seriesEvery=20", "output.snapshotEvery=50",
+        )
+    }
+}

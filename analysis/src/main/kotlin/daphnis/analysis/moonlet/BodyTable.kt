@@ -1,0 +1,56 @@
+package daphnis.analysis.moonlet
+
+import daphnis.analysis.table.NumberColumns
+import daphnis.core.run.BodyColumns
+import daphnis.core.table.Column
+import java.nio.file.Path
+
+/**
+ * The rows of one body in a run's `bodies.csv`, in order of time.
+ *
+ * @property id of the body
+ */
+public class BodyTable private constructor(public val id: Int, private val columns: Map<String, DoubleArray>) {
+    /** Number of rows. */
+    public val size: Int get() = this[BodyColumns.TIME].size
+
+    /** The numbers of [column], in the run's units. @throws NoSuchElementException when the file lacks it */
+    public operator fun get(column: Column): DoubleArray = columns.getValue(column.name)
+
+    /** The rows from [time] on. What pushed the body before the first of them is not in them. */
+    public fun from(time: Double): BodyTable {
+        val first = this[BodyColumns.TIME].indexOfFirst { it >= time }.let { if (it < 0) size else it }
+        return BodyTable(id, columns.mapValues { it.value.copyOfRange(first, size) })
+    }
+
+    /**
+     * Mean force along the orbit between one row and the next, of pushes in [column]: one number less than there are
+     * rows, and NaN between rows of one time. Mass · length/time².
+     */
+    public fun force(column: Column): DoubleArray {
+        val time = this[BodyColumns.TIME]
+        val push = this[column]
+        return DoubleArray(maxOf(0, size - 1)) {
+            val between = time[it + 1] - time[it]
+            if (between > 0) push[it + 1] / between else Double.NaN
+        }
+    }
+
+    public companion object {
+        /**
+         * Reads [path]: a table for each body, in the order of ids. A last line that is cut short, as of a run that
+         * goes on, is left out.
+         *
+         * @throws daphnis.core.format.FormatException when it is no such file
+         */
+        @JvmStatic
+        public fun read(path: Path): List<BodyTable> {
+            val all = NumberColumns.read(path, BodyColumns)
+            val ids = all.getValue(BodyColumns.BODY.name)
+            return ids.distinct().sorted().map { id ->
+                val own = ids.indices.filter { ids[it] == id }
+                BodyTable(id.toInt(), all.mapValues { (_, column) -> DoubleArray(own.size) { column[own[it]] } })
+            }
+        }
+    }
+}
