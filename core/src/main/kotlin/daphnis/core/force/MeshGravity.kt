@@ -16,14 +16,14 @@ import daphnis.core.population.SphereSum
  * Gravity of all spheres of a patch on one another, with all of its images: near spheres pair by pair, the others by a
  * mesh and Fourier transforms (Hockney & Eastwood 1988, Computer Simulation Using Particles, chapter 8). For a box that
  * repeats along x and y, at rest or sliding along y, and is open along z. Nothing is cut: the waves on the mesh are
- * those of the endless sheet, where [SelfGravity] sees up to its range. The rms error of the force is about 0.3 %
+ * those of the endless sheet, where [SelfGravity] sees up to its range. The rms error of the force is 0.3 to 0.4 %
  * (docs/physics.md).
  *
  * Each sum is taken in the order of the cells of the mesh and of ids, so the bits are the same on any number of threads and
  * for any order of the arrays. Momentum is conserved as well as the mesh allows, not to round-off.
  *
  * @param constant G, length³/(mass · time²)
- * @param softening ε in 1/(r² + ε²), length; the mesh is never finer than 4.6 ε
+ * @param softening ε in 1/(r² + ε²), length; the mesh is never finer than 9 ε
  * @param spacing of the points of the mesh, length; 0 for about one point in the plane per sphere
  * @throws IllegalArgumentException when the box does not repeat so, or a number is out of range
  */
@@ -48,6 +48,9 @@ public class MeshGravity @JvmOverloads constructor(
     private var az = DoubleArray(0)
     private var stress = DoubleArray(0)
     private var potential = DoubleArray(0)
+
+    /** Whether stress and potential are of that evaluation, too. */
+    private var isMeasured = false
 
     init {
         require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be at least 0" }
@@ -84,8 +87,10 @@ public class MeshGravity @JvmOverloads constructor(
     /** Takes a transform more than the force: the share of the mesh is not known by sphere. */
     override fun stressXY(population: Population, time: Double): Double {
         evaluate(population, time)
+        val mesh = mesh ?: return 0.0
+        measure()
         val near = sum.of(population) { k -> -0.5 * population.mass[k] * stress[k] }
-        val mesh = mesh ?: return near
+        // Takes the place of the potentials, which nobody needs any more.
         fill(mesh)
         return near - 0.5 * constant * mesh.stress(loop, cells.offset)
     }
@@ -96,6 +101,7 @@ public class MeshGravity @JvmOverloads constructor(
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
+        measure()
         return sum.of(population) { k -> 0.5 * population.mass[k] * potential[k] }
     }
 
@@ -103,6 +109,7 @@ public class MeshGravity @JvmOverloads constructor(
         if (seen.isSame(population, time)) return
         // A failure from here on leaves parts of both.
         seen.forget()
+        isMeasured = false
         makeRoom(population.size)
         if (population.size > 0) {
             val mesh = meshFor(population)
@@ -160,22 +167,38 @@ public class MeshGravity @JvmOverloads constructor(
     }
 
     private fun read(mesh: SheetMesh) {
-        val own = CompactShape(mesh.points.reach).middle
         for (near in pulls) near.begin(mesh.points)
         loop.run(cells.count, SPHERES) { worker, from, to ->
             val far = weights[worker]
             val near = pulls[worker]
             for (place in from until to) {
                 far.read(mesh, place)
-                near.sum(place)
+                near.pull(place)
                 val k = cells.order[place]
                 ax[k] = constant * (far.ax + near.ax)
                 ay[k] = constant * (far.ay + near.ay)
                 az[k] = constant * (far.az + near.az)
+            }
+        }
+    }
+
+    /** Stress of near pairs and potential of every sphere, for the state of the last evaluation. */
+    private fun measure() {
+        val mesh = mesh ?: return
+        if (isMeasured) return
+        val own = CompactShape(mesh.points.reach).middle
+        loop.run(cells.count, SPHERES) { worker, from, to ->
+            val far = weights[worker]
+            val near = pulls[worker]
+            for (place in from until to) {
+                far.read(mesh, place)
+                near.measure(place)
+                val k = cells.order[place]
                 stress[k] = constant * near.stress
                 potential[k] = -constant * (far.depth + near.depth - cells.mass[place] * own)
             }
         }
+        isMeasured = true
     }
 
     public companion object {

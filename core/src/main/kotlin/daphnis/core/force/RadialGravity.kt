@@ -17,7 +17,7 @@ import kotlin.math.floor
  * the orbit (Lehmann, Schmidt & Salo 2017, ApJ 851, 125). For a box that repeats along x. Nothing pulls along y and z.
  *
  * Masses are spread over a line of [POINTS_PER_WAVE] points per shortest wave in whole numbers, whose sums have the same
- * bits in any order and on any number of threads. Spreading costs the shortest wave less than 1e-4 of its force.
+ * bits in any order and on any number of threads. Spreading costs the shortest wave some 2e-4 of its force.
  *
  * @param constant G, length³/(mass · time²)
  * @param modes the waves L_x, L_x/2, … L_x/[modes] are summed; shorter ones pull nothing

@@ -90,9 +90,9 @@ internal class MeshCells {
     }
 
     companion object {
-        fun column(x: Double, points: MeshPoints): Int = clamp(x / points.hx, points.nx)
+        fun column(x: Double, points: MeshPoints): Int = clamp(x * points.perX, points.nx)
 
-        fun row(y: Double, points: MeshPoints): Int = clamp(y / points.hy, points.ny)
+        fun row(y: Double, points: MeshPoints): Int = clamp(y * points.perY, points.ny)
 
         private fun clamp(place: Double, count: Int): Int = minOf(maxOf(place.toInt(), 0), count - 1)
     }

@@ -29,19 +29,21 @@ internal class MeshWeights(private val cells: MeshCells) {
     fun fill(mesh: SheetMesh, column: Int) {
         val points = mesh.points
         val ny = points.ny
-        val size = ny * points.nz
+        val nz = points.nz
+        val size = ny * nz
         mesh.values.fill(0.0, column * size, column * size + size)
         for (near in column - 2..column + 1) {
             val boxes = Math.floorDiv(near, points.nx)
             val own = near - boxes * points.nx
             val at = column * size
             for (place in cells.start[own * ny] until cells.start[own * ny + ny]) {
-                CubicSpline.weights(cells.x[place] / points.hx - own, wx, 0)
+                CubicSpline.weights(cells.x[place] * points.perX - own, wx, 0)
                 val share = wx[column - near + 1] * cells.mass[place]
-                val y = rowsOf((cells.y[place] + boxes * cells.offset) / points.hy)
+                val y = rowsOf((cells.y[place] + boxes * cells.offset) * points.perY, ny)
                 val z = planesOf(cells.z[place], points)
                 for (b in 0 until POINTS) {
-                    val p = at + Math.floorMod(y + b, ny) * points.nz + z
+                    val row = if (y + b < ny) y + b else y + b - ny
+                    val p = at + row * nz + z
                     val part = share * wy[b]
                     mesh.values[p] += part * wz[0]
                     mesh.values[p + 1] += part * wz[1]
@@ -52,15 +54,16 @@ internal class MeshWeights(private val cells: MeshCells) {
         }
     }
 
-    /** Weights along y of a sphere [place] spacings up; returns the first of its points. */
-    private fun rowsOf(place: Double): Int {
+    /** Weights along y of a sphere [place] spacings up; returns the first of its points, in 0 until [ny]. */
+    private fun rowsOf(place: Double, ny: Int): Int {
         val row = floor(place)
         CubicSpline.weights(place - row, wy, 0)
-        return row.toInt() - 1
+        val first = row.toInt() - 1
+        return if (first >= 0 && first < ny) first else Math.floorMod(first, ny)
     }
 
     private fun planesOf(z: Double, points: MeshPoints): Int {
-        val place = z / points.hz - 0.5
+        val place = z * points.perZ - 0.5
         val plane = floor(place)
         CubicSpline.weights(place - plane, wz, 0)
         return plane.toInt() - 1 + points.nz / 2
@@ -72,11 +75,11 @@ internal class MeshWeights(private val cells: MeshCells) {
         val ny = points.ny
         val nz = points.nz
         val own = MeshCells.column(cells.x[place], points)
-        val t = cells.x[place] / points.hx - own
+        val t = cells.x[place] * points.perX - own
         CubicSpline.weights(t, wx, 0)
         CubicSpline.slopes(t, gx, 0)
         val z = planesOf(cells.z[place], points)
-        val up = cells.z[place] / points.hz - 0.5
+        val up = cells.z[place] * points.perZ - 0.5
         CubicSpline.slopes(up - floor(up), gz, 0)
         var sumX = 0.0
         var sumY = 0.0
@@ -86,10 +89,10 @@ internal class MeshWeights(private val cells: MeshCells) {
         var y = 0
         for (a in 0 until POINTS) {
             val column = own - 1 + a
-            val boxes = Math.floorDiv(column, points.nx)
+            val boxes = if (column >= 0 && column < points.nx) 0 else Math.floorDiv(column, points.nx)
             if (boxes != shifted) {
-                val along = (cells.y[place] - boxes * cells.offset) / points.hy
-                y = rowsOf(along)
+                val along = (cells.y[place] - boxes * cells.offset) * points.perY
+                y = rowsOf(along, ny)
                 CubicSpline.slopes(along - floor(along), gy, 0)
                 shifted = boxes
             }
@@ -98,7 +101,8 @@ internal class MeshWeights(private val cells: MeshCells) {
             var slopeY = 0.0
             var slopeZ = 0.0
             for (b in 0 until POINTS) {
-                val p = (at + Math.floorMod(y + b, ny)) * nz + z
+                val row = if (y + b < ny) y + b else y + b - ny
+                val p = (at + row) * nz + z
                 val v0 = mesh.values[p]
                 val v1 = mesh.values[p + 1]
                 val v2 = mesh.values[p + 2]
@@ -113,9 +117,9 @@ internal class MeshWeights(private val cells: MeshCells) {
             sumY += wx[a] * slopeY
             sumZ += wx[a] * slopeZ
         }
-        ax = sumX / points.hx
-        ay = sumY / points.hy
-        az = sumZ / points.hz
+        ax = sumX * points.perX
+        ay = sumY * points.perY
+        az = sumZ * points.perZ
         depth = sum
     }
 }

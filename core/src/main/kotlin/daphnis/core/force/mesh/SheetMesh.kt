@@ -29,17 +29,13 @@ internal class SheetMesh(val points: MeshPoints) {
 
     private val alongX = BatchTransform(nx)
     private val alongY = BatchTransform(ny)
-    private val kernel: SheetKernel
     private val correctionY = DoubleArray(ny / 2 + 1) { CubicSpline.correction(2 * Math.PI * it / ny) }
     private val correctionX = DoubleArray(ROWS + 2) { CubicSpline.correction(Math.PI * it / ROWS) }
     private val stresses = DoubleArray(ny / 2 + 1)
+    /** The greatest wave number that is kept. */
+    private val largest = CUT / points.reach
+    private val kernel = SheetKernel(CompactShape(points.reach), largest, points.hz, nz)
     private var workers = arrayOf<MeshWorker>()
-
-    init {
-        val kx = Math.PI / points.hx
-        val ky = Math.PI / points.hy
-        kernel = SheetKernel(CompactShape(points.reach), Math.sqrt(kx * kx + ky * ky), points.hz, nz)
-    }
 
     /** Replaces masses by potentials; the image at +L_x is displaced by [offset] along y. */
     fun solve(loop: RangeLoop, offset: Double) {
@@ -236,9 +232,14 @@ internal class SheetMesh(val points: MeshPoints) {
         val end = if (j == 0) nx / 2 + 1 else nx
         for (n in 0 until end) {
             val kx = waveAlongX(n, j, slide)
-            kernel.write(waveNumber(kx, j), work.kernel)
+            val k = waveNumber(kx, j)
             val p = n * width
             val q = (nx - n) % nx * width + partner
+            if (k > largest) {
+                work.clear(rows, p, q)
+                continue
+            }
+            kernel.write(k, work.kernel)
             work.unpack(rows, p, q)
             work.convolve(correction(kx, j) / area)
             work.pack(rows, p, q)
@@ -252,6 +253,7 @@ internal class SheetMesh(val points: MeshPoints) {
         for (n in 0 until nx) {
             val kx = waveAlongX(n, j, slide)
             val k = waveNumber(kx, j)
+            if (k > largest) continue
             kernel.writeSlope(k, work.kernel)
             work.unpack(rows, n * width, (nx - n) % nx * width + partner)
             val x = 2 * Math.PI / points.lx * kx
@@ -267,6 +269,9 @@ internal class SheetMesh(val points: MeshPoints) {
 
         /** Waves along y in a piece of the loop. */
         const val WAVES = 2
+
+        /** Waves shorter than 2π/[CUT] of a cloud's radius are left out: the cloud has next to none. */
+        const val CUT = 10.0
 
         /** Of the table of corrections along x. */
         const val ROWS = 2048
