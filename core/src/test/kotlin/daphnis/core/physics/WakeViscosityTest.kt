@@ -17,7 +17,7 @@ import kotlin.math.sqrt
 /**
  * The viscosity of a patch with self-gravity wakes, all parts of it, against 26 r_h⁵ G² Σ²/Ω³ (Daisaka, Tanaka & Ida
  * 2001, Icarus 154, 296); r_h is the Hill radius of two spheres over the distance of their centres in contact. Units of
- * the patch: r = 1, Ω of `ring-patch`. The short form is a small patch for a few orbits, which has wakes but no average
+ * the patch: r = 1, Ω = 1; ε = 0.5. The short form is a small patch for a few orbits, which has wakes but no average
  * to speak of: there the energy balance is held.
  */
 @Tag("physics")
@@ -60,12 +60,12 @@ class WakeViscosityTest {
         val settings = listOf(
             "frame={\"type\":\"hill\",\"angularSpeed\":1}",
             "seed=$seed",
-            "units={\"speedInCmPerSecond\":0.02}",
             "box.lengths=[$length,$length,12]",
             "particles.sizes={\"type\":\"equal\",\"radius\":1}",
             "particles.density=$density",
             "particles.opticalDepth=$depth",
             "velocities.sigma=1",
+            "restitution={\"type\":\"constant\",\"coefficient\":0.5}",
             "forces=[{\"type\":\"self-gravity\",\"method\":\"mesh\",\"constant\":1}]",
             "timeStep.steps=300",
         )
