@@ -9,6 +9,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.run.Course
 import daphnis.core.run.PeriodicOutputs
 import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.GravityMethod
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
@@ -98,17 +99,24 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     /**
      * From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a
-     * walk through the tree for gravity.
+     * walk through the tree, or a mesh, for gravity.
      */
     private fun secondsPerSphereAndStep(): Double {
         var seconds = STEP_SECONDS
         for (force in scenario.forces) {
-            if (force !is ForceSpec.SelfGravity) continue
-            val boxes = (2.0 * force.images + 1) * (2.0 * force.images + 1)
-            val angle = maxOf(force.openingAngle, LEAST_ANGLE)
-            seconds += minOf(WALK_SECONDS * ln(size * boxes + 1) / (angle * angle), PAIR_SECONDS * size * boxes)
+            if (force is ForceSpec.SelfGravity) seconds += gravitySeconds(force)
         }
         return seconds
+    }
+
+    private fun gravitySeconds(force: ForceSpec.SelfGravity): Double = when (force.method) {
+        GravityMethod.TREE -> {
+            val boxes = (2.0 * force.images + 1) * (2.0 * force.images + 1)
+            val angle = maxOf(force.openingAngle, LEAST_ANGLE)
+            minOf(WALK_SECONDS * ln(size * boxes + 1) / (angle * angle), PAIR_SECONDS * size * boxes)
+        }
+        GravityMethod.MESH -> MESH_SECONDS
+        GravityMethod.RADIAL_MODES -> WAVES_SECONDS
     }
 
     private fun took(seconds: Double) = when {
@@ -147,6 +155,8 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         const val STEP_SECONDS = 0.25e-6
         const val WALK_SECONDS = 0.05e-6
         const val PAIR_SECONDS = 5e-9
+        const val MESH_SECONDS = 1e-6
+        const val WAVES_SECONDS = 0.1e-6
         const val LEAST_ANGLE = 0.05
     }
 }

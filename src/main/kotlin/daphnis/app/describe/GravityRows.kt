@@ -1,12 +1,14 @@
 package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
-import daphnis.core.force.SelfGravity
+import daphnis.core.force.MeshGravity
+import daphnis.core.force.MutualGravity
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.FrameSpec
+import daphnis.core.scenario.GravityMethod
 import daphnis.core.scenario.ScenarioSetup
 import kotlin.math.sqrt
 
@@ -38,13 +40,29 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val text = when (force) {
             is ForceSpec.UniformAcceleration ->
                 "uniform-acceleration, ${force.acceleration.joinToString { say.acceleration(it) }}"
-            is ForceSpec.SelfGravity ->
-                "self-gravity, opening angle ${number(force.openingAngle)}, " +
-                    "softening ${say.length(force.softening)}, reaches ${say.length(reach(force))}"
+            is ForceSpec.SelfGravity -> selfGravity(force)
             is ForceSpec.BodyGravity -> "body-gravity, softening ${say.length(force.softening)}"
             is ForceSpec.Satellite -> satellite(force)
         }
         rows.add("forces", "[$k] $text")
+    }
+
+    private fun selfGravity(force: ForceSpec.SelfGravity) = when (force.method) {
+        GravityMethod.TREE ->
+            "self-gravity, opening angle ${number(force.openingAngle)}, " +
+                "softening ${say.length(force.softening)}, reaches ${say.length(reach(force))}"
+        GravityMethod.MESH ->
+            "self-gravity by a mesh, points ${say.length(spacing(force))} apart, " +
+                "softening ${say.length(force.softening)}, with all images"
+        GravityMethod.RADIAL_MODES -> {
+            val shortest = setup.boundary.box.length(0) / force.modes!!
+            "self-gravity along x alone, ${force.modes} waves down to ${say.length(shortest)}"
+        }
+    }
+
+    private fun spacing(force: ForceSpec.SelfGravity): Double {
+        val gravity = MeshGravity(setup.boundary, 0.0, force.softening, force.spacing ?: 0.0)
+        return gravity.spacingFor(population)
     }
 
     private fun satellite(moon: ForceSpec.Satellite): String {
@@ -102,7 +120,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** How far self-gravity reaches around each particle; infinite in a box that repeats nowhere. */
-    private fun reach(force: ForceSpec.SelfGravity) = setup.forces.filterIsInstance<SelfGravity>()
+    private fun reach(force: ForceSpec.SelfGravity) = setup.forces.filterIsInstance<MutualGravity>()
         .getOrNull(scenario.forces.filterIsInstance<ForceSpec.SelfGravity>().indexOf(force))?.range ?: Double.NaN
 
     /** (G m / 3 Ω²)^⅓, in Hill's frame of a planet much heavier than [strength] = G m. */

@@ -4,7 +4,8 @@ import daphnis.core.RemoteSteps
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
-import daphnis.core.force.SelfGravity
+import daphnis.core.force.MutualGravity
+import daphnis.core.force.RadialGravity
 import daphnis.core.population.Population
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
@@ -54,8 +55,8 @@ public class FleetEngines internal constructor(
         time: Double,
         step: Long,
     ): RemoteSteps {
-        if (setup.forces.any { it is SelfGravity }) {
-            val mend = "has self-gravity, which nodes cannot compute yet; run it on one machine"
+        if (setup.forces.any { it is MutualGravity && it !is RadialGravity }) {
+            val mend = "has self-gravity, which nodes cannot compute yet; run it on one machine, or take radial-modes"
             throw InputException(source, "forces", mend)
         }
         return NodeSteps(fleet, setup, state, forcing, time, step, patience, copies) { log.accept(it) }

@@ -19,4 +19,14 @@ internal class NodePartition(private val turns: Turns) : Partition {
             for (sum in sums) sum.addAll(message.doubles(message.int))
         }
     }
+
+    override fun add(numbers: DoubleArray) {
+        val mine = numbers.copyOf()
+        turns.tell({ doubles(mine) }) { _, message ->
+            val theirs = message.doubles(numbers.size)
+            for (k in numbers.indices) numbers[k] += theirs[k]
+        }
+    }
+
+    override fun max(numbers: DoubleArray) = turns.max(numbers)
 }

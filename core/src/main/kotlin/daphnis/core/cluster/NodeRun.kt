@@ -11,6 +11,7 @@ import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.force.BodyGravity
+import daphnis.core.force.RadialGravity
 import daphnis.core.measure
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.RangeLoop
@@ -36,7 +37,10 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
         val begin = Begin.read(mail.receive(Mail.LEADER))
         population = receivePart(begin)
         val setup = ScenarioSetup.of(ScenarioJson.parse(begin.scenario, SOURCE), SOURCE, population)
-        for (force in setup.forces) if (force is BodyGravity) force.partition = NodePartition(turns)
+        for (force in setup.forces) {
+            if (force is BodyGravity) force.partition = NodePartition(turns)
+            if (force is RadialGravity) force.partition = NodePartition(turns)
+        }
         NodeEngine(turns, begin.threads, FixedPool(threads)).use {
             engine = it
             simulation = simulationOf(setup, begin)

@@ -32,7 +32,7 @@ public class SelfGravity @JvmOverloads constructor(
     public val openingAngle: Double = 0.5,
     public val softening: Double = 0.0,
     images: Int = 1,
-) : Kick {
+) : MutualGravity {
     private var loop: RangeLoop = InlineLoop
     private val tree = GravityTree()
     private val periodicImages = Images()
@@ -57,7 +57,7 @@ public class SelfGravity @JvmOverloads constructor(
     private val cut = GravityCut(boundary, images)
 
     /** Where gravity ends, by the distance along the periodic axes; infinite when nothing repeats. Length. */
-    public val range: Double get() = cut.range
+    override val range: Double get() = cut.range
 
     override fun useLoop(loop: RangeLoop) {
         this.loop = loop
@@ -74,18 +74,12 @@ public class SelfGravity @JvmOverloads constructor(
         }
     }
 
-    /** Accelerations x y z by index in [population], with its state at [time]; valid until the next call. */
-    public fun accelerations(population: Population, time: Double): Array<DoubleArray> {
+    override fun accelerations(population: Population, time: Double): Array<DoubleArray> {
         evaluate(population, time)
         return arrayOf(ax, ay, az)
     }
 
-    /**
-     * Flux of y momentum along +x that gravity carries at this moment, times the volume: −½ Σ_ij F_y,ij (x_j − x_i),
-     * where F_ij is the force of j on i, over images too. A uniform sheet has none. For the state of [population] at
-     * [time].
-     */
-    public fun stressXY(population: Population, time: Double): Double {
+    override fun stressXY(population: Population, time: Double): Double {
         evaluate(population, time)
         return sum.of(population) { k -> -0.5 * population.mass[k] * stress[k] }
     }
@@ -138,32 +132,5 @@ public class SelfGravity @JvmOverloads constructor(
         /** The most boxes on each side: with sliding images their numbers along two axes must fit a code. */
         public const val MOST_IMAGES: Int = 60
         private const val LEAVES_A_PIECE = 8
-    }
-}
-
-/** The positions for which a force was last computed: it need not be computed again when no sphere has moved. */
-private class SeenPositions {
-    private var x = DoubleArray(0)
-    private var y = DoubleArray(0)
-    private var z = DoubleArray(0)
-    private var time = Double.NaN
-
-    fun isSame(p: Population, time: Double): Boolean =
-        time == this.time && x.size == p.size && x.contentEquals(p.x) && y.contentEquals(p.y) && z.contentEquals(p.z)
-
-    fun forget() {
-        time = Double.NaN
-    }
-
-    fun keep(p: Population, time: Double) {
-        if (z.size != p.size) {
-            x = DoubleArray(p.size)
-            y = DoubleArray(p.size)
-            z = DoubleArray(p.size)
-        }
-        p.x.copyInto(x)
-        p.y.copyInto(y)
-        p.z.copyInto(z)
-        this.time = time
     }
 }

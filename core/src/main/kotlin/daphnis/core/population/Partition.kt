@@ -14,6 +14,12 @@ internal interface Partition {
     /** Makes each of [sums] over the spheres of one node that over those of all. */
     fun merge(sums: Array<ExactSum>)
 
+    /** Makes each of [numbers], which are whole and below 2⁵³ in all, the sum over all nodes; exact in any order. */
+    fun add(numbers: DoubleArray)
+
+    /** Makes each of [numbers] the greatest of all nodes. */
+    fun max(numbers: DoubleArray)
+
     /** There is no rest. */
     object Whole : Partition {
         override fun find(population: Population, ids: IntArray, place: DoubleArray) {
@@ -27,5 +33,9 @@ internal interface Partition {
         }
 
         override fun merge(sums: Array<ExactSum>) = Unit
+
+        override fun add(numbers: DoubleArray) = Unit
+
+        override fun max(numbers: DoubleArray) = Unit
     }
 }

@@ -4,7 +4,7 @@ import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.OutputState
 import daphnis.core.Simulation
-import daphnis.core.force.SelfGravity
+import daphnis.core.force.MutualGravity
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
@@ -40,10 +40,10 @@ internal class Transport(private val times: OutputTimes, private val sums: StepS
     private val rows = if (sums.haveSpins) TransportColumns.rows else TransportColumns.smooth
     private val file = files.table(rows)
     private val statistics = CollisionStatistics()
-    private var gravity: SelfGravity? = null
+    private var gravity: MutualGravity? = null
 
     override fun open(simulation: Simulation, opening: Opening) {
-        gravity = simulation.forces.filterIsInstance<SelfGravity>().firstOrNull()
+        gravity = simulation.forces.filterIsInstance<MutualGravity>().firstOrNull()
     }
 
     override fun write(simulation: Simulation) {
@@ -68,7 +68,7 @@ internal class TransportRow(
     val simulation: Simulation,
     val sums: PopulationSums,
     val collisions: CollisionStatistics,
-    private val gravity: SelfGravity?,
+    private val gravity: MutualGravity?,
 ) {
     val gravityXY: Double get() = gravity?.stressXY(simulation.population, simulation.time) ?: 0.0
 }

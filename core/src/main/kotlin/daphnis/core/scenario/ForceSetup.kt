@@ -3,7 +3,6 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.BodyGravity
 import daphnis.core.force.Force
-import daphnis.core.force.SelfGravity
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.Satellite
@@ -34,16 +33,7 @@ internal class ForceSetup(
             UniformAcceleration(a[0], a[1], a[2])
         }
         is ForceSpec.Satellite -> satellite(spec, key)
-        is ForceSpec.SelfGravity -> {
-            check.that("$key.openingAngle", spec.openingAngle, spec.openingAngle >= 0 && spec.openingAngle <= 1) {
-                "must be in [0, 1]"
-            }
-            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
-            check.that("$key.images", spec.images, spec.images in 0..SelfGravity.MOST_IMAGES) {
-                "must be in 0..${SelfGravity.MOST_IMAGES}"
-            }
-            SelfGravity(boundary, constant(spec.constant, key), spec.openingAngle, spec.softening, spec.images)
-        }
+        is ForceSpec.SelfGravity -> SelfGravitySetup(boundary, check).force(spec, key) { constant(spec.constant, key) }
         is ForceSpec.BodyGravity -> {
             check.must(key, scenario.bodies.isNotEmpty()) { "is body-gravity; it needs bodies" }
             check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }

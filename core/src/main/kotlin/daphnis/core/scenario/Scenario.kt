@@ -209,12 +209,14 @@ public sealed interface ForceSpec {
     }
 
     /**
-     * Gravity between the particles, by a tree.
+     * Gravity between the particles.
      *
-     * @property openingAngle a node is taken as one mass when its size is below this times its distance
-     * @property softening length ε in 1/(r² + ε²)
-     * @property images the range of gravity around each particle is [images] + ½ of the shortest periodic edge
+     * @property openingAngle a node of a tree is taken as one mass when its size is below this times its distance
+     * @property softening length ε in 1/(r² + ε²); 0 with modes
+     * @property images the range of a tree around each particle is [images] + ½ of the shortest periodic edge
      * @property constant G in the scenario's units; from [Scenario.units] when left out
+     * @property spacing between points of a mesh; about one point in the plane per sphere when left out
+     * @property modes how many radial waves, with [GravityMethod.RADIAL_MODES] alone
      */
     @Serializable
     @SerialName("self-gravity")
@@ -223,6 +225,9 @@ public sealed interface ForceSpec {
         public val softening: Double = 0.0,
         public val images: Int = 1,
         public val constant: Double? = null,
+        public val method: GravityMethod = GravityMethod.TREE,
+        public val spacing: Double? = null,
+        public val modes: Int? = null,
     ) : ForceSpec
 
     /**

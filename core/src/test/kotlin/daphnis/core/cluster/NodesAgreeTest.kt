@@ -56,6 +56,14 @@ class NodesAgreeTest {
     fun `a ring patch in Hill's frame`() = assertSame("ring-patch", 3, "untilOrbits=0.2")
 
     @Test
+    fun `radial self-gravity, whose waves all nodes make together`() = assertSame(
+        "ring-patch",
+        3,
+        "untilOrbits=0.2",
+        """forces=[{"type":"self-gravity","method":"radial-modes","modes":20}]""",
+    )
+
+    @Test
     fun `the wake of a satellite`() = assertSame("satellite-wake", 2, "untilOrbits=0.2")
 
     @Test
@@ -102,7 +110,7 @@ class NodesAgreeTest {
         val fleet = FleetEngines(ThreadFleet(2), PATIENCE)
         val e = assertThrows(InputException::class.java) { Run.start(one, "wakes", home.resolve("n"), engines = fleet) }
         assertEquals(
-            "wakes: forces: has self-gravity, which nodes cannot compute yet; run it on one machine",
+            "wakes: forces: has self-gravity, which nodes cannot compute yet; run it on one machine, or take radial-modes",
             e.message,
         )
         assertFalse(Files.exists(home.resolve("n")))

@@ -39,4 +39,14 @@ internal class Bulk(state: State, input: AnalysisInput) {
     val criticalWavelength: Double =
         input.frequencies?.kappa?.let { 4 * PI * PI * (selfGravity ?: Double.NaN) * surfaceDensity / (it * it) }
             ?: Double.NaN
+
+    /**
+     * Hill radius of two particles of the mean mass, over the distance of their centres in contact; NaN without
+     * self-gravity.
+     */
+    val hillRatio: Double = input.frequencies?.omega?.let { omega ->
+        val mass = indices.map { population.mass[it] }.average()
+        val radius = Math.cbrt(indices.map { population.radius[it].let { r -> r * r * r } }.average())
+        Math.cbrt(2 * (selfGravity ?: Double.NaN) * mass / (3 * omega * omega)) / (2 * radius)
+    } ?: Double.NaN
 }

@@ -50,7 +50,8 @@ internal object NumberKeys {
     private val MEAN_SPIN = listOf("mean_spin_x", "mean_spin_y", "mean_spin_z")
     val ROUGH_GAS = BOX + CUMULANTS + SPIN + MEAN_SPIN + COLLISIONS
     val ROUGH = SPIN + "mean_spin_z"
-    val SELF_GRAVITY = listOf("viscosity_gravitational", "toomre_q", "critical_wavelength")
+    val SELF_GRAVITY =
+        listOf("viscosity_gravitational", "toomre_q", "critical_wavelength", "hill_ratio", "viscosity_of_wakes")
     val DIFFUSION = listOf("self_diffusion", "self_diffusion_x", "self_diffusion_y", "self_diffusion_z")
     val WAVES = listOf(
         "wave_wavelength",
