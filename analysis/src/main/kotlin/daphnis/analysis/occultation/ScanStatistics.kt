@@ -13,7 +13,8 @@ import kotlin.math.pow
  * ([BlockAverage]). Of fewer than [BlockAverage.FEWEST_NUMBERS] states it is that of the last one alone, over pieces of
  * several neighbouring tracks each, where that has as many tracks: an upper bound, as if all states were the same.
  *
- * @param lags of the autocorrelation in footprints, at most; a track has at least one place more
+ * @param lags of the autocorrelation in footprints, at most, and no more than half a track: beyond that a path through
+ *   a periodic patch comes to where it began
  * @property unocculted mean number of photons per footprint where nothing is in the way; null for light without noise
  */
 public class ScanStatistics @JvmOverloads constructor(
@@ -74,7 +75,7 @@ public class ScanStatistics @JvmOverloads constructor(
     public val size: Int get() = states.size
 
     /** Lags that [autocorrelation] has, in footprints: 0 until this. */
-    public val lagCount: Int get() = if (states.isEmpty()) 0 else minOf(lags, shortest - 1) + 1
+    public val lagCount: Int get() = if (states.isEmpty()) 0 else minOf(lags, shortest / 2) + 1
 
     /** ⟨T⟩. */
     public fun mean(): BlockAverage = average { centre + it[1] / it[0] }

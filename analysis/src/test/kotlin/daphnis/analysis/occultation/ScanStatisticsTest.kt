@@ -113,10 +113,10 @@ class ScanStatisticsTest {
         assertEquals(0.25, flat.mean().mean)
         assertEquals(0.0, flat.variance().mean, 1e-18)
         assertTrue(flat.skewness().mean.isNaN() && flat.autocorrelationLength().mean.isNaN())
-        assertEquals(4, flat.lagCount)
+        assertEquals(3, flat.lagCount)
         assertEquals(0, ScanStatistics().lagCount)
         assertTrue(ScanStatistics().mean().mean.isNaN())
-        assertThrows(IllegalArgumentException::class.java) { flat.autocorrelation(4) }
+        assertThrows(IllegalArgumentException::class.java) { flat.autocorrelation(3) }
         assertThrows(IllegalArgumentException::class.java) { ScanStatistics(-1) }
     }
 

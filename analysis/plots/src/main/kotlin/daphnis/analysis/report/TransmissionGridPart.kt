@@ -69,8 +69,8 @@ internal class TransmissionGridPart(private val study: Study) : LightPart {
 
     override fun rows(): List<NumberRow> {
         val lines = NumberRows()
-        for ((k, line) in grid.lines.withIndex()) {
-            val (elevation, azimuth) = Math.toDegrees(line.elevation) to Math.toDegrees(line.azimuth)
+        for (k in grid.lines.indices) {
+            val (elevation, azimuth) = elevations[k / azimuths.size] to azimuths[k % azimuths.size]
             val name = "transmission at ${ReportText.short(elevation)}°, ${ReportText.short(azimuth)}°"
             lines.average(null, name, light.average(k), "")
         }
@@ -84,7 +84,7 @@ internal class TransmissionGridPart(private val study: Study) : LightPart {
         rows.average(null, "optical depth τ_G of the gaps between wakes", ellipse.gapDepth, "", bars)
         rows.average(null, "width of gaps over that of wakes, S/W", ellipse.gapOverWidth, "", bars)
         rows.average(null, "height over width of wakes, H/W", ellipse.heightOverWidth, "", bars)
-        rows.average(null, "pitch angle of the wakes", ellipse.pitch * (180 / PI), "degrees", TRAILING)
+        rows.average(null, "pitch angle of these bars", ellipse.pitch * (180 / PI), "degrees", TRAILING)
         rows.exact(null, "root mean square of T less that of the bars", ellipse.misfit, "")
         return study.judgement.shown(rows.list())
     }
