@@ -64,7 +64,8 @@ internal object NumberKeys {
     private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
-    private val all = (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES).toSet()
+    private val all =
+        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {

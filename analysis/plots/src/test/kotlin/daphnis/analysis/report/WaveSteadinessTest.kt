@@ -66,7 +66,10 @@ class WaveSteadinessTest {
         Run.start(BuiltIn.scenario("overstability", settings), "waves", home).use { it.execute() }
         Analysis(AnalysisInput.ofRun(home)).write(home)
         val html = Files.readString(home.resolve("report.html"))
-        val said = Regex("waves grow, the first of them 100 units of length long by a factor e\\^\\(0\\.(?:09|1)[^)]*\\) per orbit, to the end")
+        val said =
+            Regex(
+                "waves grow, the first of them 100 units of length long by a factor e\\^\\(0\\.(?:09|1)[^)]*\\) per orbit, to the end",
+            )
         assertTrue(said.containsMatchIn(html)) { html.substringAfter("Not steady").take(600) }
     }
 }
