@@ -16,7 +16,7 @@ GAS: dict[str, Any] = {
     "restitution": {"type": "constant", "coefficient": 0.9},
     "timeStep": {"type": "fixed", "dt": 0.1},
 }
-PATCH = {"box.lengths": [40, 40, 20], "output.snapshotEvery": 20, "output.transportEvery": 5}
+PATCH = {"box.lengths": [40, 40, 20], "output.snapshotEvery": 20, "output.transportEvery": 5, "output.modesEvery": 20}
 
 
 @pytest.fixture

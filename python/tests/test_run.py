@@ -34,6 +34,7 @@ def test_series_have_units_and_the_bits_of_the_file(ring: daphnis.Run) -> None:
         assert series[name].iloc[-1] == float(text) or np.isnan(series[name].iloc[-1])
     assert series["time"].iloc[-1] == ring.summary["time"]
     assert set(ring.transport.attrs["units"]) == set(ring.transport.columns)
+    assert list(ring.modes["mode"]) == 4 * list(range(9)) and ring.modes.attrs["units"]["wavenumber"] == "1/m"
     assert ring.impacts["collisions"].sum() == ring.summary["collisions"]
 
 

@@ -36,7 +36,7 @@ internal class LevelNoise(private val walk: Double, private val relative: Double
     }
 
     /**
-     * Generalised least squares of a function with parameters p, about which [columns] are its derivatives and [rest] is
+     * Generalised least squares of a function with parameters p; [columns] are its derivatives by these, and [rest] is
      * what it leaves.
      */
     fun step(rest: DoubleArray, columns: List<DoubleArray>): LeastSquares? =

@@ -14,8 +14,8 @@ import kotlin.math.sqrt
  *
  * Epicycles turn the vector (v_x, (2Ω/κ) v_y) clockwise, so v_x + i (2Ω/κ) v_y of a wave exp(±ikx) turns as exp(−iωt)
  * with ω near κ. Hence (v_x,m + i (2Ω/κ) v_y,m)/2 is the wave that goes outward, and the conjugate of
- * (v_x,m − i (2Ω/κ) v_y,m)/2 the one that goes inward, at every instant, for travelling and for standing waves. Both are
- * multiplied by exp(iκt) and averaged over each period. So what does not oscillate with a frequency near κ, such as most
+ * (v_x,m − i (2Ω/κ) v_y,m)/2 the one that goes inward, at every instant, for travelling and for standing waves. Both
+ * are multiplied by exp(iκt) and averaged over each period. So what does not oscillate with a frequency near κ, as most
  * of the noise of the particles' own motion, falls out. A wave whose frequency is 1.2 κ loses 6 % of its amplitude.
  *
  * @property start time at which the first period begins
@@ -71,8 +71,8 @@ public class WaveAmplitudes private constructor(
         public const val FEWEST_ROWS: Int = 4
 
         /**
-         * Of mode [m] of [table] in a ring of [frequencies], by whole periods from the first row on; null where there is
-         * none, or one with fewer than [FEWEST_ROWS] rows.
+         * Of mode [m] of [table] in a ring of [frequencies], by whole periods from the first row on; null where there
+         * is none, or one with fewer than [FEWEST_ROWS] rows.
          */
         @JvmStatic
         public fun of(table: ModesTable, m: Int, frequencies: OrbitalFrequencies): WaveAmplitudes? {

@@ -8,17 +8,18 @@ import kotlin.math.ln
 /**
  * How fast a mode grows, and with what frequency, from its amplitudes by period ([WaveAmplitudes]).
  *
- * The time of growth ends when the amplitude has come to [TOP] of the largest, the median of five periods taken, and
- * begins when it was last at [FLOOR] times its least before that. Over that time ln A is fitted by
- * s t + c − ½ ln(1 + q e^{2(st + c)}), q ≥ 0: exponential growth that comes to an end as in Landau's equation. So the
- * rate s is that of small amplitudes, although the fit needs no time without saturation. Its noise is that of
- * [LevelNoise]. Where there is no growth over [FEWEST] periods by a factor of e or more, and by three errors, a straight
- * line is fitted over all periods.
+ * The time of growth ends when the amplitude has come to [TOP] of the largest, the median of five periods taken, or
+ * with the run where it has not stopped to grow. It begins when it was last at [FLOOR] times its least before that. Over
+ * that time ln A is fitted by s t + c − ½ ln(1 + q e^{2(st + c)}), q ≥ 0: exponential growth that comes to an end as in
+ * Landau's equation; by a straight line where the run ends before it and q is not told. So the rate s is that of small
+ * amplitudes, although the fit needs no time without saturation. Its noise is that of [LevelNoise]. Where there is no
+ * growth over [FEWEST] periods by a factor of e or more, and by three errors, a straight line is fitted over all
+ * periods.
  *
  * @property rate s, per unit of time
  * @property rateError one standard error; NaN for too few periods
- * @property frequency in radians per unit of time, over the same periods; the phase of both waves together is fitted by a
- *   line, with noise alike
+ * @property frequency in radians per unit of time, over the same periods; the phase of both waves together is fitted by
+ *   a line, with noise alike
  *
  * @property frequencyError one standard error
  * @property isGrowing whether growth was found
@@ -55,10 +56,12 @@ public class WaveGrowth private constructor(
             val logarithms = DoubleArray(n) { ln(waves.speed(it)) }
             if (logarithms.any { !it.isFinite() }) return null
             val (first, last) = window(logarithms)
-            if (last - first + 1 >= FEWEST) {
-                val (rate, error) = landau(logarithms.copyOfRange(first, last + 1)) ?: return null
-                val isMuch = logarithms[last] - logarithms[first] >= 1
-                if (isMuch && rate > SIGNIFICANT * error) return made(waves, logarithms, rate, error, true, first, last)
+            if (last - first + 1 >= FEWEST && logarithms[last] - logarithms[first] >= 1) {
+                val part = logarithms.copyOfRange(first, last + 1)
+                // Where growth is not over, nothing tells how it will end.
+                val fits = sequenceOf({ landau(part) }, { if (last == n - 1) line(part, part) else null })
+                val found = fits.mapNotNull { it() }.firstOrNull { (rate, error) -> rate > SIGNIFICANT * error }
+                if (found != null) return made(waves, logarithms, found.first, found.second, true, first, last)
             }
             val (rate, error) = line(logarithms, logarithms) ?: return null
             return made(waves, logarithms, rate, error, false, 0, n - 1)
@@ -94,7 +97,11 @@ public class WaveGrowth private constructor(
                 val to = minOf(logarithms.size, it + HALF_WIDTH + 1)
                 logarithms.copyOfRange(from, to).also { part -> part.sort() }[(to - from) / 2]
             }
-            val last = smooth.indexOfFirst { it > smooth.max() + ln(TOP) }
+            val most = smooth.max()
+            val reached = smooth.indexOfFirst { it > most + ln(TOP) }
+            val summit = smooth.indexOfFirst { it == most }
+            val isOver = reached < smooth.size - FEWEST || summit < smooth.size - 2 * HALF_WIDTH
+            val last = if (isOver) reached else smooth.lastIndex
             val floor = (0..last).minOf { smooth[it] } + ln(FLOOR)
             return (0..last).last { it == 0 || smooth[it] <= floor } to last
         }

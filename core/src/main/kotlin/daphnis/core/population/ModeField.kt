@@ -84,7 +84,7 @@ internal class ModeField(private val modes: Int) {
     companion object {
         const val COMPONENTS = 2
 
-        /** What is left of a function without those before it, over the mass, below which the spheres do not tell it. */
+        /** What is left of a function without those before it, over the mass, below which the spheres tell nothing. */
         private const val SINGULAR = 1e-9
     }
 }

@@ -27,10 +27,10 @@ public enum class ModeQuantity {
  * for every order of the arrays and number of threads.
  *
  * The mode of q is 2 ⟨(q − q₀) exp(−i k_m x)⟩, q₀ = ⟨q⟩ and both averages over the particles by mass; x is the position
- * in the frame, whose origin is in the middle of a box that is given by its lengths. So q is q₀ + Re Σ q_m exp(i k_m x),
- * its crest is at x = −arg(q_m)/k_m, and where a wave goes outward the phase falls with time. That is exact for the
- * surface density; for the others, which are weighted by mass, it holds to first order in the density's modes. Mode 0 is
- * q₀, and for the density 1.
+ * in the frame, whose origin is in the middle of a box that is given by its lengths. So q is q₀ + Re Σ q_m
+ * exp(i k_m x), its crest is at x = −arg(q_m)/k_m, and where a wave goes outward the phase falls with time. That is
+ * exact for the surface density; for the others, which are weighted by mass, it holds to first order in the density's
+ * modes. Mode 0 is q₀, and for the density 1.
  *
  * The temperature is local: |c|²/3, with c around the *field of the modes* in x and y and around the mean in z. That
  * field has the same wavenumbers up to [modes] and fits the velocities best by least squares, weighted by mass. The

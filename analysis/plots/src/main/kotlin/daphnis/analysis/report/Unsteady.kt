@@ -21,8 +21,13 @@ internal object Unsteady {
         val growth = waves.growth(waves.first)?.takeIf { it.isGrowing } ?: return null
         val rate = ReportText.withError(growth.rate * study.scale.time, growth.rateError * study.scale.time)
         val length = UnitNames.amount(ReportText.short(waves.wavelength(waves.first)), study.units.length)
-        return "waves grow, the first of them $length long by a factor e^($rate) per orbit, until time " +
-            "${study.time(grown)}: averages mean something from later on (--from)"
+        val isToEnd = grown > waves.table.times.last() - waves.period
+        val until = if (isToEnd) {
+            "to the end of the run: a longer run is needed"
+        } else {
+            "until time ${study.time(grown)}: averages mean something only from a later time on"
+        }
+        return "waves grow, the first of them $length long by a factor e^($rate) per orbit, $until"
     }
 
     /** Of a ring that a moon passes or not, by the [ratio] of total to thermal dispersion; NaN where it has none. */

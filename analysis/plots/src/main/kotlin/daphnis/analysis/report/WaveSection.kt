@@ -84,7 +84,7 @@ internal class WaveSection(private val study: Study) : Section {
             logY = true,
             vertical = study.from / scale.time,
         )
-        val caption = "Root mean square of v_x in each mode by epicyclic period; the dashed line is where averages begin."
+        val caption = "Root mean square of v_x in each mode by epicyclic period; averages begin at the dashed line."
         study.draw(page, figure, "wave-speeds", "strength of each mode over time", caption)
         val columns = waves.modes.map { Column("speed_$it", scale.speedName, speeds[it - 1]) }
         val strongest = DoubleArray(waves.periods) { waves.wavelength(waves.strongest(it)) }

@@ -82,14 +82,17 @@ internal class Waves private constructor(
     /** The strongest mode in period [k]. */
     fun strongest(k: Int): Int = modes.maxBy { amplitude(it).speed(k) }
 
-    /** The strongest mode before all modes together come to a tenth of the most that they have; the first of growth. */
+    /**
+     * The strongest mode before all modes together come to a tenth of the most that they have, of those that grow where
+     * there are any: noise may be stronger in others.
+     */
     val first: Int by lazy {
         val power = DoubleArray(periods) { k -> modes.sumOf { m -> amplitude(m).speed(k).let { it * it } } }
         val end = maxOf(1, power.indexOfFirst { it > power.max() * EARLY })
-        strongestOf((0 until end).toList())
+        strongestOf((0 until end).toList(), modes.filter { growth(it)?.isGrowing == true }.ifEmpty { modes })
     }
 
-    private fun strongestOf(all: List<Int>) = modes.maxBy { m ->
+    private fun strongestOf(all: List<Int>, among: Iterable<Int> = modes) = among.maxBy { m ->
         all.sumOf { k -> amplitude(m).speed(k).let { it * it } }
     }
 
