@@ -43,8 +43,14 @@ class MoonletMapTest {
         val n = x.size
         val zero = { DoubleArray(n) }
         val p = Population(
-            x.toDoubleArray(), y.toDoubleArray(), zero(), zero(), zero(), zero(),
-            DoubleArray(n) { 0.1 }, DoubleArray(n) { if (it == n - 1) 1e6 else 2.0 },
+            x.toDoubleArray(),
+            y.toDoubleArray(),
+            zero(),
+            zero(),
+            zero(),
+            zero(),
+            DoubleArray(n) { 0.1 },
+            DoubleArray(n) { if (it == n - 1) 1e6 else 2.0 },
         )
         return State(p, sheet, time, 1.0, n - 1)
     }

@@ -129,6 +129,7 @@ class EncounterTest {
             assertTrue(found.isNotEmpty())
             for (resonance in found) {
                 val m = if (side > 0) resonance.m else resonance.m + 1
+
                 // Positive nearer than the resonance.
                 fun excess(offset: Double) =
                     at(moon + side * offset).let { it.kappa - m * side * (at(moon).omega - it.omega) }

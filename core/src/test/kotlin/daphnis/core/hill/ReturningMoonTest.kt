@@ -68,7 +68,14 @@ class ReturningMoonTest {
         val moon = Satellite(3.0, start, orbits, circumference = circumference)
         val zero = { DoubleArray(1) }
         val p = Population(
-            zero(), zero(), zero(), zero(), zero(), zero(), doubleArrayOf(1e-3), doubleArrayOf(1.0),
+            zero(),
+            zero(),
+            zero(),
+            zero(),
+            zero(),
+            zero(),
+            doubleArrayOf(1e-3),
+            doubleArrayOf(1.0),
         )
         val simulation = Simulation(p, Open, null, FixedTimeStep(period / 2000), listOf(moon, HillFrame(orbits)))
         fun e() = Epicycle.of(p.x[0], p.y[0], p.z[0], p.vx[0], p.vy[0], p.vz[0], orbits).e

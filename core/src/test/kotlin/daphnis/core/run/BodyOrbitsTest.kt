@@ -80,7 +80,8 @@ class BodyOrbitsTest {
             "particles.mass=1e-9",
             "velocities={\"type\":\"rest\",\"shearProfile\":true}",
             """bodies=[{"radius":1,"mass":60,"position":[0,0,0]},{"radius":0.5,"mass":6,"position":[5,14,0]}]""",
-            "box.lengths=[300,400,6]", "untilOrbits=0.8",
+            "box.lengths=[300,400,6]",
+            "untilOrbits=0.8",
         )
         val moonlet = rows(path, 0)
         val particle = rows(path, 1)
@@ -94,7 +95,11 @@ class BodyOrbitsTest {
     @Test
     fun `elements are those of the frame's frequencies, through the faces, and a free moonlet is pushed by nothing`() {
         val path = run(
-            "free", "particles.count=1", "forces=[]", "untilOrbits=2", "output.bodiesEvery=25",
+            "free",
+            "particles.count=1",
+            "forces=[]",
+            "untilOrbits=2",
+            "output.bodiesEvery=25",
             "bodies=[{\"radius\":0.5,\"mass\":6,\"position\":[18,14,1],\"velocity\":[1.5,-26,0.2]}]",
         )
         val rows = rows(path)

@@ -30,8 +30,7 @@ class MoonCheckTest {
     private fun refused(moon: String, vararg settings: String): String =
         assertThrows(InputException::class.java) { ScenarioSetup.of(scenario(moon, *settings), "patch") }.message!!
 
-    private fun accepted(moon: String, vararg settings: String) =
-        ScenarioSetup.of(scenario(moon, *settings), "patch")
+    private fun accepted(moon: String, vararg settings: String) = ScenarioSetup.of(scenario(moon, *settings), "patch")
 
     @Test
     fun `a moon that crosses the plane within a body is refused, and one that just misses is not`() {
@@ -49,8 +48,12 @@ class MoonCheckTest {
     @Test
     fun `bad keys of moons are one line each`() {
         assertTrue("forces[0].inclination: is -1.0" in refused(""""x":50,"y":0,"inclination":-1"""))
-        val noLength = refused(""""x":50,"y":0,"constant":1,"returns":true""", "frame.angularSpeed=1",
-            "frame.distanceInKm=null", "units.lengthInMetres=null")
+        val noLength = refused(
+            """"x":50,"y":0,"constant":1,"returns":true""",
+            "frame.angularSpeed=1",
+            "frame.distanceInKm=null",
+            "units.lengthInMetres=null",
+        )
         assertTrue("units.lengthInMetres" in noLength && "returns" in noLength) { noLength }
         val long = refused(""""x":50,"y":0,"returns":true""", "box.lengths=[100,1e9,10]", "particles.count=2")
         assertTrue("forces[0].returns" in long) { long }

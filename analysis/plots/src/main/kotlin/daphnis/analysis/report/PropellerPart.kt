@@ -40,11 +40,19 @@ internal class PropellerPart(private val study: Study, private val body: Moonlet
             "${ReportText.short(far / body.hillRadius)} r_H along the orbit"
         return rows.list() + listOf(
             row(
-                "propeller_separation", "radial distance of the gaps of the propeller",
-                found.separation / body.hillRadius, found.separationError / body.hillRadius, "r_H", where,
+                "propeller_separation",
+                "radial distance of the gaps of the propeller",
+                found.separation / body.hillRadius,
+                found.separationError / body.hillRadius,
+                "r_H",
+                where,
             ),
             row(
-                "propeller_depth", "part of the surface density missing in them", found.depth, found.depthError, "",
+                "propeller_depth",
+                "part of the surface density missing in them",
+                found.depth,
+                found.depthError,
+                "",
                 "weighted like the centres",
             ),
         )

@@ -38,24 +38,27 @@ internal class WalkPart(private val study: Study) : Part {
         return rows.list() + listOf(
             row("moonlet_drift", "drift of the moonlets' a", found.drift, found.driftError, orbit, "$distance/orbit"),
             row(
-                "moonlet_diffusion", "diffusion of their a, ½ ⟨Δa²⟩/t", found.diffusion, found.diffusionError, orbit,
-                "${units.area}/orbit", blocks,
+                "moonlet_diffusion",
+                "diffusion of their a, ½ ⟨Δa²⟩/t",
+                found.diffusion,
+                found.diffusionError,
+                orbit,
+                "${units.area}/orbit",
+                blocks,
             ),
             row(
-                "moonlet_walk", "random walk of their a in 100 orbits, √(2Dt)", found.amplitude(century),
-                found.amplitudeError(century), 1.0, distance, "Rein & Papaloizou 2010, A&A 524, A22: 10–100 m",
+                "moonlet_walk",
+                "random walk of their a in 100 orbits, √(2Dt)",
+                found.amplitude(century),
+                found.amplitudeError(century),
+                1.0,
+                distance,
+                "Rein & Papaloizou 2010, A&A 524, A22: 10–100 m",
             ),
         )
     }
 
-    private fun force(
-        rows: NumberRows,
-        body: BodyTable,
-        key: String,
-        by: String,
-        column: Column,
-        unit: String,
-    ) {
+    private fun force(rows: NumberRows, body: BodyTable, key: String, by: String, column: Column, unit: String) {
         val series = body.force(column).filter { it.isFinite() }.toDoubleArray()
         if (series.isEmpty()) return
         val note = "times the distance from the planet: torque"
