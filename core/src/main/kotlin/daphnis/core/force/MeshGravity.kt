@@ -81,8 +81,8 @@ public class MeshGravity @JvmOverloads constructor(
         return arrayOf(ax, ay, az)
     }
 
-    /** How far apart the points of the mesh are for [population], along z and at most along x and y. Length. */
-    public fun spacingFor(population: Population): Double = pointsFor(population).hz
+    /** How far apart points of the mesh are for [population] along x or y, where they are further. Length. */
+    public fun spacingFor(population: Population): Double = pointsFor(population).let { maxOf(it.hx, it.hy) }
 
     /** Takes a transform more than the force: the share of the mesh is not known by sphere. */
     override fun stressXY(population: Population, time: Double): Double {
