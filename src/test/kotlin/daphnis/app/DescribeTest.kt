@@ -101,6 +101,17 @@ class DescribeTest {
         assertFalse("no self-gravity" in text)
         assertTrue("self-gravity, opening angle 0.7, softening 0.1 m, reaches 500 m" in row(text, "forces")) { text }
         assertTrue("no self-gravity" in describe("ring-patch"))
+        fun gravity(keys: String) =
+            row(describe("self-gravity-wakes", """forces=[{"type":"self-gravity",$keys}]"""), "forces")
+        // 1,476 spheres on 200 m by 200 m are 5.2 m apart; 48 points are the next length of a transform.
+        assertEquals(
+            "[0] self-gravity by a mesh, points 4.167 m apart, softening 0.1 m, with all images",
+            gravity(""""method":"mesh","softening":0.1"""),
+        )
+        assertEquals(
+            "[0] self-gravity along x alone, 8 waves down to 25 m",
+            gravity(""""method":"radial-modes","modes":8"""),
+        )
     }
 
     @Test

@@ -155,8 +155,8 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         const val STEP_SECONDS = 0.25e-6
         const val WALK_SECONDS = 0.05e-6
         const val PAIR_SECONDS = 5e-9
-        const val MESH_SECONDS = 1e-6
-        const val WAVES_SECONDS = 0.1e-6
+        const val MESH_SECONDS = 1.5e-6
+        const val WAVES_SECONDS = 0.04e-6
         const val LEAST_ANGLE = 0.05
     }
 }

@@ -7,8 +7,8 @@ import daphnis.core.population.Population
 /**
  * An octree over a population for sums of gravity (Barnes & Hut 1986, Nature 324, 446). Spheres are sorted along a
  * Morton curve, spheres with one key by id, so the tree and every sum in it are the same whatever order the arrays are
- * in. Nodes are in depth-first order: the first child of node n is n + 1, and the node after its subtree is [skip]. The rows of this
- * table are nodes.
+ * in. Nodes are in depth-first order: the first child of node n is n + 1, and the node after its subtree is [skip]. The
+ * rows of this table are nodes.
  *
  * ```
  *   0 root        skip 9

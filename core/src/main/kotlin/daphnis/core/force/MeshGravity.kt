@@ -19,8 +19,8 @@ import daphnis.core.population.SphereSum
  * those of the endless sheet, where [SelfGravity] sees up to its range. The rms error of the force is 0.3 to 0.4 %
  * (docs/physics.md).
  *
- * Each sum is taken in the order of the cells of the mesh and of ids, so the bits are the same on any number of threads and
- * for any order of the arrays. Momentum is conserved as well as the mesh allows, not to round-off.
+ * Each sum is taken in the order of the cells of the mesh and of ids, so the bits are the same on any number of threads
+ * and for any order of the arrays. Momentum is conserved as well as the mesh allows, not to round-off.
  *
  * @param constant G, length³/(mass · time²)
  * @param softening ε in 1/(r² + ε²), length; the mesh is never finer than 9 ε
@@ -81,8 +81,8 @@ public class MeshGravity @JvmOverloads constructor(
         return arrayOf(ax, ay, az)
     }
 
-    /** How far apart the points of the mesh are for [population], along z and at most along x and y. Length. */
-    public fun spacingFor(population: Population): Double = pointsFor(population).hz
+    /** How far apart points of the mesh are for [population] along x or y, where they are further. Length. */
+    public fun spacingFor(population: Population): Double = pointsFor(population).let { maxOf(it.hx, it.hy) }
 
     /** Takes a transform more than the force: the share of the mesh is not known by sphere. */
     override fun stressXY(population: Population, time: Double): Double {
@@ -96,8 +96,8 @@ public class MeshGravity @JvmOverloads constructor(
     }
 
     /**
-     * ½ Σ m Φ over all spheres and images. Φ is that of the endless sheet without its mean, which is a constant: that of
-     * a thin uniform sheet at z = 0 is 2πGΣ|z|.
+     * ½ Σ m Φ over all spheres and images. Φ is that of the endless sheet without its mean, which is a constant: that
+     * of a thin uniform sheet at z = 0 is 2πGΣ|z|.
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
@@ -124,8 +124,9 @@ public class MeshGravity @JvmOverloads constructor(
 
     private fun makeRoom(size: Int) {
         if (weights.size < loop.workers) {
-            weights = Array(loop.workers) { MeshWeights(cells) }
             pulls = Array(loop.workers) { NearPulls(cells, softening) }
+            // Last, as below.
+            weights = Array(loop.workers) { MeshWeights(cells) }
         }
         if (potential.size >= size) return
         ax = DoubleArray(size)
@@ -208,9 +209,11 @@ public class MeshGravity @JvmOverloads constructor(
         /** Meshes that are kept. */
         private const val MESHES = 3
 
-        /** Whether a mesh can be laid over a box with [boundary]: repeating along x and y, sliding along y if at all. */
+        /** Whether a mesh fits a box with [boundary]: it repeats along x and y, and slides along y if at all. */
         @JvmStatic
-        public fun fits(boundary: BoundaryConditions): Boolean = boundary.hasImages(0) && boundary.hasImages(1) &&
-            !boundary.repeats(2) && (boundary.shear?.normalAxis ?: 0) == 0
+        public fun fits(boundary: BoundaryConditions): Boolean = boundary.hasImages(0) &&
+            boundary.hasImages(1) &&
+            !boundary.repeats(2) &&
+            (boundary.shear?.normalAxis ?: 0) == 0
     }
 }

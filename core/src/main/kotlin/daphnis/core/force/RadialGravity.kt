@@ -12,16 +12,18 @@ import daphnis.core.population.SphereSum
 import kotlin.math.floor
 
 /**
- * Gravity along x alone, of a flat ring that is the same all along y: Σ over waves of the surface density, each with the
- * potential −2πG Σ_k/|k| of a thin sheet (Toomre 1964, ApJ 139, 1217), as in patches of kilometres that are thin along
- * the orbit (Lehmann, Schmidt & Salo 2017, ApJ 851, 125). For a box that repeats along x. Nothing pulls along y and z.
+ * Gravity along x alone, of a flat ring that is the same all along y: Σ over waves of the surface density, each with
+ * the potential −2πG Σ_k/|k| of a thin sheet (Toomre 1964, ApJ 139, 1217), as in patches of kilometres that are thin
+ * along the orbit (Lehmann, Schmidt & Salo 2017, ApJ 851, 125). For a box that repeats along x. Nothing pulls along y
+ * and z.
  *
- * Masses are spread over a line of [POINTS_PER_WAVE] points per shortest wave in whole numbers, whose sums have the same
- * bits in any order and on any number of threads. Spreading costs the shortest wave some 2e-4 of its force.
+ * Masses are spread over a line of [POINTS_PER_WAVE] points per shortest wave in whole numbers, whose sums have the
+ * same bits in any order and on any number of threads. Spreading costs the shortest wave some 2e-4 of its force.
  *
  * @param constant G, length³/(mass · time²)
  * @param modes the waves L_x, L_x/2, … L_x/[modes] are summed; shorter ones pull nothing
- * @throws IllegalArgumentException when the box does not repeat along x or has no length along y, or a number is out of range
+ * @throws IllegalArgumentException when the box does not repeat along x or is endless along y, or a number is out of
+ *   range
  */
 public class RadialGravity(
     private val boundary: BoundaryConditions,

@@ -18,6 +18,8 @@ private fun pull(setup: ScenarioSetup, force: ForceSpec): Pull? {
     return when (force) {
         is ForceSpec.UniformAcceleration -> null
         is ForceSpec.SelfGravity -> {
+            // Waves along x do not see two spheres.
+            if (force.method == GravityMethod.RADIAL_MODES) return null
             val g = force.constant ?: scenario.units.gravitationalConstant ?: return null
             val fastest = particles.maxOfOrNull { rate(2 * g * p.mass[it], 2 * p.radius[it], force.softening) }
             fastest?.let { Pull(it, "two spheres in contact") }

@@ -59,7 +59,9 @@ internal class SelfGravitySetup(private val boundary: BoundaryConditions, privat
     private fun refuseKeysOfOthers(spec: ForceSpec.SelfGravity, key: String) {
         val usual = ForceSpec.SelfGravity()
         val isTree = spec.method == GravityMethod.TREE
-        check.must("$key.openingAngle", isTree || spec.openingAngle == usual.openingAngle) { "goes with the method tree" }
+        check.must("$key.openingAngle", isTree || spec.openingAngle == usual.openingAngle) {
+            "goes with the method tree"
+        }
         check.must("$key.images", isTree || spec.images == usual.images) { "goes with the method tree" }
         check.must("$key.spacing", spec.spacing == null || spec.method == GravityMethod.MESH) {
             "goes with the method mesh"

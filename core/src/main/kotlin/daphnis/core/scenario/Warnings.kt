@@ -3,6 +3,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.force.RadialGravity
 import daphnis.core.population.granularTemperature
 import java.util.Locale
 import kotlin.math.abs
@@ -94,6 +95,8 @@ private fun coarsePull(setup: ScenarioSetup, dt: Double): String? {
 
 /** A patch with self-gravity that is shorter than one unstable wave has no room for wakes. */
 private fun smallForWakes(setup: ScenarioSetup): String? {
+    // Waves along x alone make no wakes.
+    if (setup.forces.any { it is RadialGravity }) return null
     val wavelength = criticalWavelength(setup) ?: return null
     val box = setup.boundary.box
     val shortest = (0..1).filter { setup.boundary.hasImages(it) }.minByOrNull { box.length(it) } ?: return null

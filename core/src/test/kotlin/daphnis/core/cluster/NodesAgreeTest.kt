@@ -110,7 +110,8 @@ class NodesAgreeTest {
         val fleet = FleetEngines(ThreadFleet(2), PATIENCE)
         val e = assertThrows(InputException::class.java) { Run.start(one, "wakes", home.resolve("n"), engines = fleet) }
         assertEquals(
-            "wakes: forces: has self-gravity, which nodes cannot compute yet; run it on one machine, or take radial-modes",
+            "wakes: forces: has self-gravity, which nodes cannot compute yet; run it on one machine, or take " +
+                "radial-modes",
             e.message,
         )
         assertFalse(Files.exists(home.resolve("n")))

@@ -41,7 +41,7 @@ class MeshGravityTest {
         )
     }
 
-    /** a x y z, Σ a_y Δx of the spheres [of], summed over all images within so many boxes, faded as a tree's range is. */
+    /** a x y z, Σ a_y Δx of the spheres [of], over all images within so many boxes, faded as a tree's range is. */
     private fun direct(
         p: Population,
         boundary: BoundaryConditions,
@@ -174,7 +174,7 @@ class MeshGravityTest {
                     return gravity.potentialEnergy(q, sheet, 0.31)
                 }
                 val slope = (energy(h) - energy(-h)) / (2 * h)
-                }
+            }
         }
     }
 

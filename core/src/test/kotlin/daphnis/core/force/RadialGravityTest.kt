@@ -52,7 +52,8 @@ class RadialGravityTest {
         for (i in 0 until p.size) {
             var expected = 0.0
             for (j in 0 until p.size) {
-                for (m in 1..modes) expected -= 4 * PI * 3.0 * p.mass[j] / 4e4 * sin(2 * PI * m / 1000 * (p.x[i] - p.x[j]))
+                val distance = p.x[i] - p.x[j]
+                for (m in 1..modes) expected -= 4 * PI * 3.0 * p.mass[j] / 4e4 * sin(2 * PI * m / 1000 * distance)
             }
             error += (a[0][i] - expected) * (a[0][i] - expected)
             size += expected * expected

@@ -20,8 +20,8 @@ import kotlin.math.sqrt
 
 /**
  * Force of a mesh and of a tree in `self-gravity-wakes`, against the direct sum over all images of the sheet, at the
- * start and with wakes. The long form lays the patch out 7 by 7 times, which is the same sheet, and prints how long each
- * took on one thread, in turns.
+ * start and with wakes. The long form lays the patch out 7 by 7 times, which is the same sheet, and prints how long
+ * each took on one thread, in turns.
  */
 @Tag("physics")
 class GravityMethodsTest {
@@ -72,9 +72,8 @@ class GravityMethodsTest {
             }
             methods.forEachIndexed { m, (name, method) ->
                 val off = rmsError(method, many, time, of, expected)
-                println(
-                    "%s, %d spheres, %s: %.3f µs, rms error %.5f".format(Locale.ROOT, where, many.size, name, least[m], off),
-                )
+                val row = "%s, %d spheres, %s: %.3f µs, rms error %.5f"
+                println(row.format(Locale.ROOT, where, many.size, name, least[m], off))
             }
         }
     }
@@ -103,7 +102,12 @@ class GravityMethodsTest {
     }
 
     /** Over images up to 15 boxes away, faded from half of that on. */
-    private fun direct(p: Population, boundary: BoundaryConditions, time: Double, of: IntProgression): Array<DoubleArray> {
+    private fun direct(
+        p: Population,
+        boundary: BoundaryConditions,
+        time: Double,
+        of: IntProgression,
+    ): Array<DoubleArray> {
         val images = 15
         val shifts = Images().also { it.prepare(boundary, time) }
         val range2 = 200.0 * 200.0 * (images + 0.5) * (images + 0.5)

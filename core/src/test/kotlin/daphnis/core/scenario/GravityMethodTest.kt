@@ -57,4 +57,12 @@ class GravityMethodTest {
             refused(""","method":"radial-modes","modes":4""", """boundary={"type":"hill-sheet","radiallyOpen":true}"""),
         )
     }
+
+    @Test
+    fun `who sums waves along x is not told that there is no room for wakes, nor to follow pairs`() {
+        val heavy = listOf("particles.density=9000", "timeStep.steps=100", "box.lengths=[60,60,20]")
+        fun warnings(keys: String) = setup(keys, *heavy.toTypedArray()).let { warnings(it) }
+        assertEquals(2, warnings("").size)
+        assertEquals(emptyList<String>(), warnings(""","method":"radial-modes","modes":12"""))
+    }
 }

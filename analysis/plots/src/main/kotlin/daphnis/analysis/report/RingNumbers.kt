@@ -134,7 +134,7 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
         rows.exact("viscosity_of_wakes", "viscosity of wakes by Daisaka et al.", wakeViscosity(constant), "r² Ω", WAKES)
     }
 
-    /** 26 r_h⁵ G² Σ²/Ω³ (Daisaka, Tanaka & Ida 2001, Icarus 154, 296), to which the total viscosity of wakes is compared. */
+    /** 26 r_h⁵ G² Σ²/Ω³ (Daisaka, Tanaka & Ida 2001, Icarus 154, 296), for the total viscosity of wakes. */
     private fun wakeViscosity(constant: Double): Double {
         val pull = constant * bulk.surfaceDensity
         return 26 * Math.pow(bulk.hillRatio, 5.0) * pull * pull / (omega * omega * omega) / (r * r * omega)

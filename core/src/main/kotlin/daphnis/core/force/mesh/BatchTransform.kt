@@ -16,10 +16,10 @@ internal class ComplexRows {
 }
 
 /**
- * Fourier transforms of many rows at once: of [length] rows of equal width, along the rows' number, Σ x_j e^(−2πi jk/n).
- * All columns take the same steps, so a column has the same bits whatever is beside it, and the inner loops run along
- * memory (Stockham's sorted form: Van Loan 1992, Computational Frameworks for the FFT, section 1.7). Not normalised: there and
- * back multiplies by [length]. Shared by threads.
+ * Fourier transforms of many rows at once: of [length] rows of equal width, along the rows' number, Σ x_j e^(−2πi
+ * jk/n). All columns take the same steps, so a column has the same bits whatever is beside it, and the inner loops run
+ * along memory (Stockham's sorted form: Van Loan 1992, Computational Frameworks for the FFT, section 1.7). Not
+ * normalised: there and back multiplies by [length]. Shared by threads.
  *
  * @param length a product of twos and threes
  */

@@ -1,9 +1,8 @@
 package daphnis.core.force.mesh
 
 /**
- * The cubic B-spline by which a sphere is spread over four points of a mesh along an axis, and by which the mesh is read
- * at the sphere. For a sphere t of a spacing beyond
- * point i these are the points i − 1 to i + 2.
+ * The cubic B-spline by which a sphere is spread over four points of a mesh along an axis, and by which the mesh is
+ * read at the sphere. For a sphere t of a spacing beyond point i these are the points i − 1 to i + 2.
  */
 internal object CubicSpline {
     /** How many points along an axis a sphere has a share in. */
@@ -29,8 +28,8 @@ internal object CubicSpline {
 
     /**
      * What a wave of [angle] radians per spacing, within ±π, is to be multiplied by so that what is spread and read
-     * with these weights has its true amplitude, with the least error from waves that look alike on the mesh: W²/(Σ W²)²
-     * (Hockney & Eastwood 1988, chapter 8).
+     * with these weights has its true amplitude, with the least error from waves that look alike on the mesh: W²/(Σ
+     * W²)² (Hockney & Eastwood 1988, chapter 8).
      */
     fun correction(angle: Double): Double {
         val half = angle / 2

@@ -4,8 +4,8 @@ import daphnis.core.population.Population
 import kotlin.math.floor
 
 /**
- * Spheres in the order of the cells of a mesh, column by column along x, row by row along y, and by id within a cell: the
- * same order whatever that of the population. Positions along x and y are from the lower corner of the box.
+ * Spheres in the order of the cells of a mesh, column by column along x, row by row along y, and by id within a cell:
+ * the same order whatever that of the population. Positions along x and y are from the lower corner of the box.
  */
 internal class MeshCells {
     /** Index in the population by place. */
@@ -68,7 +68,8 @@ internal class MeshCells {
     private fun finish(p: Population, points: MeshPoints, lowerX: Double, lowerY: Double) {
         for (k in 1 until p.size) {
             var place = k
-            while (place > 0 && cell[order[place - 1]] == cell[order[place]] &&
+            while (place > 0 &&
+                cell[order[place - 1]] == cell[order[place]] &&
                 p.id[order[place - 1]] > p.id[order[place]]
             ) {
                 order[place] = order[place - 1].also { order[place - 1] = order[place] }

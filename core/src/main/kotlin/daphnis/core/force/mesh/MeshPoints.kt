@@ -31,7 +31,7 @@ internal data class MeshPoints(
     val perZ: Double = 1 / hz
 
     companion object {
-        /** The radius of a cloud in spacings along x and y: the error of the force and the number of pairs follow from it. */
+        /** The radius of a cloud in spacings along x and y: error and number of pairs follow from it. */
         private const val RATIO = 3.5
 
         /** The same along z, where the error would be greatest. */

@@ -23,8 +23,8 @@ internal class MeshWeights(private val cells: MeshCells) {
         private set
 
     /**
-     * Fills a [column] of points with the masses around it, sphere by sphere in the order of the cells. Beyond the faces
-     * images are taken, where they are.
+     * Fills a [column] of points with the masses around it, sphere by sphere in the order of the cells. Beyond the
+     * faces images are taken, where they are.
      */
     fun fill(mesh: SheetMesh, column: Int) {
         val points = mesh.points

@@ -50,7 +50,7 @@ internal class SheetKernel(shape: CompactShape, largest: Double, private val spa
         }
     }
 
-    /** Writes to [into] the potential for each number of planes apart, at wave number [k]; constants for k = 0 left out. */
+    /** Writes to [into] the potential by planes apart, at wave number [k]; without the constant of k = 0. */
     fun write(k: Double, into: DoubleArray) {
         val place = k / step
         val row = place.toInt()

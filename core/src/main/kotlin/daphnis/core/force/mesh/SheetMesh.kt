@@ -6,10 +6,10 @@ import daphnis.core.parallel.RangeLoop
  * The potential of masses on a mesh that repeats along x and y, with images at +L_x displaced along y, and is alone
  * along z. Fill [values] with masses, call [solve], and read potentials.
  *
- * Transforms along y come first. A row of wave number k_y is shifted by s where it is multiplied by e^(−i k_y s), by any
- * distance. Multiplied by e^(+i k_y s x/L_x), with s the displacement of the image, rows repeat along x, and are
- * transformed along it. So the mesh itself is never sheared, and every wave is an exact wave of the sheet, with
- * k_x = 2π/L_x (n − j s/L_y) (Gammie 2001, ApJ 553, 174, has the same waves).
+ * Transforms along y come first. A row of wave number k_y is shifted by s where it is multiplied by e^(−i k_y s), by
+ * any distance. Multiplied by e^(+i k_y s x/L_x), with s the displacement of the image, rows repeat along x, and are
+ * transformed along it. So the mesh itself is never sheared, and every wave is an exact wave of the sheet, with k_x =
+ * 2π/L_x (n − j s/L_y) (Gammie 2001, ApJ 553, 174, has the same waves).
  *
  * Two planes are the real and the imaginary part of one. Every loop is over parts that do not overlap, and each number
  * is made by the same operations whoever makes it.
@@ -32,6 +32,7 @@ internal class SheetMesh(val points: MeshPoints) {
     private val correctionY = DoubleArray(ny / 2 + 1) { CubicSpline.correction(2 * Math.PI * it / ny) }
     private val correctionX = DoubleArray(ROWS + 2) { CubicSpline.correction(Math.PI * it / ROWS) }
     private val stresses = DoubleArray(ny / 2 + 1)
+
     /** The greatest wave number that is kept. */
     private val largest = CUT / points.reach
     private val kernel = SheetKernel(CompactShape(points.reach), largest, points.hz, nz)
@@ -45,7 +46,9 @@ internal class SheetMesh(val points: MeshPoints) {
         loop.run(ny / 2 + 1, WAVES) { worker, from, to ->
             for (j in from until to) waves(worker, j, slide, false)
         }
-        loop.run(nx, COLUMNS) { worker, from, to -> forEachGroup(from, to) { a, b -> rows(worker, a, b, slide, false) } }
+        loop.run(nx, COLUMNS) { worker, from, to ->
+            forEachGroup(from, to) { a, b -> rows(worker, a, b, slide, false) }
+        }
     }
 
     /**
