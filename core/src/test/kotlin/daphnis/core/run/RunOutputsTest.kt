@@ -42,7 +42,8 @@ class RunOutputsTest {
 
     @Test
     fun `every column of a quantity has its unit in its head, as the scenario says`() {
-        run("ring-patch", "ring", "output.transportEvery=1", "output.collisionLog=true", "untilOrbits=0.02")
+        val others = arrayOf("output.collisionLog=true", "output.bodiesEvery=1")
+        run("ring-patch", "ring", "output.transportEvery=1", "untilOrbits=0.02", *others)
         fun head(file: String) = Files.readAllLines(home.resolve("ring/$file"))[0]
         assertTrue(head("series.csv").startsWith("step,time [s],particles,collisions,kinetic_energy [J],")) {
             head("series.csv")
