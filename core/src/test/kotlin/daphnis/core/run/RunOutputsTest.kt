@@ -42,8 +42,8 @@ class RunOutputsTest {
 
     @Test
     fun `every column of a quantity has its unit in its head, as the scenario says`() {
-        val tables = arrayOf("output.transportEvery=1", "output.collisionLog=true", "output.modesEvery=1")
-        run("ring-patch", "ring", *tables, "untilOrbits=0.02")
+        val tables = arrayOf("transportEvery", "modesEvery", "bodiesEvery").map { "output.$it=1" }.toTypedArray()
+        run("ring-patch", "ring", *tables, "output.collisionLog=true", "untilOrbits=0.02")
         fun head(file: String) = Files.readAllLines(home.resolve("ring/$file"))[0]
         assertTrue(head("series.csv").startsWith("step,time [s],particles,collisions,kinetic_energy [J],")) {
             head("series.csv")
