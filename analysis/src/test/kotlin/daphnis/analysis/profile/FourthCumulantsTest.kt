@@ -198,6 +198,6 @@ class FourthCumulantsTest {
 
     private companion object {
         const val SETS = 400
-        const val SEEDS = 24
+        const val SEEDS = 10
     }
 }
